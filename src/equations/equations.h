@@ -1,0 +1,103 @@
+#pragma once
+
+#include <vector>
+
+#include "grafcet/grafcet.h"
+
+namespace grafwire {
+
+/// How CDX is derived (course "Mise en œuvre du GRAFCET", section 1.2).
+enum class CdxForm {
+    successor,   ///< OR over the transitions out of the step of (AND of the X that follow): the wiring form
+    transition,  ///< OR over the transitions out of the step of (AND of the X that precede) . receptivity
+};
+
+struct EquationOptions {
+    CdxForm cdx = CdxForm::successor;
+    bool modes = true;  ///< with Init, AUdur and AUdoux
+};
+
+/// The equation of a step, in parts. Absent parts are no_expr. None is constant but where said.
+///
+///   core = CAX + /CDX.X                    (+ Init for an initial step, ./Init for another)
+///   X    = (((core . /forced_off) + forced_on) . enclosing + link) . /AUdur
+struct StepEquation {
+    ExprId cax = no_expr;         ///< without Init; the constant 0 where nothing activates the step
+    ExprId cdx = no_expr;         ///< without Init; the constant 0 where nothing deactivates it
+    ExprId table_cax = no_expr;   ///< CAX as tabulated: with Init where there are modes
+    ExprId table_cdx = no_expr;
+    ExprId forced_off = no_expr;  ///< OR of the X that force the step's graph
+    ExprId forced_on = no_expr;   ///< OR of the X whose orders list the step
+    ExprId enclosing = no_expr;   ///< X of the step that encloses the graph
+    ExprId link = no_expr;        ///< ↑X of that step . /(orders on the graph) [. /Init]: activation link
+    ExprId x = no_expr;           ///< the whole right-hand side
+};
+
+/// A continuous output: OR over the actions of X . condition, [. /AUdoux].
+struct OutputEquation {
+    OutputId output{};
+    ExprId sum = no_expr;  ///< without AUdoux; the constant 0 where nothing drives the output
+    ExprId value = no_expr;
+};
+
+/// What makes one write happen, and what is written. Writes stand in the order of their execution
+/// (deactivation, clearing, activation, event; then file order): the last one that happens wins.
+struct StoredWrite {
+    enum class Cause { deactivation, clearing, activation, event };
+    Cause cause = Cause::activation;
+    StepId step{};              ///< of the action (all causes but clearing)
+    TransitionId transition{};  ///< of the action on clearing
+    ExprId event = no_expr;     ///< cause event: the expression, without its step
+    ExprId trigger = no_expr;   ///< ↓X, the clearing condition [. /Init], ↑X, or X . event
+    ExprId value = no_expr;     ///< written to an output or var: an expression, perhaps constant
+    const Sum* sum = nullptr;   ///< written to a counter; lives in the GRAFCET
+    Location where;
+};
+
+/// A stored output, var or counter with all the writes to it.
+///
+///   set   = OR over the writes of trigger . value  . /(triggers of later writes)
+///   reset = OR over the writes of trigger . /value . /(triggers of later writes)
+struct StoredEquation {
+    Variable target;
+    std::vector<StoredWrite> writes;
+    ExprId set = no_expr;    ///< no_expr for counters
+    ExprId reset = no_expr;
+};
+
+/// The equations of a GRAFCET. All expressions live in `expressions`, a copy of the GRAFCET's pool
+/// with additions, so that edges and time conditions keep their ordinals. Variables of macro-steps
+/// and graphs do not occur: they are written out as the OR of their steps. No expression holds a
+/// term that is constant.
+struct Equations {
+    const Grafcet* grafcet = nullptr;  ///< must outlive the equations
+    EquationOptions options;
+    Expressions expressions;
+
+    /// Per transition: AND of the X that precede . receptivity . /(OR of the X that freeze the
+    /// graph), as one flat conjunction; Init is not in it.
+    Table<TransitionId, ExprId> clearing;
+    /// Per transition: the receptivity alone, gated by the freezing steps.
+    Table<TransitionId, ExprId> receptivity;
+    /// Per graph: OR of the X that freeze it, or no_expr.
+    Table<GraphId, ExprId> frozen;
+    Table<StepId, StepEquation> steps;
+    std::vector<OutputEquation> outputs;  ///< continuous and undriven outputs, in the order declared
+    std::vector<StoredEquation> stored;   ///< stored outputs, then vars, then counters that are written
+};
+
+Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);
+
+/// The transitions into and out of every step, in table order.
+struct StepTransitions {
+    std::vector<std::uint32_t> first_into;   ///< size steps + 1: ranges of `into`
+    std::vector<TransitionId> into;
+    std::vector<std::uint32_t> first_out_of; ///< size steps + 1: ranges of `out_of`
+    std::vector<TransitionId> out_of;
+
+    std::span<const TransitionId> into_step(StepId step) const;
+    std::span<const TransitionId> out_of_step(StepId step) const;
+};
+StepTransitions transitions_by_step(const Grafcet& grafcet);
+
+}  // namespace grafwire

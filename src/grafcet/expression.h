@@ -1,0 +1,144 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "text/time.h"
+
+namespace grafwire {
+
+enum class ExprId : std::uint32_t {};
+inline constexpr ExprId no_expr{0xffffffffU};
+
+enum class ExprKind : std::uint8_t {
+    constant,
+    variable,
+    negation,
+    conjunction,
+    disjunction,
+    exclusive_or,
+    rise,            ///< `↑e`
+    fall,            ///< `↓e`
+    time_condition,  ///< `t1/e/t2`
+    comparison,      ///< `[sum relation sum]`
+};
+
+enum class VariableKind : std::uint8_t {
+    input,    ///< index into Grafcet::inputs
+    control,  ///< index is a ControlInput
+    output,   ///< index into Grafcet::outputs; in expressions only stored outputs occur
+    var,      ///< index into Grafcet::vars
+    counter,  ///< index into Grafcet::counters; target of a write, never a Boolean operand
+    step,     ///< the X variable of a step
+    macro,    ///< the X variable of a macro-step
+    graph,    ///< the X variable of a graph
+};
+
+/// The inputs that every GRAFCET has without declaring them; the numbers are their order in ports
+/// and traces.
+enum class ControlInput : std::uint8_t { init, au_dur, au_doux };
+inline constexpr std::size_t control_input_count = 3;
+
+struct Variable {
+    VariableKind kind = VariableKind::input;
+    std::uint32_t index = 0;
+    auto operator<=>(const Variable&) const = default;
+};
+
+enum class Relation : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal };
+
+/// One signed term of a sum: a counter, or a whole number where `counter` is no_counter.
+struct SumTerm {
+    static constexpr std::uint32_t no_counter = 0xffffffffU;
+    bool negative = false;
+    std::uint32_t counter = no_counter;
+    std::int64_t value = 0;  ///< not negative
+    auto operator<=>(const SumTerm&) const = default;
+};
+
+/// The terms in the order written; never empty.
+using Sum = std::vector<SumTerm>;
+
+struct Comparison {
+    Sum left;
+    Relation relation = Relation::equal;
+    Sum right;
+    auto operator<=>(const Comparison&) const = default;
+};
+
+/// `on_delay/operand/off_delay`: 1 once the operand has been 1 for on_delay, 0 once it has been 0
+/// for off_delay (at once where off_delay is 0).
+struct TimeCondition {
+    Time on_delay = 0;
+    ExprId operand = no_expr;
+    Time off_delay = 0;
+    auto operator<=>(const TimeCondition&) const = default;
+};
+
+/// Boolean expressions over the variables of a GRAFCET, kept as a pool of shared nodes: building the
+/// same expression twice gives the same id, so that one edge or one time condition written in two
+/// places is one object with one memory. Nodes are stored as they were written; nothing is
+/// simplified. Operands are always built before what uses them, hence have smaller ids.
+class Expressions {
+  public:
+    ExprId constant(bool value);
+    ExprId variable(Variable variable);
+    ExprId negation(ExprId operand);
+    /// The n-ary operators keep their operands in the order given and do not merge nested nodes.
+    /// They expect at least two operands.
+    ExprId conjunction(std::span<const ExprId> operands);
+    ExprId disjunction(std::span<const ExprId> operands);
+    ExprId exclusive_or(std::span<const ExprId> operands);
+    ExprId rise(ExprId operand);
+    ExprId fall(ExprId operand);
+    ExprId time_condition(const TimeCondition& condition);
+    ExprId comparison(const Comparison& comparison);
+
+    std::size_t size() const { return nodes_.size(); }
+    ExprKind kind(ExprId id) const { return node(id).kind; }
+    /// Expects a constant.
+    bool constant_value(ExprId id) const { return node(id).detail != 0; }
+    /// Expects a variable.
+    Variable variable_of(ExprId id) const {
+        return {static_cast<VariableKind>(node(id).detail), node(id).first};
+    }
+    /// The operands of a negation, n-ary operator or edge; empty for all other kinds (the operand
+    /// of a time condition is reached through time_condition_of).
+    std::span<const ExprId> operands(ExprId id) const {
+        return {operands_.data() + node(id).first, node(id).count};
+    }
+    const TimeCondition& time_condition_of(ExprId id) const { return times_[node(id).count]; }
+    const Comparison& comparison_of(ExprId id) const { return comparisons_[node(id).count]; }
+
+    /// All edges (`rise` and `fall` nodes), inner ones before those that contain them.
+    const std::vector<ExprId>& edges() const { return edges_; }
+    /// All time conditions, inner ones before those that contain them. Their place in this list is
+    /// the number under which the evolution, the netlist and the check speak of the same condition.
+    const std::vector<ExprId>& time_conditions() const { return time_condition_ids_; }
+    /// The place of an edge in edges(), or of a time condition in time_conditions().
+    std::size_t ordinal(ExprId id) const;
+
+  private:
+    struct Node {
+        ExprKind kind = ExprKind::constant;
+        std::uint8_t detail = 0;
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
+    const Node& node(ExprId id) const { return nodes_[static_cast<std::size_t>(id)]; }
+    ExprId intern(const Node& node, std::span<const ExprId> operands, std::uint64_t hash);
+    ExprId n_ary(ExprKind kind, std::span<const ExprId> operands);
+
+    std::vector<Node> nodes_;
+    std::vector<ExprId> operands_;
+    std::vector<TimeCondition> times_;
+    std::vector<Comparison> comparisons_;
+    std::vector<ExprId> edges_;
+    std::vector<ExprId> time_condition_ids_;
+    std::unordered_multimap<std::uint64_t, ExprId> interned_;
+};
+
+}  // namespace grafwire

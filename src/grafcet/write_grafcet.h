@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "grafcet/grafcet.h"
+
+namespace grafwire {
+
+/// The GRAFCET in the `.grafcet` language, in one canonical layout. Reading it back gives the same
+/// model (but for locations), and writing that gives the same text.
+std::string write_grafcet(const Grafcet& grafcet);
+
+/// One expression in the same notation, with no parentheses beyond those it needs: `X0.↑m + /(a + b)`.
+/// Names that the language would not read as one word are quoted.
+std::string write_expression(const Grafcet& grafcet, const Expressions& expressions, ExprId id);
+
+/// A name as the language writes it: quoted only where it has to be.
+std::string quoted_where_needed(std::string_view name);
+
+}  // namespace grafwire

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <boost/range/irange.hpp>
+#include <vector>
+
+#include "netlist/netlist.h"
+
+namespace grafwire {
+
+/// The netlist as Boost.Graph sees it: a vertex per cell, an edge from each cell to every pin it
+/// drives. Models VertexListGraph and IncidenceGraph; the netlist itself is not copied, only its
+/// fan-out lists are built.
+class NetlistGraph {
+  public:
+    explicit NetlistGraph(const Netlist& netlist);
+
+    struct Edge {
+        std::uint32_t source = 0;
+        std::uint32_t target = 0;
+        bool operator==(const Edge&) const = default;
+    };
+    std::size_t cell_count() const { return first_reader_.size() - 1; }
+    /// The cells that read the output of a cell, in the order of cells; one entry per pin.
+    std::span<const std::uint32_t> readers(std::uint32_t cell) const {
+        return {readers_.data() + first_reader_[cell], readers_.data() + first_reader_[cell + 1]};
+    }
+
+  private:
+    std::vector<std::uint32_t> first_reader_;
+    std::vector<std::uint32_t> readers_;
+};
+
+struct MakeNetlistEdge {
+    std::uint32_t source = 0;
+    NetlistGraph::Edge operator()(std::uint32_t target) const { return {source, target}; }
+};
+
+}  // namespace grafwire
+
+namespace boost {
+template <>
+struct graph_traits<grafwire::NetlistGraph> {
+    using vertex_descriptor = std::uint32_t;
+    using edge_descriptor = grafwire::NetlistGraph::Edge;
+    using directed_category = directed_tag;
+    using edge_parallel_category = allow_parallel_edge_tag;
+    struct traversal_category : public virtual incidence_graph_tag,
+                                public virtual vertex_list_graph_tag {};
+    using vertices_size_type = std::uint32_t;
+    using edges_size_type = std::uint32_t;
+    using degree_size_type = std::uint32_t;
+    using vertex_iterator = range_iterator<integer_range<std::uint32_t>>::type;
+    using out_edge_iterator =
+        transform_iterator<grafwire::MakeNetlistEdge, const std::uint32_t*,
+                           grafwire::NetlistGraph::Edge, grafwire::NetlistGraph::Edge>;
+    static vertex_descriptor null_vertex() { return 0xffffffffU; }
+};
+}  // namespace boost
+
+namespace grafwire {
+
+inline std::pair<boost::graph_traits<NetlistGraph>::vertex_iterator,
+                 boost::graph_traits<NetlistGraph>::vertex_iterator>
+vertices(const NetlistGraph& graph) {
+    const auto range = boost::irange<std::uint32_t>(0, static_cast<std::uint32_t>(graph.cell_count()));
+    return {range.begin(), range.end()};
+}
+inline std::uint32_t num_vertices(const NetlistGraph& graph) {
+    return static_cast<std::uint32_t>(graph.cell_count());
+}
+inline std::pair<boost::graph_traits<NetlistGraph>::out_edge_iterator,
+                 boost::graph_traits<NetlistGraph>::out_edge_iterator>
+out_edges(std::uint32_t cell, const NetlistGraph& graph) {
+    using Iterator = boost::graph_traits<NetlistGraph>::out_edge_iterator;
+    const auto readers = graph.readers(cell);
+    return {Iterator(readers.data(), MakeNetlistEdge{cell}),
+            Iterator(readers.data() + readers.size(), MakeNetlistEdge{cell})};
+}
+inline std::uint32_t out_degree(std::uint32_t cell, const NetlistGraph& graph) {
+    return static_cast<std::uint32_t>(graph.readers(cell).size());
+}
+inline std::uint32_t source(NetlistGraph::Edge edge, const NetlistGraph&) { return edge.source; }
+inline std::uint32_t target(NetlistGraph::Edge edge, const NetlistGraph&) { return edge.target; }
+inline boost::identity_property_map get(boost::vertex_index_t, const NetlistGraph&) { return {}; }
+
+}  // namespace grafwire

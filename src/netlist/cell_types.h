@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace grafwire {
+
+/// A logic value of a simulated net.
+enum class Logic : std::uint8_t { zero, one, unknown };
+
+enum class CellType : std::uint8_t {
+    low,         ///< constant 0
+    high,        ///< constant 1
+    buffer,
+    inverter,
+    and_gate,
+    or_gate,
+    nand_gate,
+    nor_gate,
+    xor_gate,    ///< 1 where an odd number of inputs is 1
+    latch,       ///< pins: set, reset. Set wins: S = R = 1 gives 1
+    hold_latch,  ///< pins: data, enable. Follows data while enable is 1, else holds
+    rise_pulse,  ///< 1 for its width after each rise of its input, begun again by a new rise
+    fall_pulse,  ///< likewise after each fall
+    timer,       ///< a buffer whose rise and fall take the delays of its timing
+    flip_flop,   ///< pins: data, clock. Takes data at the rise of the clock
+    scan_timer,  ///< pins: operand, clock. A timer that looks at its operand at the rise of the clock
+};
+
+/// One row of the cell table.
+struct CellTypeRow {
+    CellType type;
+    std::string_view name;         ///< in netlist texts and file formats: `and`, `nand`, `latch`, …
+    std::string_view description;  ///< in messages: "AND gate"
+    std::string_view french;       ///< in French reports: "porte ET"
+    std::uint32_t min_pins;
+    std::uint32_t max_pins;  ///< many: no bound
+    bool has_memory;         ///< keeps a value of its own and has an initial value
+    bool has_timing;
+    bool is_clocked;  ///< its last pin is the clock
+};
+
+inline constexpr std::uint32_t many = 0xffffffffU;
+
+inline constexpr std::array<CellTypeRow, 16> cell_table{{
+    {CellType::low, "low", "constant 0", "constante 0", 0, 0, false, false, false},
+    {CellType::high, "high", "constant 1", "constante 1", 0, 0, false, false, false},
+    {CellType::buffer, "buf", "buffer", "porte OUI", 1, 1, false, false, false},
+    {CellType::inverter, "not", "NOT gate", "porte NON", 1, 1, false, false, false},
+    {CellType::and_gate, "and", "AND gate", "porte ET", 1, many, false, false, false},
+    {CellType::or_gate, "or", "OR gate", "porte OU", 1, many, false, false, false},
+    {CellType::nand_gate, "nand", "NAND gate", "porte NON-ET", 1, many, false, false, false},
+    {CellType::nor_gate, "nor", "NOR gate", "porte NON-OU", 1, many, false, false, false},
+    {CellType::xor_gate, "xor", "XOR gate", "porte OU exclusif", 1, many, false, false, false},
+    {CellType::latch, "latch", "set-priority latch", "bascule RS", 2, 2, true, false, false},
+    {CellType::hold_latch, "hold", "hold latch", "bascule D à verrouillage", 2, 2, true, false, false},
+    {CellType::rise_pulse, "rise_pulse", "rising-edge pulse cell", "cellule de front montant", 1, 1,
+     false, true, false},
+    {CellType::fall_pulse, "fall_pulse", "falling-edge pulse cell", "cellule de front descendant", 1,
+     1, false, true, false},
+    {CellType::timer, "timer", "timer", "temporisateur", 1, 1, true, true, false},
+    {CellType::flip_flop, "dff", "D flip-flop", "bascule D", 2, 2, true, false, true},
+    {CellType::scan_timer, "scan_timer", "clocked timer", "temporisateur synchrone", 2, 2, true, true,
+     true},
+}};
+
+constexpr const CellTypeRow& row_of(CellType type) {
+    return cell_table[static_cast<std::size_t>(type)];
+}
+
+/// The type of that name, if there is one.
+constexpr std::optional<CellType> cell_type_named(std::string_view name) {
+    for (const CellTypeRow& row : cell_table) {
+        if (row.name == name) return row.type;
+    }
+    return std::nullopt;
+}
+
+}  // namespace grafwire

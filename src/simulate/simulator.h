@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "netlist/netlist.h"
+#include "text/time.h"
+
+namespace grafwire {
+
+/// The delay of every cell, per edge of its output. Timers and pulse cells add their own timing.
+struct CellDelays {
+    std::vector<Time> rise;  ///< one per cell, positive
+    std::vector<Time> fall;
+};
+
+/// Every cell takes one unit: a nanosecond either way.
+CellDelays unit_delays(const Netlist& netlist);
+
+/// What came of letting a netlist settle.
+struct Settling {
+    bool settled = true;
+    std::uint64_t events = 0;  ///< changes of nets that took place
+    /// Not settled: the nets that keep changing, in the order of their ids.
+    std::vector<NetId> oscillating;
+};
+
+/// The memory of a simulation between two changes of the inputs; compares equal where the
+/// simulation goes on alike, moments aside.
+struct SimulatorState {
+    std::vector<Logic> values;  ///< per net
+    /// Per timer cell (in the order of cells): the moment its delay ends, `never` where none runs.
+    std::vector<Time> due;
+    Time now = 0;
+};
+
+/// Event-driven simulation of a netlist with inertial delays and three values. All state lives in
+/// the object; copies of it are taken and put back with save() and restore(). The netlist must
+/// outlive it.
+///
+/// Time. Gates work in picoseconds from `now`. The delays of timers count from the instant at which
+/// their operand changed (begin_instant), not from the few nanoseconds later at which the gates had
+/// worked it out, so that instants are those of the reference.
+class Simulator {
+  public:
+    Simulator(const Netlist& netlist, const CellDelays& delays);
+    ~Simulator();
+    Simulator(Simulator&&) noexcept;
+    Simulator& operator=(Simulator&&) noexcept;
+
+    /// Time 0: cells with a memory and nets with initial values hold those, all other nets
+    /// (inputs included) are unknown, and every cell is due for evaluation.
+    void power_up();
+
+    /// A new instant at `at` (not before the last one). The clock of the simulation moves there
+    /// unless gates have already taken it further.
+    void begin_instant(Time at);
+
+    /// The input takes the value now; what reads it is evaluated by settle().
+    void set_input(NetId input, Logic value);
+    /// While on, pulse cells do not fire: the inputs are taken to have been so since always.
+    void hold_pulses(bool on);
+    /// Every pulse cell whose input is unknown may or may not fire now: its output becomes unknown
+    /// for its width.
+    void doubt_unknown_pulses();
+    /// Gives a net a value until it is released; for setting up initial situations.
+    void force(NetId net, Logic value);
+    /// Lets go of all forced nets; their drivers are evaluated by settle().
+    void release_all();
+
+    /// Runs until nothing is left to happen but delays of timers. An oscillation is found exactly
+    /// (a state of values and pending events that comes back) and ends there.
+    Settling settle();
+
+    /// One cycle of the clock of a clocked netlist, settled before, after the rise and after the fall.
+    Settling clock_cycle();
+
+    /// The cells of type timer or scan_timer, in order; their numbers are used below.
+    const std::vector<CellId>& timers() const;
+    bool is_running(std::size_t timer) const;
+    /// The earliest moment at which a running delay ends; `never` if none runs.
+    Time next_due() const;
+    /// The running delays that end at or before `now` end: the timer takes the value of its
+    /// operand at once (gates see it with settle()). settle() itself never ends a delay of a timer;
+    /// clock_cycle() ends those of scan timers that have fallen due by the current instant.
+    void end_delays(Time now);
+    /// Lets one running delay end at once, whatever its length.
+    void end_delay(std::size_t timer);
+
+    Logic value(NetId net) const;
+    Time now() const;
+
+    SimulatorState save() const;
+    void restore(const SimulatorState& state);
+
+    /// Called at every change of a net; for waveforms. Costs time: none by default.
+    using Observer = std::function<void(Time, NetId, Logic)>;
+    void observe(Observer observer);
+
+  private:
+    class Kernel;
+    std::unique_ptr<Kernel> kernel_;
+};
+
+}  // namespace grafwire
