@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "grafcet/grafcet.h"
@@ -8,8 +10,10 @@ namespace grafwire {
 
 /// How CDX is derived (course "Mise en œuvre du GRAFCET", section 1.2).
 enum class CdxForm {
-    successor,   ///< OR over the transitions out of the step of (AND of the X that follow): the wiring form
-    transition,  ///< OR over the transitions out of the step of (AND of the X that precede) . receptivity
+    successor,   ///< OR over the transitions out of the step of (AND of the X that follow): the
+                 ///< wiring form
+    transition,  ///< OR over the transitions out of the step of (AND of the X that precede) .
+                 ///< receptivity
 };
 
 struct EquationOptions {
@@ -17,23 +21,26 @@ struct EquationOptions {
     bool modes = true;  ///< with Init, AUdur and AUdoux
 };
 
-/// The equation of a step, in parts. Absent parts are no_expr. None is constant but where said.
+/// The equation of a step, in parts (step_expression puts them together). Absent parts are no_expr.
+/// None is constant but where said.
 ///
 ///   core = CAX + /CDX.X                    (+ Init for an initial step, ./Init for another)
 ///   X    = (((core . /forced_off) + forced_on) . enclosing + link) . /AUdur
 struct StepEquation {
-    ExprId cax = no_expr;         ///< without Init; the constant 0 where nothing activates the step
-    ExprId cdx = no_expr;         ///< without Init; the constant 0 where nothing deactivates it
-    ExprId table_cax = no_expr;   ///< CAX as tabulated: with Init where there are modes
+    /// Without Init; the constant 0 where nothing activates the step, 1 where a source transition
+    /// with the receptivity 1 leads to it.
+    ExprId cax = no_expr;
+    ExprId cdx = no_expr;        ///< without Init; the constant 0 where nothing deactivates it
+    ExprId table_cax = no_expr;  ///< CAX as tabulated: with Init where there are modes
     ExprId table_cdx = no_expr;
     ExprId forced_off = no_expr;  ///< OR of the X that force the step's graph
     ExprId forced_on = no_expr;   ///< OR of the X whose orders list the step
     ExprId enclosing = no_expr;   ///< X of the step that encloses the graph
-    ExprId link = no_expr;        ///< ↑X of that step . /(orders on the graph) [. /Init]: activation link
-    ExprId x = no_expr;           ///< the whole right-hand side
+    ExprId link = no_expr;  ///< ↑X of that step . /(orders on the graph) [. /Init]: activation link
 };
 
-/// A continuous output: OR over the actions of X . condition, [. /AUdoux].
+/// A continuous output: OR over the actions of X . condition, [. /AUdoux]. A condition that is 1
+/// leaves X alone.
 struct OutputEquation {
     OutputId output{};
     ExprId sum = no_expr;  ///< without AUdoux; the constant 0 where nothing drives the output
@@ -54,45 +61,61 @@ struct StoredWrite {
     Location where;
 };
 
-/// A stored output, var or counter with all the writes to it.
+/// A stored output, var or counter with all the writes to it (a var may have none).
 ///
 ///   set   = OR over the writes of trigger . value  . /(triggers of later writes)
 ///   reset = OR over the writes of trigger . /value . /(triggers of later writes)
+///
+/// where later writes of the same constant value are left out: they change nothing. Set and reset
+/// are never 1 together; where no write sets (resets), they are the constant 0.
 struct StoredEquation {
     Variable target;
     std::vector<StoredWrite> writes;
-    ExprId set = no_expr;    ///< no_expr for counters
+    ExprId set = no_expr;  ///< no_expr for counters
     ExprId reset = no_expr;
 };
 
-/// The equations of a GRAFCET. All expressions live in `expressions`, a copy of the GRAFCET's pool
-/// with additions, so that edges and time conditions keep their ordinals. Variables of macro-steps
-/// and graphs do not occur: they are written out as the OR of their steps. No expression holds a
-/// term that is constant.
+/// The equations of a GRAFCET. All expressions live in `expressions`, a pool of its own: an id of
+/// the GRAFCET's pool means nothing here, from_grafcet translates it.
+///
+/// Variables of macro-steps and graphs do not occur: they are written out as the OR of their steps.
+/// No expression holds a term that is constant; but the operand of a time condition may be 1.
+///
+/// Every edge and every time condition of the GRAFCET has the same ordinal here, whatever became of
+/// its operand (those that turn out to be constantly 0 keep their place, unused). Edges of steps
+/// that only triggers and activation links need come after them.
 struct Equations {
     const Grafcet* grafcet = nullptr;  ///< must outlive the equations
     EquationOptions options;
     Expressions expressions;
+    /// Per expression of the GRAFCET's pool: what it is here, perhaps a constant.
+    std::vector<ExprId> from_grafcet;
 
     /// Per transition: AND of the X that precede . receptivity . /(OR of the X that freeze the
-    /// graph), as one flat conjunction; Init is not in it.
+    /// graph), as one flat conjunction; Init is not in it. The constant 0 where the receptivity is.
     Table<TransitionId, ExprId> clearing;
-    /// Per transition: the receptivity alone, gated by the freezing steps.
+    /// Per transition: the receptivity alone, gated by the freezing steps; may be constant.
     Table<TransitionId, ExprId> receptivity;
     /// Per graph: OR of the X that freeze it, or no_expr.
     Table<GraphId, ExprId> frozen;
     Table<StepId, StepEquation> steps;
-    std::vector<OutputEquation> outputs;  ///< continuous and undriven outputs, in the order declared
-    std::vector<StoredEquation> stored;   ///< stored outputs, then vars, then counters that are written
+    std::vector<OutputEquation>
+        outputs;  ///< continuous and undriven outputs, in the order declared
+    std::vector<StoredEquation>
+        stored;  ///< stored outputs, then all vars, then counters that are written
 };
 
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);
 
+/// The whole right-hand side of a step, built on request because it costs memory for every step:
+/// `(X2.b + /X1.X0 + Init)./AUdur`.
+ExprId step_expression(Equations& equations, StepId step);
+
 /// The transitions into and out of every step, in table order.
 struct StepTransitions {
-    std::vector<std::uint32_t> first_into;   ///< size steps + 1: ranges of `into`
+    std::vector<std::uint32_t> first_into;  ///< size steps + 1: ranges of `into`
     std::vector<TransitionId> into;
-    std::vector<std::uint32_t> first_out_of; ///< size steps + 1: ranges of `out_of`
+    std::vector<std::uint32_t> first_out_of;  ///< size steps + 1: ranges of `out_of`
     std::vector<TransitionId> out_of;
 
     std::span<const TransitionId> into_step(StepId step) const;

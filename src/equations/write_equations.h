@@ -17,14 +17,18 @@ struct EquationReport {
 };
 
 /// CAX, CDX, X of every step and the equations of outputs and vars. CSV: header
-/// `variable,CAX,CDX,X`, a row per step in table order, then one per output.
+/// `variable,CAX,CDX,X`, a row per step in table order, then one per output with its right-hand
+/// side in the last column. Of the Karnaugh report CSV shows nothing, JSON the minimised forms.
+/// LaTeX is a fragment that needs the package amsmath.
 std::string write_equations(const Equations& equations, const EquationReport& report);
 
 /// One expression of the equations in the notation of the course: `(X7.e + X9.f)./Init`.
 std::string equation_text(const Equations& equations, ExprId id);
 
-/// A smallest sum of products equal to the expression, found by Quine–McCluskey over its variables,
-/// edges, time conditions and comparisons taken as atoms; no_expr where they are more than 10.
+/// A smallest sum of products (fewest products, then fewest operands) equal to the expression,
+/// found by Quine–McCluskey over its variables, edges, time conditions and comparisons taken as
+/// atoms; no_expr where they are more than 10. Where many products are interchangeable the search
+/// for a cover is bounded, and the result is the smallest sum found.
 ExprId minimised(Expressions& pool, ExprId id);
 
 }  // namespace grafwire

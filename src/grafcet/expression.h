@@ -78,9 +78,9 @@ struct TimeCondition {
     auto operator<=>(const TimeCondition&) const = default;
 };
 
-/// Boolean expressions over the variables of a GRAFCET, kept as a pool of shared nodes: building the
-/// same expression twice gives the same id, so that one edge or one time condition written in two
-/// places is one object with one memory. Nodes are stored as they were written; nothing is
+/// Boolean expressions over the variables of a GRAFCET, kept as a pool of shared nodes: building
+/// the same expression twice gives the same id, so that one edge or one time condition written in
+/// two places is one object with one memory. Nodes are stored as they were written; nothing is
 /// simplified. Operands are always built before what uses them, hence have smaller ids.
 class Expressions {
   public:
@@ -108,10 +108,11 @@ class Expressions {
     /// The operands of a negation, n-ary operator or edge; empty for all other kinds (the operand
     /// of a time condition is reached through time_condition_of).
     std::span<const ExprId> operands(ExprId id) const {
+        if (node(id).count == 0) return {};
         return {operands_.data() + node(id).first, node(id).count};
     }
-    const TimeCondition& time_condition_of(ExprId id) const { return times_[node(id).count]; }
-    const Comparison& comparison_of(ExprId id) const { return comparisons_[node(id).count]; }
+    const TimeCondition& time_condition_of(ExprId id) const { return times_[node(id).first]; }
+    const Comparison& comparison_of(ExprId id) const { return comparisons_[node(id).first]; }
 
     /// All edges (`rise` and `fall` nodes), inner ones before those that contain them.
     const std::vector<ExprId>& edges() const { return edges_; }
@@ -124,13 +125,19 @@ class Expressions {
   private:
     struct Node {
         ExprKind kind = ExprKind::constant;
-        std::uint8_t detail = 0;
+        std::uint8_t detail = 0;  ///< the value of a constant, the VariableKind of a variable
+        /// The index of a variable, the place of a time condition or comparison in its list, else
+        /// that of the first operand in operands_.
         std::uint32_t first = 0;
-        std::uint32_t count = 0;
+        std::uint32_t count = 0;  ///< of operands in operands_
     };
     const Node& node(ExprId id) const { return nodes_[static_cast<std::size_t>(id)]; }
-    ExprId intern(const Node& node, std::span<const ExprId> operands, std::uint64_t hash);
-    ExprId n_ary(ExprKind kind, std::span<const ExprId> operands);
+    /// The node that `same` recognises among those with this hash, or no_expr.
+    template <typename Same>
+    ExprId find(std::uint64_t hash, const Same& same) const;
+    ExprId add(const Node& node, std::uint64_t hash);
+    ExprId leaf(const Node& node);
+    ExprId with_operands(ExprKind kind, std::span<const ExprId> operands);
 
     std::vector<Node> nodes_;
     std::vector<ExprId> operands_;

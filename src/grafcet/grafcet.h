@@ -15,9 +15,9 @@ namespace grafwire {
 // language checked. Everything later in the pipeline starts from this value.
 //
 // Order. Steps stand in table order: graph by graph as written, and within a graph as written, the
-// steps of an expansion in the place where its macro-step is declared. Transitions likewise graph by
-// graph; those of an expansion come after those of the block its macro-step stands in. So the steps
-// of a graph, and those of a macro-step, are one unbroken range.
+// steps of an expansion in the place where its macro-step is declared. Transitions likewise graph
+// by graph; those of an expansion come after those of the block its macro-step stands in. So the
+// steps of a graph, and those of a macro-step, are one unbroken range.
 
 enum class InputId : std::uint32_t {};
 enum class OutputId : std::uint32_t {};
@@ -97,9 +97,9 @@ struct Block {
     };
     std::string name;
     bool is_expansion = false;
-    GraphId graph{};                         ///< the graph it is, or belongs to
-    std::vector<Node> nodes;                 ///< in the order written
-    std::vector<TransitionId> transitions;   ///< in the order written
+    GraphId graph{};                        ///< the graph it is, or belongs to
+    std::vector<Node> nodes;                ///< in the order written
+    std::vector<TransitionId> transitions;  ///< in the order written
     Location where;
 };
 
@@ -139,10 +139,11 @@ struct Action {
     ActionKind kind = ActionKind::continuous;
     Trigger trigger = Trigger::activation;  ///< of a stored action
     StepId step{};
-    OutputId output{};             ///< of a continuous action
-    ExprId expression = no_expr;   ///< continuous: its condition or no_expr; stored on event: the event
-    Write write;                   ///< of a stored action
-    std::uint32_t order = none;    ///< of an order: index into Grafcet::orders
+    OutputId output{};  ///< of a continuous action
+    ExprId expression =
+        no_expr;  ///< continuous: its condition or no_expr; stored on event: the event
+    Write write;  ///< of a stored action
+    std::uint32_t order = none;  ///< of an order: index into Grafcet::orders
     Location where;
 };
 
@@ -196,8 +197,8 @@ struct Grafcet {
     Table<TransitionId, Transition> transitions;
     std::vector<StepId> links;
 
-    std::vector<Action> actions;  ///< in the order of their steps, then as written
-    std::vector<Order> orders;    ///< in the order of their steps, then as written
+    std::vector<Action> actions;                   ///< in the order of their steps, then as written
+    std::vector<Order> orders;                     ///< in the order of their steps, then as written
     std::vector<ClearingAction> clearing_actions;  ///< in the order of the transitions
     std::vector<Enclosure> enclosures;             ///< in the order of their steps
     std::vector<Sum> sums;

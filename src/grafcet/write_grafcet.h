@@ -10,8 +10,8 @@ namespace grafwire {
 /// model (but for locations), and writing that gives the same text.
 std::string write_grafcet(const Grafcet& grafcet);
 
-/// One expression in the same notation, with no parentheses beyond those it needs: `X0.↑m + /(a + b)`.
-/// Names that the language would not read as one word are quoted.
+/// One expression in the same notation, with no parentheses beyond those it needs: `X0.↑m + /(a +
+/// b)`. Names that the language would not read as one word are quoted.
 std::string write_expression(const Grafcet& grafcet, const Expressions& expressions, ExprId id);
 
 /// A name as the language writes it: quoted only where it has to be.

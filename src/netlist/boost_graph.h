@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
@@ -65,7 +66,8 @@ namespace grafwire {
 inline std::pair<boost::graph_traits<NetlistGraph>::vertex_iterator,
                  boost::graph_traits<NetlistGraph>::vertex_iterator>
 vertices(const NetlistGraph& graph) {
-    const auto range = boost::irange<std::uint32_t>(0, static_cast<std::uint32_t>(graph.cell_count()));
+    const auto range =
+        boost::irange<std::uint32_t>(0, static_cast<std::uint32_t>(graph.cell_count()));
     return {range.begin(), range.end()};
 }
 inline std::uint32_t num_vertices(const NetlistGraph& graph) {
@@ -82,8 +84,14 @@ out_edges(std::uint32_t cell, const NetlistGraph& graph) {
 inline std::uint32_t out_degree(std::uint32_t cell, const NetlistGraph& graph) {
     return static_cast<std::uint32_t>(graph.readers(cell).size());
 }
-inline std::uint32_t source(NetlistGraph::Edge edge, const NetlistGraph&) { return edge.source; }
-inline std::uint32_t target(NetlistGraph::Edge edge, const NetlistGraph&) { return edge.target; }
-inline boost::identity_property_map get(boost::vertex_index_t, const NetlistGraph&) { return {}; }
+inline std::uint32_t source(NetlistGraph::Edge edge, const NetlistGraph&) {
+    return edge.source;
+}
+inline std::uint32_t target(NetlistGraph::Edge edge, const NetlistGraph&) {
+    return edge.target;
+}
+inline boost::identity_property_map get(boost::vertex_index_t, const NetlistGraph&) {
+    return {};
+}
 
 }  // namespace grafwire

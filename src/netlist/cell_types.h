@@ -11,8 +11,8 @@ namespace grafwire {
 enum class Logic : std::uint8_t { zero, one, unknown };
 
 enum class CellType : std::uint8_t {
-    low,         ///< constant 0
-    high,        ///< constant 1
+    low,   ///< constant 0
+    high,  ///< constant 1
     buffer,
     inverter,
     and_gate,
@@ -26,13 +26,14 @@ enum class CellType : std::uint8_t {
     fall_pulse,  ///< likewise after each fall
     timer,       ///< a buffer whose rise and fall take the delays of its timing
     flip_flop,   ///< pins: data, clock. Takes data at the rise of the clock
-    scan_timer,  ///< pins: operand, clock. A timer that looks at its operand at the rise of the clock
+    scan_timer,  ///< pins: operand, clock. A timer that looks at its operand at the rise of the
+                 ///< clock
 };
 
 /// One row of the cell table.
 struct CellTypeRow {
     CellType type;
-    std::string_view name;         ///< in netlist texts and file formats: `and`, `nand`, `latch`, …
+    std::string_view name;  ///< in netlist texts and file formats: `and`, `nand`, `latch`, …
     std::string_view description;  ///< in messages: "AND gate"
     std::string_view french;       ///< in French reports: "porte ET"
     std::uint32_t min_pins;
@@ -55,15 +56,16 @@ inline constexpr std::array<CellTypeRow, 16> cell_table{{
     {CellType::nor_gate, "nor", "NOR gate", "porte NON-OU", 1, many, false, false, false},
     {CellType::xor_gate, "xor", "XOR gate", "porte OU exclusif", 1, many, false, false, false},
     {CellType::latch, "latch", "set-priority latch", "bascule RS", 2, 2, true, false, false},
-    {CellType::hold_latch, "hold", "hold latch", "bascule D à verrouillage", 2, 2, true, false, false},
+    {CellType::hold_latch, "hold", "hold latch", "bascule D à verrouillage", 2, 2, true, false,
+     false},
     {CellType::rise_pulse, "rise_pulse", "rising-edge pulse cell", "cellule de front montant", 1, 1,
      false, true, false},
-    {CellType::fall_pulse, "fall_pulse", "falling-edge pulse cell", "cellule de front descendant", 1,
-     1, false, true, false},
+    {CellType::fall_pulse, "fall_pulse", "falling-edge pulse cell", "cellule de front descendant",
+     1, 1, false, true, false},
     {CellType::timer, "timer", "timer", "temporisateur", 1, 1, true, true, false},
     {CellType::flip_flop, "dff", "D flip-flop", "bascule D", 2, 2, true, false, true},
-    {CellType::scan_timer, "scan_timer", "clocked timer", "temporisateur synchrone", 2, 2, true, true,
-     true},
+    {CellType::scan_timer, "scan_timer", "clocked timer", "temporisateur synchrone", 2, 2, true,
+     true, true},
 }};
 
 constexpr const CellTypeRow& row_of(CellType type) {

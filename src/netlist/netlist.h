@@ -21,7 +21,7 @@ inline constexpr CellId no_cell{0xffffffffU};
 /// What a cell was made for, so that every message about a gate can speak of the GRAFCET.
 struct Origin {
     enum class Kind : std::uint8_t {
-        none,
+        other,
         input,
         step,
         transition,
@@ -32,7 +32,7 @@ struct Origin {
         edge,
         time_condition,
     };
-    Kind kind = Kind::none;
+    Kind kind = Kind::other;
     std::string name;  ///< the step, transition, … as written; an expression for edges and times
     Location where;
 };
@@ -97,7 +97,7 @@ class NetNames {
 /// Cells and the nets between them. Every net has exactly one driver: a cell or an input port.
 struct Netlist {
     std::string name;
-    std::vector<Port> inputs;   ///< declared inputs, Init, AUdur, AUdoux (with modes), clk (clocked)
+    std::vector<Port> inputs;  ///< declared inputs, Init, AUdur, AUdoux (with modes), clk (clocked)
     std::vector<Port> outputs;  ///< X of every step, then the declared outputs
     Table<CellId, Cell> cells;
     std::vector<NetId> pins;
@@ -108,7 +108,7 @@ struct Netlist {
         bool value = false;
     };
     std::vector<InitialValue> initial_values;
-    std::vector<Origin> origins;  ///< number 0 is "none"
+    std::vector<Origin> origins;  ///< number 0 is of kind other
     std::vector<Timing> timings;
     std::vector<Module> modules;
     std::vector<Observed> vars;

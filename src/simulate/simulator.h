@@ -35,6 +35,8 @@ struct SimulatorState {
     /// Per timer cell (in the order of cells): the moment its delay ends, `never` where none runs.
     std::vector<Time> due;
     Time now = 0;
+    /// Per timer cell: the value its output takes when the running delay ends.
+    std::vector<Logic> towards;
 };
 
 /// Event-driven simulation of a netlist with inertial delays and three values. All state lives in
@@ -59,16 +61,23 @@ class Simulator {
     /// unless gates have already taken it further.
     void begin_instant(Time at);
 
+    /// Once settled: the clock goes back to 0, for the end of what comes before the first instant.
+    void restart_clock();
+
     /// The input takes the value now; what reads it is evaluated by settle().
     void set_input(NetId input, Logic value);
     /// While on, pulse cells do not fire: the inputs are taken to have been so since always.
     void hold_pulses(bool on);
+    /// While pulses are held: from now on, and until they are let go, pulse cells go on comparing
+    /// with the inputs they see now, whatever happens in between (power_up() included).
+    void remember_pulse_inputs();
     /// Every pulse cell whose input is unknown may or may not fire now: its output becomes unknown
     /// for its width.
     void doubt_unknown_pulses();
     /// Gives a net a value until it is released; for setting up initial situations.
     void force(NetId net, Logic value);
-    /// Lets go of all forced nets; their drivers are evaluated by settle().
+    /// Lets go of all forced nets; their drivers are evaluated by settle(). Cells with a memory and
+    /// inputs keep the value.
     void release_all();
 
     /// Runs until nothing is left to happen but delays of timers. An oscillation is found exactly
@@ -84,7 +93,7 @@ class Simulator {
     /// The earliest moment at which a running delay ends; `never` if none runs.
     Time next_due() const;
     /// The running delays that end at or before `now` end: the timer takes the value of its
-    /// operand at once (gates see it with settle()). settle() itself never ends a delay of a timer;
+    /// operand at once (gates see it with settle()), as it was when last settled. settle() itself never ends a delay of a timer;
     /// clock_cycle() ends those of scan timers that have fallen due by the current instant.
     void end_delays(Time now);
     /// Lets one running delay end at once, whatever its length.

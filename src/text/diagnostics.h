@@ -106,9 +106,10 @@ class Diagnostics {
 std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile& source,
                                std::size_t limit = 0);
 
-/// The declared name nearest to a mistyped one, or empty where none is near enough to suggest
-/// (more than a third of its characters differ).
-std::string_view nearest_name(std::string_view mistyped, const std::vector<std::string_view>& names);
+/// The declared name nearest to a mistyped one, or empty where none is near enough to suggest: a
+/// third of its characters may differ, or one of two. Of equally near names the first is taken.
+std::string_view nearest_name(std::string_view mistyped,
+                              const std::vector<std::string_view>& names);
 
 /// Reports (as Code::not_utf8, with its place) the first byte at which `text` is not UTF-8.
 /// Returns whether the text is well-formed.

@@ -22,7 +22,9 @@ inline constexpr Time hour = 60 * minute;
 inline constexpr Time never = std::numeric_limits<Time>::max();
 
 /// The sum of two times that are not negative; `never` where it would not fit.
-constexpr Time add_times(Time a, Time b) { return a > never - b ? never : a + b; }
+constexpr Time add_times(Time a, Time b) {
+    return a > never - b ? never : a + b;
+}
 
 /// Reads `digits [ "." digits ] unit`, unit one of ps ns us ms s min h, with nothing before or
 /// after. Empty where the text is no duration, is finer than a picosecond or is beyond the range.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "text/time.h"
@@ -10,8 +11,9 @@
 namespace grafwire {
 
 /// Builds a VCD text (IEEE 1364-2001 clause 18): declare all signals, then begin(), then changes in
-/// the order of time. The timescale is the picosecond where a moment needs it, else as coarse as the
-/// caller says. Names with characters VCD cannot hold (white space) have them replaced by `_`.
+/// the order of time. The timescale is the picosecond where a moment needs it, else as coarse as
+/// the caller says. Names with characters VCD cannot hold (white space) have them replaced by `_`;
+/// a name that another signal already bears is followed by `_2`, `_3`, ….
 class VcdWriter {
   public:
     /// `tick` is the timescale: every moment given later is a whole number of ticks
@@ -22,7 +24,7 @@ class VcdWriter {
     std::uint32_t add_signal(std::string_view name, std::uint32_t width = 1);
     /// Ends the declarations.
     void begin();
-    /// The value is '0', '1' or 'x' for one bit.
+    /// The value is '0', '1' or 'x' for one bit; 'x' also for all bits of a wider signal.
     void change(Time at, std::uint32_t signal, char value);
     /// A value of several bits, two's complement.
     void change(Time at, std::uint32_t signal, std::int64_t value);
@@ -32,11 +34,14 @@ class VcdWriter {
   private:
     void move_to(Time at);
     static std::string identifier(std::uint32_t signal);
+    std::string unused_name(std::string_view wanted);
 
     std::string text_;
     Time tick_;
     Time now_ = -1;
     std::vector<std::uint32_t> widths_;
+    /// The names given out, each with the number tried last to tell it from others.
+    std::unordered_map<std::string, std::uint32_t> names_;
 };
 
 }  // namespace grafwire

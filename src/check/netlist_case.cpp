@@ -1,0 +1,170 @@
+#include "check/netlist_case.h"
+
+#include <algorithm>
+#include <boost/graph/strong_components.hpp>
+
+#include "netlist/boost_graph.h"
+
+namespace grafwire {
+
+NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays)
+    : grafcet_(grafcet),
+      netlist_(netlist),
+      simulator_(netlist, delays),
+      ports_(map_ports(grafcet, netlist)),
+      drivers_(drivers_of(netlist)),
+      input_of_net_(netlist.net_count(), none) {
+    for (std::uint32_t i = 0; i < ports_.inputs.size(); ++i) {
+        if (ports_.inputs[i] != no_net) input_of_net_[index_of(ports_.inputs[i])] = i;
+    }
+    find_watched_nets();
+}
+
+void NetlistCases::find_watched_nets() {
+    const NetlistGraph graph(netlist_);
+    std::vector<std::uint32_t> component(graph.cell_count());
+    const auto index = get(boost::vertex_index_t{}, graph);
+    const auto count =
+        boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
+                                 boost::vertex_index_map(index));
+    std::vector<std::uint32_t> size(count);
+    for (const std::uint32_t c : component) ++size[c];
+    for (std::uint32_t i = 0; i < component.size(); ++i) {
+        const Cell& cell = netlist_.cells[netlist_.cells.id_at(i)];
+        const auto readers = graph.readers(i);
+        const bool own_reader = std::find(readers.begin(), readers.end(), i) != readers.end();
+        const bool in_loop = size[component[i]] > 1 || own_reader;
+        if (in_loop || row_of(cell.type).has_memory) watched_.push_back(cell.output);
+        if (cell.type == CellType::timer || cell.type == CellType::scan_timer) {
+            watched_.push_back(netlist_.pins_of(cell)[0]);
+        }
+    }
+    watched_.insert(watched_.end(), ports_.steps.begin(), ports_.steps.end());
+    watched_.insert(watched_.end(), ports_.outputs.begin(), ports_.outputs.end());
+    std::sort(watched_.begin(), watched_.end());
+    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+void NetlistCases::set_inputs(const PartialInputs& inputs) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (ports_.inputs[i] != no_net) simulator_.set_input(ports_.inputs[i], inputs[i]);
+    }
+}
+
+void NetlistCases::apply(const SimulatorState* start, const PartialInputs& left,
+                         const PathStep& step) {
+    if (start == nullptr) {
+        simulator_.power_up();
+        initialise(simulator_, grafcet_, netlist_, ports_, step.inputs);
+        simulator_.begin_instant(simulator_.now());
+        set_inputs(step.inputs);
+        return;
+    }
+    simulator_.restore(*start);
+    if (step.before != left) {
+        simulator_.hold_pulses(true);
+        set_inputs(step.before);
+        simulator_.settle();
+        simulator_.hold_pulses(false);
+    }
+    simulator_.begin_instant(simulator_.now());
+    const std::vector<CellId>& timers = simulator_.timers();
+    for (std::size_t i = 0; i < timers.size(); ++i) {
+        const std::uint32_t ordinal = netlist_.timings[netlist_.cells[timers[i]].timing].ordinal;
+        const bool ends =
+            std::find(step.ended.begin(), step.ended.end(), ordinal) != step.ended.end();
+        if (ends && simulator_.is_running(i)) simulator_.end_delay(i);
+    }
+    set_inputs(step.inputs);
+    simulator_.doubt_unknown_pulses();
+}
+
+bool NetlistCases::same(const BitTable& situation, const OutputValues& outputs) const {
+    for (std::size_t i = 0; i < ports_.steps.size(); ++i) {
+        if ((simulator_.value(ports_.steps[i]) == Logic::one) != situation.test(i)) return false;
+    }
+    for (std::size_t i = 0; i < ports_.outputs.size(); ++i) {
+        if ((simulator_.value(ports_.outputs[i]) == Logic::one) != outputs.test(i)) return false;
+    }
+    return true;
+}
+
+std::vector<NetId> NetlistCases::unknown_nets() const {
+    std::vector<NetId> unknown;
+    for (const NetId net : watched_) {
+        if (simulator_.value(net) == Logic::unknown) unknown.push_back(net);
+    }
+    return unknown;
+}
+
+bool NetlistCases::is_compared(NetId net) const {
+    return std::find(ports_.steps.begin(), ports_.steps.end(), net) != ports_.steps.end() ||
+           std::find(ports_.outputs.begin(), ports_.outputs.end(), net) != ports_.outputs.end();
+}
+
+/// Looks for an open input among what the nets depend on, backwards over pins whose value is not
+/// known.
+bool NetlistCases::open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
+                                     std::uint32_t& input) const {
+    std::vector<std::uint8_t> seen(netlist_.net_count());
+    std::vector<NetId> waiting = nets;
+    for (const NetId net : waiting) seen[index_of(net)] = 1;
+    for (std::size_t next = 0; next < waiting.size(); ++next) {
+        const NetId net = waiting[next];
+        const std::uint32_t carried = input_of_net_[index_of(net)];
+        if (carried != none && inputs[carried] == Logic::unknown) {
+            input = carried;
+            return true;
+        }
+        if (drivers_[net] == no_cell) continue;
+        for (const NetId pin : netlist_.pins_of(netlist_.cells[drivers_[net]])) {
+            if (seen[index_of(pin)] == 0) {
+                seen[index_of(pin)] = 1;
+                waiting.push_back(pin);
+            }
+        }
+    }
+    return false;
+}
+
+NetlistOutcome NetlistCases::blame(const std::vector<NetId>& nets, const PathStep& step) const {
+    NetlistOutcome outcome;
+    outcome.kind = NetlistOutcome::Kind::open;
+    if (open_input_behind(nets, step.inputs, outcome.split)) return outcome;
+    outcome.split_before = true;
+    if (open_input_behind(nets, step.before, outcome.split)) return outcome;
+    outcome.kind = NetlistOutcome::Kind::differs;
+    return outcome;
+}
+
+NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInputs& left,
+                                 const PathStep& step, const ReferenceOutcome& expected) {
+    apply(start, left, step);
+    const std::size_t scans = netlist_.is_clocked() ? expected.scans.size() : 1;
+    for (std::size_t scan = 0; scan < scans; ++scan) {
+        const Settling settling =
+            netlist_.is_clocked() ? simulator_.clock_cycle() : simulator_.settle();
+        if (!settling.settled) return blame(settling.oscillating, step);
+        // A memory that no open input explains has never been given a value. That matters once an X
+        // or an output depends on it, and may stay so until then.
+        if (const std::vector<NetId> unknown = unknown_nets(); !unknown.empty()) {
+            NetlistOutcome outcome = blame(unknown, step);
+            const bool visible = std::any_of(unknown.begin(), unknown.end(),
+                                             [&](NetId net) { return is_compared(net); });
+            if (outcome.kind == NetlistOutcome::Kind::open || visible) return outcome;
+        }
+        const bool agrees = netlist_.is_clocked()
+                                ? same(expected.scans[scan].situation, expected.scans[scan].outputs)
+                                : same(expected.state.situation, expected.outputs);
+        if (!agrees) {
+            NetlistOutcome outcome;
+            outcome.kind = NetlistOutcome::Kind::differs;
+            return outcome;
+        }
+    }
+    NetlistOutcome outcome;
+    outcome.state = simulator_.save();
+    return outcome;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "check/reference_case.h"
+#include "check/witness.h"
+#include "netlist/netlist.h"
+#include "simulate/simulate.h"
+#include "simulate/simulator.h"
+
+namespace grafwire {
+
+/// What came of a case on the netlist's side.
+struct NetlistOutcome {
+    enum class Kind {
+        agrees,
+        open,     ///< depends on an input that is still open: see `split`
+        differs,  ///< no open input is to blame
+    };
+    Kind kind = Kind::agrees;
+    /// open: the input to close, in the state left (`split_before`) or in the case.
+    std::uint32_t split = 0;
+    bool split_before = false;
+    SimulatorState state;  ///< agrees: the state reached
+};
+
+/// Takes a netlist through cases: restores the state left, applies the change, lets it settle, and
+/// compares with what the reference did.
+class NetlistCases {
+  public:
+    NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays);
+
+    /// `start` none: power-up and initialisation. `left` are the inputs with which the state
+    /// `start` was saved; `step.before` may close some that are open there.
+    NetlistOutcome run(const SimulatorState* start, const PartialInputs& left, const PathStep& step,
+                       const ReferenceOutcome& expected);
+
+  private:
+    void apply(const SimulatorState* start, const PartialInputs& left, const PathStep& step);
+    void set_inputs(const PartialInputs& inputs);
+    bool same(const BitTable& situation, const OutputValues& outputs) const;
+    std::vector<NetId> unknown_nets() const;
+    bool is_compared(NetId net) const;
+    NetlistOutcome blame(const std::vector<NetId>& nets, const PathStep& step) const;
+    bool open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
+                           std::uint32_t& input) const;
+    void find_watched_nets();
+
+    const Grafcet& grafcet_;
+    const Netlist& netlist_;
+    Simulator simulator_;
+    PortMap ports_;
+    Table<NetId, CellId> drivers_;
+    std::vector<std::uint32_t> input_of_net_;  ///< per net: the input it carries, or none
+    /// Nets on which the future depends: X, outputs, memories, feedback loops, operands of timers.
+    std::vector<NetId> watched_;
+};
+
+}  // namespace grafwire

@@ -1,0 +1,72 @@
+// Which inputs have to be varied.
+//
+// A GRAFCET with 15 inputs has 2^15 input vectors, hence 2^15 ways to leave every state; but in a
+// given situation nearly all inputs are read by nobody. So inputs are left open until somebody
+// reads them: the reference runs with open inputs as 0 and notes which of them it consulted. Its
+// result is then that of every input vector that agrees on the consulted ones. The rest of the
+// vectors are split by those: with a, b consulted, the run stands for /a./b, and a and /a.b are
+// further cases, explored the same way. Together the cases are all vectors, each once.
+//
+// Sound for the reference because what was not consulted cannot have influenced the result (the
+// evolution reads an input only where its value is used). It covers transient situations too: an
+// input that is read only in a step passed on the way is consulted there. Inputs read by edges and
+// time conditions are consulted in every scan, so their memories never depend on an open input.
+//
+// Sound for the netlist because there the open inputs are simulated as unknown, and whatever comes
+// out known is the same for both values; where an X, an output or a memory comes out unknown, the
+// check closes the input it stems from and compares both cases (check_equivalence.cpp). So a wrong
+// netlist that reacts to an input where the GRAFCET does not is found as well.
+
+#include "check/reference_case.h"
+
+#include <algorithm>
+
+namespace grafwire {
+
+ReferenceOutcome ReferenceCases::run(const EvolutionState* start,
+                                     const std::vector<std::uint32_t>& ended,
+                                     const PartialInputs& inputs) const {
+    ReferenceOutcome outcome;
+    InputValues values(inputs.size());
+    std::vector<std::uint8_t> consulted(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
+    const EvolutionInputs read{values, &consulted};
+
+    outcome.state = start == nullptr ? evolution_.start(read) : *start;
+    for (const std::uint32_t condition : ended) evolution_.end_delay(outcome.state, condition);
+    if (scan_by_scan_) {
+        run_scans(outcome, read);
+    } else {
+        SettleResult result = evolution_.settle(outcome.state, read, 0);
+        outcome.stable = result.stable;
+        outcome.changing = std::move(result.changing);
+        if (outcome.stable) outcome.outputs = evolution_.outputs(outcome.state, read);
+    }
+
+    outcome.inputs = inputs;
+    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+        if (consulted[i] == 0 || inputs[i] != Logic::unknown) continue;
+        outcome.inputs[i] = Logic::zero;
+        outcome.closed.push_back(i);
+    }
+    return outcome;
+}
+
+/// Every scan up to the last of the instant, or until a state comes back.
+void ReferenceCases::run_scans(ReferenceOutcome& outcome, const EvolutionInputs& inputs) const {
+    std::vector<EvolutionState> seen;
+    for (;;) {
+        const EvolutionState before = outcome.state;
+        evolution_.scan(outcome.state, inputs, 0);
+        outcome.outputs = evolution_.outputs(outcome.state, inputs);
+        outcome.scans.push_back({outcome.state.situation, outcome.outputs});
+        if (Evolution::is_settled(before, outcome.state)) return;
+        if (std::find(seen.begin(), seen.end(), outcome.state) != seen.end()) break;
+        seen.push_back(outcome.state);
+    }
+    outcome.stable = false;
+    EvolutionState again = outcome.state;
+    outcome.changing = evolution_.settle(again, inputs, 0).changing;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "equations/equations.h"
+#include "equations/logic.h"
+
+namespace grafwire {
+
+// What the parts of equations_from share. Each derive_ function fills the fields it names, from
+// those that the functions before it have filled.
+
+/// `frozen`.
+void derive_frozen(Equations& equations);
+/// `receptivity` and `clearing`.
+void derive_transitions(Equations& equations);
+/// CAX and CDX of every step, as they are and as tabulated.
+void derive_step_conditions(Equations& equations);
+/// forced_off, forced_on, enclosing and link of every step.
+void derive_forcing(Equations& equations);
+void derive_enclosures(Equations& equations);
+/// `outputs`.
+void derive_outputs(Equations& equations);
+/// `stored`.
+void derive_stored(Equations& equations);
+
+inline ExprId step_variable(Expressions& pool, StepId step) {
+    return pool.variable({VariableKind::step, static_cast<std::uint32_t>(step)});
+}
+
+inline ExprId control_variable(Expressions& pool, ControlInput input) {
+    return pool.variable({VariableKind::control, static_cast<std::uint32_t>(input)});
+}
+
+/// The expression without its control input: `e . /Init`; `e` as it is where there are no modes.
+inline ExprId and_not_control(Equations& equations, ExprId id, ControlInput input) {
+    if (!equations.options.modes) return id;
+    Expressions& pool = equations.expressions;
+    return and_of(pool, {id, not_of(pool, control_variable(pool, input))});
+}
+
+inline ExprId translated(const Equations& equations, ExprId in_grafcet) {
+    return equations.from_grafcet[static_cast<std::size_t>(in_grafcet)];
+}
+
+/// Lists of terms that are collected out of order and then read per key, in the order collected.
+template <typename Id>
+class TermsByKey {
+  public:
+    void add(Id key, ExprId term) { terms_.emplace_back(key, term); }
+
+    /// Calls `use(key, terms)` for every key that has terms, by ascending key. Nothing is left.
+    template <typename Use>
+    void consume(Use use) {
+        std::stable_sort(terms_.begin(), terms_.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<ExprId> run;
+        for (std::size_t i = 0; i < terms_.size(); ++i) {
+            run.push_back(terms_[i].second);
+            if (i + 1 < terms_.size() && terms_[i + 1].first == terms_[i].first) continue;
+            use(terms_[i].first, run);
+            run.clear();
+        }
+        terms_.clear();
+    }
+
+  private:
+    std::vector<std::pair<Id, ExprId>> terms_;
+};
+
+}  // namespace grafwire

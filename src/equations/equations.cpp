@@ -1,0 +1,95 @@
+// A GRAFCET becomes equations as in the course "Mise en œuvre du GRAFCET": the condition CAX that
+// activates a step and the condition CDX that deactivates it are read off its transitions, and the
+// step is a memory with priority to activation, X = CAX + /CDX.X. The parts are derived one after
+// the other over tables, so the time is that of reading the GRAFCET: operators with many operands
+// are built once and shared by everything that uses them.
+
+#include "equations/equations.h"
+
+#include "equations/derivation.h"
+#include "equations/normal_expressions.h"
+
+namespace grafwire {
+
+Equations equations_from(const Grafcet& grafcet, const EquationOptions& options) {
+    Equations equations;
+    equations.grafcet = &grafcet;
+    equations.options = options;
+    normalise_expressions(equations);
+    derive_frozen(equations);
+    derive_transitions(equations);
+    derive_step_conditions(equations);
+    derive_forcing(equations);
+    derive_enclosures(equations);
+    derive_outputs(equations);
+    derive_stored(equations);
+    return equations;
+}
+
+ExprId step_expression(Equations& equations, StepId step) {
+    Expressions& pool = equations.expressions;
+    const StepEquation& parts = equations.steps[step];
+    const bool initial = equations.grafcet->steps[step].initial;
+    const bool modes = equations.options.modes;
+
+    const ExprId held = and_of(pool, {not_of(pool, parts.cdx), step_variable(pool, step)});
+    ExprId x = or_of(pool, {parts.cax, held});
+    if (modes && initial) x = or_of(pool, {x, control_variable(pool, ControlInput::init)});
+    if (!initial) x = and_not_control(equations, x, ControlInput::init);
+
+    if (parts.forced_off != no_expr) x = and_of(pool, {x, not_of(pool, parts.forced_off)});
+    if (parts.forced_on != no_expr) x = or_of(pool, {x, parts.forced_on});
+    if (parts.enclosing != no_expr) x = and_of(pool, {x, parts.enclosing});
+    if (parts.link != no_expr) x = or_of(pool, {x, parts.link});
+    return and_not_control(equations, x, ControlInput::au_dur);
+}
+
+namespace {
+
+// One direction of the links between steps and transitions, turned round: per step, the transitions
+// that name it.
+template <typename StepsOf>
+void turn_round(const Grafcet& grafcet, StepsOf steps_of, std::vector<std::uint32_t>& first,
+                std::vector<TransitionId>& transitions) {
+    first.assign(grafcet.steps.size() + 1, 0);
+    for (const Transition& transition : grafcet.transitions)
+        for (const StepId step : steps_of(transition)) ++first[index_of(step) + 1];
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+
+    transitions.resize(first.back());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < grafcet.transitions.size(); ++i) {
+        const TransitionId id = grafcet.transitions.id_at(i);
+        for (const StepId step : steps_of(grafcet.transitions[id]))
+            transitions[next[index_of(step)]++] = id;
+    }
+}
+
+std::span<const TransitionId> range_of(const std::vector<std::uint32_t>& first,
+                                       const std::vector<TransitionId>& all, StepId step) {
+    const std::size_t begin = first[index_of(step)];
+    return {all.data() + begin, first[index_of(step) + 1] - begin};
+}
+
+}  // namespace
+
+std::span<const TransitionId> StepTransitions::into_step(StepId step) const {
+    return range_of(first_into, into, step);
+}
+
+std::span<const TransitionId> StepTransitions::out_of_step(StepId step) const {
+    return range_of(first_out_of, out_of, step);
+}
+
+StepTransitions transitions_by_step(const Grafcet& grafcet) {
+    StepTransitions result;
+    turn_round(
+        grafcet, [&](const Transition& transition) { return grafcet.following(transition); },
+        result.first_into, result.into);
+    turn_round(
+        grafcet, [&](const Transition& transition) { return grafcet.preceding(transition); },
+        result.first_out_of, result.out_of);
+    return result;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "equations/equations.h"
+
+namespace grafwire {
+
+/// A page that a report is written on, in one of the forms meant for people. Formulas are texts in
+/// the form's own notation; they are made by the page and handed back to it.
+class Page {
+  public:
+    /// A cell of a table: words, or a formula.
+    struct Cell {
+        std::string text;
+        bool is_formula = false;
+    };
+    static Cell words(std::string_view text) { return {std::string(text), false}; }
+    static Cell formula(std::string text) { return {std::move(text), true}; }
+
+    virtual ~Page() = default;
+
+    virtual std::string expression(ExprId id) const = 0;
+    virtual std::string name(Variable variable) const = 0;
+    /// `CAX0`: a quantity of a step.
+    virtual std::string of_step(std::string_view quantity, StepId step) const = 0;
+    /// `/CDX0.X0`: the product that holds a step active.
+    virtual std::string held(StepId step) const = 0;
+    /// `n := n + 1`, `n := 0`
+    virtual std::string write(Variable target, const StoredWrite& write) const = 0;
+
+    virtual void title(std::string_view text) = 0;
+    virtual void heading(std::string_view text) = 0;
+    virtual void paragraph(std::string_view text) = 0;
+    virtual void begin_table(const std::vector<Cell>& head) = 0;
+    virtual void row(const std::vector<Cell>& cells) = 0;
+    virtual void end_table() = 0;
+    virtual void begin_equations() = 0;
+    virtual void equation(const std::string& left, const std::string& right) = 0;
+    virtual void end_equations() = 0;
+
+    /// The finished page. To be called once.
+    virtual std::string finish() = 0;
+};
+
+/// The equations must outlive the page.
+std::unique_ptr<Page> text_page(const Equations& equations);
+std::unique_ptr<Page> markdown_page(const Equations& equations);
+std::unique_ptr<Page> latex_page(const Equations& equations);
+
+}  // namespace grafwire

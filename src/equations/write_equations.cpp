@@ -1,0 +1,34 @@
+#include "equations/write_equations.h"
+
+#include "equations/reports.h"
+#include "grafcet/write_grafcet.h"
+
+namespace grafwire {
+
+std::string equation_text(const Equations& equations, ExprId id) {
+    return write_expression(*equations.grafcet, equations.expressions, id);
+}
+
+std::string write_equations(const Equations& equations, const EquationReport& report) {
+    Equations growing = equations;
+    std::unique_ptr<Page> page;
+    switch (report.format) {
+        case EquationFormat::csv:
+            return write_csv_report(growing);
+        case EquationFormat::json:
+            return write_json_report(growing, report.karnaugh);
+        case EquationFormat::text:
+            page = text_page(growing);
+            break;
+        case EquationFormat::markdown:
+            page = markdown_page(growing);
+            break;
+        case EquationFormat::latex:
+            page = latex_page(growing);
+            break;
+    }
+    write_report(growing, report, *page);
+    return page->finish();
+}
+
+}  // namespace grafwire

@@ -1,0 +1,125 @@
+// The two ways of running the reference over stimuli: until stable (IEC 60848 with stability
+// search) and scan by scan (a PLC without it).
+
+#include "evolution/run.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "trace/assumptions.h"
+
+namespace grafwire {
+
+namespace {
+
+/// A run under way: the inputs as they are, the state, and the result so far.
+class Runner {
+  public:
+    Runner(const Grafcet& grafcet, const Stimuli& stimuli)
+        : grafcet_(grafcet),
+          stimuli_(stimuli),
+          evolution_(grafcet),
+          inputs_(grafcet.all_input_count(), 0),
+          is_broken_(grafcet.assumptions.size(), false) {
+        result_.trace = empty_trace(grafcet);
+        change_inputs(0);
+        state_ = evolution_.start({inputs_});
+    }
+
+    RunResult until_stable() {
+        for (Time now = 0; now <= stimuli_.end; now = next_instant()) {
+            change_inputs(now);
+            if (now != 0) evolution_.end_delays(state_, now);
+            SettleResult settled = evolution_.settle(state_, {inputs_}, now);
+            if (!settled.stable) {
+                result_.unstable_at = now;
+                result_.changing = std::move(settled.changing);
+                break;
+            }
+            add_row(now);
+            if (now == stimuli_.end) break;
+        }
+        return std::move(result_);
+    }
+
+    RunResult scan_by_scan(Time period) {
+        for (Time now = 0; now <= stimuli_.end; now += period) {
+            change_inputs(now);
+            evolution_.scan(state_, {inputs_}, now);
+            add_row(now);
+            if (period > stimuli_.end - now) break;
+        }
+        return std::move(result_);
+    }
+
+  private:
+    /// Applies every change up to and including `now`.
+    void change_inputs(Time now) {
+        const std::size_t first = next_change_;
+        for (; next_change_ < stimuli_.changes.size(); ++next_change_) {
+            const Stimuli::Change& change = stimuli_.changes[next_change_];
+            if (change.at > now) break;
+            for (const Stimuli::Assignment& assignment : change.assignments) {
+                inputs_[assignment.input] = assignment.value ? 1 : 0;
+            }
+        }
+        if (now == 0 || next_change_ != first) check_assumptions(now);
+    }
+
+    void check_assumptions(Time now) {
+        for (std::size_t i = 0; i < is_broken_.size(); ++i) {
+            if (is_broken_[i] || assumption_holds(grafcet_, i, inputs_)) continue;
+            is_broken_[i] = true;
+            result_.broken_assumptions.push_back({now, i});
+        }
+    }
+
+    /// The first moment after the present one at which something can happen.
+    Time next_instant() const {
+        Time next = stimuli_.end;
+        if (next_change_ < stimuli_.changes.size()) {
+            next = std::min(next, stimuli_.changes[next_change_].at);
+        }
+        for (const Time due : state_.due) next = std::min(next, due);
+        return next;
+    }
+
+    void add_row(Time now) {
+        Trace& trace = result_.trace;
+        trace.times.push_back(now);
+        trace.values.insert(trace.values.end(), inputs_.begin(), inputs_.end());
+        add_bits(state_.situation);
+        add_bits(evolution_.outputs(state_, {inputs_}));
+        add_bits(state_.vars);
+        trace.values.insert(trace.values.end(), state_.counters.begin(), state_.counters.end());
+        assert(trace.values.size() == trace.times.size() * trace.columns.size());
+    }
+
+    void add_bits(const BitTable& table) {
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            result_.trace.values.push_back(table.test(i) ? 1 : 0);
+        }
+    }
+
+    const Grafcet& grafcet_;
+    const Stimuli& stimuli_;
+    Evolution evolution_;
+    InputValues inputs_;
+    std::size_t next_change_ = 0;
+    EvolutionState state_;
+    std::vector<bool> is_broken_;
+    RunResult result_;
+};
+
+}  // namespace
+
+RunResult run_until_stable(const Grafcet& grafcet, const Stimuli& stimuli) {
+    return Runner(grafcet, stimuli).until_stable();
+}
+
+RunResult run_scans(const Grafcet& grafcet, const Stimuli& stimuli, Time period) {
+    assert(period > 0);
+    return Runner(grafcet, stimuli).scan_by_scan(period);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,332 @@
+// Lists are cut after a few names and the hierarchy is shown once for each graph, so that the text
+// stays readable and of a size proportional to the number of graphs, however large the GRAFCET is.
+
+#include "grafcet/describe_grafcet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/write_grafcet.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+struct Noun {
+    std::string_view one;
+    std::string_view many;
+};
+
+struct Wording {
+    Noun graph, step, initial_step, transition, macro_step, input, output, var, counter, edge, time;
+    bool zero_is_plural;
+    std::string_view graphs, macro_steps, enclosures, hierarchy;
+    std::string_view steps_list, transitions_list;
+    std::string_view initial, and_more;
+    std::string_view macro_line, enclosure_line;
+    std::string_view forced_by, frozen_by, enclosed_by, shown_above;
+};
+
+// The arguments of macro_line: macro-step, graph, expansion, entry, exit, number of steps with its
+// noun. Those of enclosure_line: step, graph of the step, enclosed graph, activation links.
+const Wording& wording(Language language) {
+    static constexpr Wording english = {{"graph", "graphs"},
+                                        {"step", "steps"},
+                                        {"initial step", "initial steps"},
+                                        {"transition", "transitions"},
+                                        {"macro-step", "macro-steps"},
+                                        {"input", "inputs"},
+                                        {"output", "outputs"},
+                                        {"var", "vars"},
+                                        {"counter", "counters"},
+                                        {"edge", "edges"},
+                                        {"time condition", "time conditions"},
+                                        true,
+                                        "Graphs",
+                                        "Macro-steps",
+                                        "Enclosing steps",
+                                        "Hierarchy of forcing orders and enclosures",
+                                        "steps",
+                                        "transitions",
+                                        "initial",
+                                        "… and {} more",
+                                        "{} of {}: expansion {}, entry {}, exit {}, {}",
+                                        "{} of {} encloses {}, activation links: {}",
+                                        "forced by {}",
+                                        "frozen by {}",
+                                        "enclosed by {}",
+                                        "(shown above)"};
+    static constexpr Wording french = {{"graphe", "graphes"},
+                                       {"étape", "étapes"},
+                                       {"étape initiale", "étapes initiales"},
+                                       {"transition", "transitions"},
+                                       {"macro-étape", "macro-étapes"},
+                                       {"entrée", "entrées"},
+                                       {"sortie", "sorties"},
+                                       {"variable interne", "variables internes"},
+                                       {"compteur", "compteurs"},
+                                       {"front", "fronts"},
+                                       {"condition temporelle", "conditions temporelles"},
+                                       false,
+                                       "Graphes",
+                                       "Macro-étapes",
+                                       "Étapes encapsulantes",
+                                       "Hiérarchie des ordres de forçage et des encapsulations",
+                                       "étapes",
+                                       "transitions",
+                                       "initiale",
+                                       "… et {} de plus",
+                                       "{} de {} : expansion {}, entrée {}, sortie {}, {}",
+                                       "{} de {} encapsule {}, liens d'activation : {}",
+                                       "forçage par {}",
+                                       "figeage par {}",
+                                       "encapsulation par {}",
+                                       "(voir plus haut)"};
+    return language == Language::french ? french : english;
+}
+
+class Description {
+  public:
+    Description(const Grafcet& grafcet, Language language)
+        : grafcet_(grafcet),
+          words_(wording(language)),
+          colon_(language == Language::french ? " : " : ": ") {}
+
+    std::string write() {
+        write_head();
+        write_graphs();
+        write_macros();
+        write_enclosures();
+        write_hierarchy();
+        return std::move(out_);
+    }
+
+  private:
+    static constexpr std::size_t most_listed = 24;
+
+    std::string counted(std::size_t count, const Noun& noun) const {
+        const bool is_one = count == 1 || (count == 0 && !words_.zero_is_plural);
+        return fmt::format("{} {}", count, is_one ? noun.one : noun.many);
+    }
+    std::string step_name(StepId step) const {
+        return quoted_where_needed(grafcet_.steps[step].name);
+    }
+    std::string graph_name(GraphId graph) const {
+        return quoted_where_needed(grafcet_.graphs[graph].name);
+    }
+
+    // The first of `count` texts, separated by commas.
+    template <typename TextAt>
+    std::string listed(std::size_t count, const TextAt& text_at) const {
+        std::string result;
+        for (std::size_t i = 0; i < std::min(count, most_listed); ++i)
+            result += fmt::format("{}{}", i == 0 ? "" : ", ", text_at(i));
+        if (count > most_listed)
+            result += fmt::format(", {}",
+                                  fmt::format(fmt::runtime(words_.and_more), count - most_listed));
+        return result;
+    }
+
+    void write_head() {
+        out_ += fmt::format("GRAFCET {}", quoted_where_needed(grafcet_.name));
+        if (!grafcet_.title.empty()) out_ += fmt::format(" \"{}\"", grafcet_.title);
+        const auto initial =
+            static_cast<std::size_t>(std::count_if(grafcet_.steps.begin(), grafcet_.steps.end(),
+                                                   [](const Step& step) { return step.initial; }));
+        out_ += fmt::format(
+            "\n  {}, {}, {}, {}, {}\n", counted(grafcet_.graphs.size(), words_.graph),
+            counted(grafcet_.steps.size(), words_.step), counted(initial, words_.initial_step),
+            counted(grafcet_.transitions.size(), words_.transition),
+            counted(grafcet_.macros.size(), words_.macro_step));
+        out_ += fmt::format("  {}, {}, {}, {}\n", counted(grafcet_.inputs.size(), words_.input),
+                            counted(grafcet_.outputs.size(), words_.output),
+                            counted(grafcet_.vars.size(), words_.var),
+                            counted(grafcet_.counters.size(), words_.counter));
+        out_ += fmt::format("  {}, {}\n", counted(grafcet_.expressions.edges().size(), words_.edge),
+                            counted(grafcet_.expressions.time_conditions().size(), words_.time));
+    }
+
+    void write_title(std::string_view title) { out_ += fmt::format("\n{}\n", title); }
+
+    void write_graphs() {
+        write_title(words_.graphs);
+        for (const Graph& graph : grafcet_.graphs) {
+            out_ += fmt::format("  {}{}{}, {}\n", quoted_where_needed(graph.name), colon_,
+                                counted(graph.step_count, words_.step),
+                                counted(graph.transition_count, words_.transition));
+            if (graph.step_count != 0)
+                out_ += fmt::format("    {}{}{}\n", words_.steps_list, colon_,
+                                    listed(graph.step_count, [&](std::size_t i) {
+                                        return step_in_list(graph.first_step + i);
+                                    }));
+            if (graph.transition_count != 0)
+                out_ += fmt::format("    {}{}{}\n", words_.transitions_list, colon_,
+                                    listed(graph.transition_count, [&](std::size_t i) {
+                                        return transition_in_list(graph.first_transition + i);
+                                    }));
+        }
+    }
+
+    std::string step_in_list(std::size_t index) const {
+        const Step& step = grafcet_.steps.items()[index];
+        const std::string name = quoted_where_needed(step.name);
+        return step.initial ? fmt::format("{} ({})", name, words_.initial) : name;
+    }
+    std::string transition_in_list(std::size_t index) const {
+        return quoted_where_needed(grafcet_.transitions.items()[index].name);
+    }
+
+    void write_macros() {
+        if (grafcet_.macros.empty()) return;
+        write_title(words_.macro_steps);
+        for (const Macro& macro : grafcet_.macros)
+            out_ += fmt::format(
+                "  {}\n",
+                fmt::format(fmt::runtime(words_.macro_line), quoted_where_needed(macro.name),
+                            quoted_where_needed(grafcet_.blocks[macro.block].name),
+                            quoted_where_needed(grafcet_.blocks[macro.expansion].name),
+                            step_name(macro.entry), step_name(macro.exit),
+                            counted(macro.step_count, words_.step)));
+    }
+
+    void write_enclosures() {
+        if (grafcet_.enclosures.empty()) return;
+        write_title(words_.enclosures);
+        for (const Enclosure& enclosure : grafcet_.enclosures)
+            out_ += fmt::format(
+                "  {}\n",
+                fmt::format(fmt::runtime(words_.enclosure_line), step_name(enclosure.step),
+                            graph_name(grafcet_.steps[enclosure.step].graph),
+                            graph_name(enclosure.graph),
+                            listed(enclosure.links.size(),
+                                   [&](std::size_t i) { return step_name(enclosure.links[i]); })));
+    }
+
+    // A graph and all that one other graph has over it.
+    struct Bond {
+        GraphId over{};
+        GraphId under{};
+        std::vector<std::string> forced_by, frozen_by, enclosed_by;
+    };
+
+    // Bonds by the graph above, then by the graph below.
+    std::vector<Bond> bonds() const {
+        struct Part {
+            GraphId over, under;
+            const Order* order;
+            StepId step;
+        };
+        std::vector<Part> parts;
+        for (const Order& order : grafcet_.orders)
+            parts.push_back({grafcet_.steps[order.step].graph, order.graph, &order, order.step});
+        for (const Enclosure& enclosure : grafcet_.enclosures)
+            parts.push_back(
+                {grafcet_.steps[enclosure.step].graph, enclosure.graph, nullptr, enclosure.step});
+        std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+            return a.over != b.over ? a.over < b.over : a.under < b.under;
+        });
+        std::vector<Bond> result;
+        for (const Part& part : parts) {
+            if (result.empty() || result.back().over != part.over ||
+                result.back().under != part.under)
+                result.push_back({part.over, part.under, {}, {}, {}});
+            Bond& bond = result.back();
+            if (part.order == nullptr)
+                bond.enclosed_by.push_back(step_name(part.step));
+            else if (part.order->kind == OrderKind::freeze)
+                bond.frozen_by.push_back(step_name(part.step));
+            else
+                bond.forced_by.push_back(step_name(part.step) + situation_of(*part.order));
+        }
+        return result;
+    }
+
+    std::string situation_of(const Order& order) const {
+        if (order.kind == OrderKind::empty) return " {}";
+        if (order.kind == OrderKind::initial) return " {INIT}";
+        return " {" +
+               listed(order.steps.size(),
+                      [&](std::size_t i) { return step_name(order.steps[i]); }) +
+               "}";
+    }
+
+    // A bond of freezing alone is shown but not followed: freezing may go in circles.
+    static bool is_followed(const Bond& bond) {
+        return !bond.forced_by.empty() || !bond.enclosed_by.empty();
+    }
+
+    void write_hierarchy() {
+        const std::vector<Bond> all = bonds();
+        if (all.empty()) return;
+        write_title(words_.hierarchy);
+        std::vector<std::size_t> first(grafcet_.graphs.size() + 1, 0);
+        std::vector<bool> is_under(grafcet_.graphs.size(), false);
+        for (const Bond& bond : all) {
+            ++first[index_of(bond.over) + 1];
+            if (is_followed(bond)) is_under[index_of(bond.under)] = true;
+        }
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        std::vector<bool> is_shown(grafcet_.graphs.size(), false);
+        for (std::size_t graph = 0; graph < grafcet_.graphs.size(); ++graph) {
+            if (is_under[graph] || first[graph] == first[graph + 1]) continue;
+            out_ += fmt::format("  {}\n", graph_name(static_cast<GraphId>(graph)));
+            write_below(graph, all, first, is_shown);
+        }
+    }
+
+    void write_below(std::size_t top, const std::vector<Bond>& all,
+                     const std::vector<std::size_t>& first, std::vector<bool>& is_shown) {
+        struct Place {
+            std::size_t graph, next;
+        };
+        std::vector<Place> open = {{top, first[top]}};
+        while (!open.empty()) {
+            Place& place = open.back();
+            if (place.next == first[place.graph + 1]) {
+                open.pop_back();
+                continue;
+            }
+            const Bond& bond = all[place.next++];
+            const std::size_t under = index_of(bond.under);
+            const bool has_more = is_followed(bond) && first[under] != first[under + 1];
+            write_bond(bond, open.size(), has_more && is_shown[under]);
+            if (!has_more || is_shown[under]) continue;
+            is_shown[under] = true;
+            open.push_back({under, first[under]});
+        }
+    }
+
+    void write_bond(const Bond& bond, std::size_t depth, bool is_shown_above) {
+        constexpr std::size_t deepest_indent = 20;
+        out_.append(2 + 2 * std::min(depth, deepest_indent), ' ');
+        out_ += graph_name(bond.under);
+        std::string_view separator = colon_;
+        const auto add = [&](std::string_view phrase, const std::vector<std::string>& steps) {
+            if (steps.empty()) return;
+            out_ += separator;
+            out_ += fmt::format(fmt::runtime(phrase),
+                                listed(steps.size(), [&](std::size_t i) { return steps[i]; }));
+            separator = "; ";
+        };
+        add(words_.forced_by, bond.forced_by);
+        add(words_.frozen_by, bond.frozen_by);
+        add(words_.enclosed_by, bond.enclosed_by);
+        if (is_shown_above) out_ += fmt::format(" {}", words_.shown_above);
+        out_ += '\n';
+    }
+
+    const Grafcet& grafcet_;
+    const Wording& words_;
+    std::string_view colon_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string describe_grafcet(const Grafcet& grafcet, Language language) {
+    return Description(grafcet, language).write();
+}
+
+}  // namespace grafwire

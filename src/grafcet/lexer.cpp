@@ -1,0 +1,284 @@
+#include "grafcet/lexer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::array<std::string_view, 27> reserved_words = {
+    "activation", "and",   "assume",    "counter", "deactivation", "do",    "encloses",
+    "entry",      "exit",  "expansion", "fall",    "grafcet",      "graph", "if",
+    "initial",    "input", "macro",     "not",     "on",           "or",    "output",
+    "reset",      "rise",  "set",       "step",    "var",          "xor"};
+
+constexpr auto first_reserved = static_cast<std::size_t>(TokenKind::kw_activation);
+static_assert(static_cast<std::size_t>(TokenKind::kw_xor) - first_reserved + 1 ==
+              reserved_words.size());
+
+constexpr std::array<std::string_view, 5> units = {"min", "us", "ms", "s", "h"};
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_ascii_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_ascii(char c) {
+    return static_cast<unsigned char>(c) < 0x80;
+}
+
+TokenKind keyword_of(std::string_view word) {
+    constexpr std::size_t longest = 12;
+    if (word.size() < 2 || word.size() > longest || word[0] < 'a' || word[0] > 'x')
+        return TokenKind::word;
+    const auto place = std::lower_bound(reserved_words.begin(), reserved_words.end(), word);
+    if (place == reserved_words.end() || *place != word) return TokenKind::word;
+    const auto index = static_cast<std::size_t>(place - reserved_words.begin());
+    return static_cast<TokenKind>(first_reserved + index);
+}
+
+bool is_wide_space(char32_t c) {
+    return c == 0x85 || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x2028 ||
+           c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000;
+}
+
+// The bytes of the letter, digit or `_` at `at`: 0 if there is none.
+std::size_t name_character(std::string_view text, std::size_t at) {
+    if (at >= text.size()) return 0;
+    const char c = text[at];
+    if (is_ascii(c)) return is_ascii_letter(c) || is_digit(c) || c == '_' ? 1 : 0;
+    const CodePoint code_point = decode_utf8(text, at);
+    return is_letter(code_point.value) ? code_point.length : 0;
+}
+
+}  // namespace
+
+bool is_letter(char32_t c) {
+    if (c < 0x80) return is_ascii_letter(static_cast<char>(c));
+    if (c < 0xc0) return c == 0xaa || c == 0xb5 || c == 0xba;
+    // Above Latin-1 every code point counts as a letter but for the blocks of punctuation, symbols,
+    // private use and specials: scripts are many, these blocks are few.
+    struct Range {
+        char32_t first, last;
+    };
+    constexpr Range not_letters[] = {{0xd7, 0xd7},       {0xf7, 0xf7},       {0x1680, 0x1680},
+                                     {0x2000, 0x206f},   {0x20a0, 0x20cf},   {0x2190, 0x245f},
+                                     {0x2500, 0x2bff},   {0x2e00, 0x2e7f},   {0x3000, 0x3004},
+                                     {0x3008, 0x3020},   {0xd800, 0xf8ff},   {0xfe10, 0xfe1f},
+                                     {0xfe30, 0xfe6f},   {0xfeff, 0xff0f},   {0xfff0, 0xffff},
+                                     {0x1f000, 0x1faff}, {0xe0000, 0x10ffff}};
+    return std::none_of(std::begin(not_letters), std::end(not_letters),
+                        [c](const Range& range) { return range.first <= c && c <= range.last; });
+}
+
+std::string_view reserved_word(TokenKind kind) {
+    const auto index = static_cast<std::size_t>(kind);
+    return index < first_reserved ? std::string_view() : reserved_words[index - first_reserved];
+}
+
+bool is_reserved_word(std::string_view text) {
+    return keyword_of(text) != TokenKind::word;
+}
+
+bool is_plain_word(std::string_view text) {
+    if (text.empty() || !is_letter(decode_utf8(text, 0).value)) return false;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = name_character(text, at);
+        if (length == 0) return false;
+        at += length;
+    }
+    return !is_reserved_word(text);
+}
+
+bool is_integer(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+std::string token_in_message(std::string_view source, const Token& token) {
+    if (token.kind == TokenKind::end) return "the end of the file";
+    return in_quotes(source.substr(token.offset, token.length));
+}
+
+Lexer::Lexer(std::string_view text) : text_(text), at_(byte_order_mark_size(text)) {}
+
+Token Lexer::next(Diagnostics* diagnostics) {
+    while (true) {
+        skip_space();
+        Token token;
+        token.offset = static_cast<std::uint32_t>(at_);
+        token.where = {line_, column_};
+        token.first_on_line = line_is_blank_;
+        line_is_blank_ = false;
+        if (at_ == text_.size()) return token;
+        const char c = text_[at_];
+        if (is_ascii_letter(c)) return word(token);
+        if (is_digit(c)) return number(token);
+        if (c == '"') return quoted(token, diagnostics);
+        if (symbol(token)) return token;
+        if (!is_ascii(c) && is_letter(decode_utf8(text_, at_).value)) return word(token);
+        report_unexpected(token, diagnostics);
+    }
+}
+
+void Lexer::skip_space() {
+    while (at_ < text_.size()) {
+        const char c = text_[at_];
+        if (c == '\n') {
+            ++at_;
+            ++line_;
+            column_ = 1;
+            line_is_blank_ = true;
+        } else if (c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f') {
+            advance(1);
+        } else if (c == '#') {
+            skip_comment();
+        } else if (is_ascii(c) || !skip_wide_space()) {
+            return;
+        }
+    }
+}
+
+bool Lexer::skip_wide_space() {
+    const CodePoint code_point = decode_utf8(text_, at_);
+    if (!is_wide_space(code_point.value)) return false;
+    at_ += code_point.length;
+    ++column_;
+    return true;
+}
+
+void Lexer::skip_comment() {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    column_ += static_cast<std::uint32_t>(count_code_points(text_.substr(at_, end - at_)));
+    at_ = end;
+}
+
+// A token of ASCII characters.
+Token Lexer::finish(Token token, TokenKind kind, std::size_t bytes) {
+    token.kind = kind;
+    token.length = static_cast<std::uint32_t>(bytes);
+    advance(bytes);
+    return token;
+}
+
+Token Lexer::word(Token token) {
+    const std::size_t start = at_;
+    for (std::size_t length = name_character(text_, at_); length != 0;
+         length = name_character(text_, at_)) {
+        at_ += length;
+        ++column_;
+    }
+    const std::string_view text = text_.substr(start, at_ - start);
+    token.kind = keyword_of(text);
+    token.length = static_cast<std::uint32_t>(text.size());
+    return token;
+}
+
+Token Lexer::number(Token token) {
+    const auto digits_from = [this](std::size_t at) {
+        while (at < text_.size() && is_digit(text_[at])) ++at;
+        return at;
+    };
+    const std::size_t whole_end = digits_from(at_ + 1);
+    std::size_t end = whole_end;
+    if (end + 1 < text_.size() && text_[end] == '.' && is_digit(text_[end + 1]))
+        end = digits_from(end + 2);
+    for (const std::string_view unit : units)
+        if (text_.substr(end, unit.size()) == unit)
+            return finish(token, TokenKind::duration, end + unit.size() - at_);
+    return finish(token, TokenKind::integer, whole_end - at_);
+}
+
+Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
+    const std::size_t start = at_ + 1;
+    const std::size_t end = std::min(text_.find_first_of("\"\r\n", start), text_.size());
+    const bool is_closed = end < text_.size() && text_[end] == '"';
+    const std::string_view text = text_.substr(start, end - start);
+    if (!is_closed && diagnostics != nullptr)
+        diagnostics->error(Code::unterminated_text, token.where,
+                           "this quoted text has no end on its line; close it with '\"'");
+    token.kind = TokenKind::quoted;
+    token.offset = static_cast<std::uint32_t>(start);
+    token.length = static_cast<std::uint32_t>(text.size());
+    column_ += static_cast<std::uint32_t>(count_code_points(text) + (is_closed ? 2 : 1));
+    at_ = end + (is_closed ? 1 : 0);
+    return token;
+}
+
+bool Lexer::symbol(Token& token) {
+    struct Symbol {
+        std::string_view text;
+        TokenKind kind;
+    };
+    // Longer ones before those they begin with.
+    static constexpr Symbol symbols[] = {{"->", TokenKind::arrow},
+                                         {":=", TokenKind::assign},
+                                         {"..", TokenKind::dot_dot},
+                                         {"<>", TokenKind::not_equal},
+                                         {"<=", TokenKind::less_equal},
+                                         {">=", TokenKind::greater_equal},
+                                         {":", TokenKind::colon},
+                                         {",", TokenKind::comma},
+                                         {"(", TokenKind::left_parenthesis},
+                                         {")", TokenKind::right_parenthesis},
+                                         {"{", TokenKind::left_brace},
+                                         {"}", TokenKind::right_brace},
+                                         {"[", TokenKind::left_bracket},
+                                         {"]", TokenKind::right_bracket},
+                                         {"=", TokenKind::equal},
+                                         {"<", TokenKind::less},
+                                         {">", TokenKind::greater},
+                                         {"+", TokenKind::plus},
+                                         {"-", TokenKind::minus},
+                                         {"|", TokenKind::bar},
+                                         {".", TokenKind::dot},
+                                         {"*", TokenKind::star},
+                                         {"&", TokenKind::ampersand},
+                                         {"/", TokenKind::slash},
+                                         {"!", TokenKind::exclamation},
+                                         {"↑", TokenKind::up_arrow},
+                                         {"↓", TokenKind::down_arrow},
+                                         {"⊕", TokenKind::circled_plus}};
+    for (const Symbol& candidate : symbols) {
+        if (text_.substr(at_, candidate.text.size()) != candidate.text) continue;
+        token.kind = candidate.kind;
+        token.length = static_cast<std::uint32_t>(candidate.text.size());
+        at_ += candidate.text.size();
+        column_ += static_cast<std::uint32_t>(count_code_points(candidate.text));
+        return true;
+    }
+    return false;
+}
+
+// One report for a run of characters that begin no token.
+void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
+    const CodePoint first = decode_utf8(text_, at_);
+    while (at_ < text_.size()) {
+        const char c = text_[at_];
+        const CodePoint code_point = decode_utf8(text_, at_);
+        Token ignored;
+        if (c == '"' || c == '#' || c == '\n' || is_wide_space(code_point.value) || c == ' ' ||
+            (c >= '\t' && c <= '\r') || is_letter(code_point.value) || is_digit(c))
+            break;
+        Lexer ahead = *this;
+        if (ahead.symbol(ignored)) break;
+        at_ += std::max<std::size_t>(code_point.length, 1);
+        ++column_;
+    }
+    if (diagnostics == nullptr) return;
+    std::string shown = fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.value));
+    if (first.value > 0x20 && first.value != 0x7f)
+        shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));
+    diagnostics->error(
+        Code::unexpected_character, token.where,
+        fmt::format("the character {} has no meaning here; remove it, or write the name it belongs "
+                    "to between quotation marks",
+                    shown));
+}
+
+}  // namespace grafwire

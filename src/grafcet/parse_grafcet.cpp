@@ -1,0 +1,120 @@
+// Reading runs in three passes over a file: parse_syntax gives the file as written and goes on
+// after an error at the next part of it; the checks resolve every name and report all that the
+// rules of the language refuse; only of a file without errors is the model built, and that is where
+// warnings come from.
+
+#include "grafcet/parse_grafcet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "grafcet/names.h"
+#include "grafcet/syntax_parser.h"
+#include "grafcet/warnings.h"
+
+namespace grafwire {
+
+namespace {
+
+bool is_readable(const SourceFile& source, Diagnostics& diagnostics) {
+    if (source.text.size() >= std::numeric_limits<std::uint32_t>::max()) {
+        diagnostics.error(Code::unreadable_file, {},
+                          "the file is larger than 4 GiB; cut the GRAFCET into several");
+        return false;
+    }
+    return check_utf8(source.text, diagnostics);
+}
+
+void check(const Checking& checking) {
+    collect_names(checking);
+    resolve_expansions(checking);
+    for (const ExpressionSyntax& assumption : checking.syntax.assumptions)
+        resolve_expression(checking, assumption, ExpressionUse::assumption);
+    resolve_transitions(checking);
+    resolve_actions(checking);
+    check_enclosures(checking);
+    check_circles(checking);
+}
+
+std::vector<std::string_view> input_names(const Grafcet& grafcet) {
+    std::vector<std::string_view> result;
+    for (std::size_t i = 0; i < grafcet.all_input_count(); ++i)
+        result.push_back(input_name(grafcet, i));
+    return result;
+}
+
+// Of the variables of a model: the inputs and control inputs, which an assumption may read, and the
+// others, so that they are refused for what they are. `step_variables` keeps the text of names.
+Names names_for_assumption(const Grafcet& grafcet, const Syntax& syntax,
+                           std::vector<std::string>& step_variables) {
+    Names names;
+    const auto add = [&names](std::string_view name, VariableKind kind, std::size_t index) {
+        names.variables.emplace(name,
+                                Names::Declared{{kind, static_cast<std::uint32_t>(index)}, none});
+    };
+    const auto add_all = [&add](const auto& items, VariableKind kind) {
+        for (std::size_t i = 0; i < items.size(); ++i) add(items.items()[i].name, kind, i);
+    };
+    for (std::size_t i = 0; i < control_input_count; ++i)
+        add(input_name(grafcet, grafcet.inputs.size() + i), VariableKind::control, i);
+    add_all(grafcet.inputs, VariableKind::input);
+    add_all(grafcet.outputs, VariableKind::output);
+    add_all(grafcet.vars, VariableKind::var);
+    add_all(grafcet.counters, VariableKind::counter);
+    const bool reads_more =
+        std::any_of(syntax.expression_nodes.begin(), syntax.expression_nodes.end(),
+                    [&](const ExpressionNode& node) {
+                        return node.kind == ExprKind::variable &&
+                               find_name(names.variables, syntax.text(node.word)) == nullptr;
+                    });
+    if (!reads_more) return names;
+    const auto add_steps = [&step_variables](const auto& items) {
+        for (const auto& item : items) step_variables.push_back(fmt::format("X{}", item.name));
+    };
+    add_steps(grafcet.steps);
+    add_steps(grafcet.macros);
+    add_steps(grafcet.graphs);
+    for (const std::string& name : step_variables) add(name, VariableKind::step, 0);
+    return names;
+}
+
+}  // namespace
+
+std::optional<Grafcet> parse_grafcet(const SourceFile& source, Diagnostics& diagnostics) {
+    if (!is_readable(source, diagnostics)) return std::nullopt;
+    const std::size_t errors_before = diagnostics.error_count();
+    std::optional<Grafcet> grafcet;
+    {
+        Syntax syntax = SyntaxParser(source.text, diagnostics).parse_file();
+        syntax.word_nodes.assign(syntax.words.size(), none);
+        Names names;
+        Suggestions suggestions(syntax);
+        check({syntax, names, suggestions, diagnostics});
+        if (diagnostics.error_count() == errors_before) grafcet = build_model(syntax);
+    }
+    if (grafcet) warn_about(*grafcet, diagnostics);
+    diagnostics.sort_by_place();
+    return grafcet;
+}
+
+void parse_assumption(const SourceFile& source, Grafcet& grafcet, Diagnostics& diagnostics) {
+    if (!is_readable(source, diagnostics)) return;
+    const std::size_t errors_before = diagnostics.error_count();
+    Syntax syntax = SyntaxParser(source.text, diagnostics).parse_lone_expression();
+    std::vector<std::string> step_variables;
+    Names names = names_for_assumption(grafcet, syntax, step_variables);
+    Suggestions suggestions(syntax, input_names(grafcet));
+    const Checking checking{syntax, names, suggestions, diagnostics};
+    for (const ExpressionSyntax& assumption : syntax.assumptions)
+        resolve_expression(checking, assumption, ExpressionUse::assumption);
+    if (diagnostics.error_count() == errors_before)
+        for (const ExpressionSyntax& assumption : syntax.assumptions)
+            grafcet.assumptions.push_back(
+                {build_expression(syntax, assumption, {}, {}, grafcet.expressions),
+                 assumption.where});
+    diagnostics.sort_by_place();
+}
+
+}  // namespace grafwire

@@ -1,0 +1,250 @@
+#include <fmt/format.h>
+
+#include "grafcet/names.h"
+
+namespace grafwire {
+
+namespace {
+
+// How an output is driven: the first action of each kind.
+struct Drive {
+    Location continuous;
+    Location stored;
+};
+
+class ActionResolver {
+  public:
+    explicit ActionResolver(const Checking& checking)
+        : checking_(checking), syntax_(checking.syntax) {
+        std::size_t outputs = 0;
+        for (const DeclarationSyntax& declaration : syntax_.declarations)
+            outputs += declaration.kind == VariableKind::output ? 1U : 0U;
+        drives_.resize(outputs);
+    }
+
+    void resolve() {
+        for (NodeSyntax& node : syntax_.nodes) {
+            if (node.kind != NodeKind::macro && node.extra != none)
+                resolve_enclosure(syntax_.enclosures[node.extra]);
+            for (std::uint32_t i = 0; i < node.actions.count; ++i)
+                resolve_action(syntax_.actions[node.actions.first + i]);
+        }
+        for (const TransitionSyntax& transition : syntax_.transitions)
+            for (std::uint32_t i = 0; i < transition.writes.count; ++i)
+                resolve_write(syntax_.writes[transition.writes.first + i]);
+        check_drives();
+        check_output_reads();
+    }
+
+  private:
+    void resolve_action(ActionSyntax& action) {
+        switch (action.kind) {
+            case ActionKind::continuous:
+                resolve_continuous(action);
+                break;
+            case ActionKind::order:
+                resolve_order(action);
+                break;
+            case ActionKind::stored:
+                resolve_write(syntax_.writes[action.write]);
+                if (action.trigger == Trigger::event)
+                    resolve_expression(checking_, action.expression, ExpressionUse::event);
+                break;
+        }
+    }
+
+    void resolve_continuous(ActionSyntax& action) {
+        const auto* found = find_name(checking_.names.variables, syntax_.text(action.name));
+        if (found != nullptr && found->variable.kind == VariableKind::output) {
+            action.resolved = found->variable.index;
+            Location& first = drives_[action.resolved].continuous;
+            if (!first.is_known()) first = action.where;
+        } else if (found != nullptr && (found->variable.kind == VariableKind::var ||
+                                        found->variable.kind == VariableKind::counter)) {
+            const bool is_var = found->variable.kind == VariableKind::var;
+            checking_.error(
+                Code::continuous_on_internal, action.where,
+                fmt::format("continuous action on the {} {}, which changes by stored actions only; "
+                            "write '{}', or declare it as an output",
+                            is_var ? "var" : "counter", checking_.shown(action.name),
+                            is_var ? fmt::format("set {}", syntax_.text(action.name))
+                                   : fmt::format("{0} := {0} + 1", syntax_.text(action.name))));
+        } else {
+            report_bad_target(action.name);
+        }
+        if (action.expression.is_present())
+            resolve_expression(checking_, action.expression, ExpressionUse::condition);
+    }
+
+    // A name that no action of any kind can be about.
+    void report_bad_target(const Word& word) {
+        const std::string_view name = syntax_.text(word);
+        const auto* found = find_name(checking_.names.variables, name);
+        const bool is_step_variable =
+            found == nullptr && name.size() > 1 && name[0] == 'X' &&
+            (find_name(checking_.names.nodes, name.substr(1)) != nullptr ||
+             find_name(checking_.names.graphs, name.substr(1)) != nullptr);
+        if (found != nullptr) {
+            const bool is_input = found->variable.kind == VariableKind::input;
+            checking_.error(
+                Code::assignment_to_input, word.where,
+                fmt::format("{} is {}, which the GRAFCET reads and never writes; name "
+                            "an output, a var or a counter",
+                            checking_.shown(word), is_input ? "an input" : "a control input"));
+        } else if (is_step_variable) {
+            checking_.error(Code::assignment_to_input, word.where,
+                            fmt::format("{} follows the situation and is never written; use a "
+                                        "forcing order to change the situation of a graph",
+                                        checking_.shown(word)));
+        } else {
+            std::string advice = checking_.suggestions.did_you_mean(name, Meant::written);
+            if (find_name(checking_.names.graphs, name) != nullptr)
+                advice = fmt::format("; an order to graph {0} is written {1}{{…}}",
+                                     checking_.shown(word), name);
+            checking_.error(Code::unknown_name, word.where,
+                            fmt::format("unknown output {}{}", checking_.shown(word), advice));
+        }
+    }
+
+    void resolve_write(WriteSyntax& write) {
+        const auto* found = find_name(checking_.names.variables, syntax_.text(write.target));
+        const bool is_writable = found != nullptr && found->variable.kind != VariableKind::input &&
+                                 found->variable.kind != VariableKind::control;
+        if (!is_writable) {
+            report_bad_target(write.target);
+        } else {
+            write.resolved = found->variable;
+            const bool is_counter = write.resolved.kind == VariableKind::counter;
+            if (write.resolved.kind == VariableKind::output) {
+                Location& first = drives_[write.resolved.index].stored;
+                if (!first.is_known()) first = write.where;
+            }
+            if (is_counter && write.operation != WriteOperation::assign)
+                checking_.error(
+                    Code::not_a_boolean, write.target.where,
+                    fmt::format("{0} is a counter, which is neither set nor reset; "
+                                "write a value, as in {1} := 0",
+                                checking_.shown(write.target), syntax_.text(write.target)));
+        }
+        if (write.operation != WriteOperation::assign) return;
+        if (write.is_sum)
+            resolve_sum(checking_, write.sum);
+        else
+            resolve_expression(checking_, write.value, ExpressionUse::value);
+    }
+
+    void resolve_order(ActionSyntax& action) {
+        if (const auto* graph = find_graph(action.name, Code::forcing_unknown_graph)) {
+            action.resolved = *graph;
+            resolve_listed(*graph, action.steps, "a forcing order");
+        } else {
+            resolve_listed(none, action.steps, "a forcing order");
+        }
+    }
+
+    void resolve_enclosure(EnclosureSyntax& enclosure) {
+        if (const auto* graph = find_graph(enclosure.graph, Code::unknown_name))
+            enclosure.resolved = *graph;
+        resolve_listed(enclosure.resolved, enclosure.links, "an activation link");
+    }
+
+    const std::uint32_t* find_graph(const Word& word, Code code) {
+        const std::string_view name = syntax_.text(word);
+        const auto* graph = find_name(checking_.names.graphs, name);
+        if (graph != nullptr) return graph;
+        const bool is_expansion = find_name(checking_.names.expansions, name) != nullptr;
+        checking_.error(code, word.where,
+                        is_expansion
+                            ? fmt::format("{} is an expansion; orders and enclosures name graphs",
+                                          checking_.shown(word))
+                            : fmt::format("unknown graph {}{}", checking_.shown(word),
+                                          checking_.suggestions.did_you_mean(name, Meant::graph)));
+        return nullptr;
+    }
+
+    // Steps of one graph, those of its expansions included; `graph` is none if it is not known.
+    void resolve_listed(std::uint32_t graph, Range list, std::string_view what) {
+        resolve_steps(checking_, list, [&](std::uint32_t node, const Word& word) {
+            const NodeSyntax& step = syntax_.nodes[node];
+            const std::uint32_t root = syntax_.blocks[step.block].root;
+            if (step.kind == NodeKind::macro) {
+                checking_.error(Code::macro_not_allowed_here, word.where,
+                                fmt::format("{} is a macro-step; {} names steps, such as the entry "
+                                            "step of its expansion",
+                                            checking_.shown(word), what));
+                return false;
+            }
+            if (graph == none || root == none || root == graph) return true;
+            checking_
+                .error(Code::forcing_foreign_step, word.where,
+                       fmt::format("{} belongs to {}, not to {}; name steps of {}",
+                                   checking_.shown_node(node), checking_.shown_block(root),
+                                   checking_.shown_block(graph),
+                                   checking_.shown(syntax_.blocks[graph].name)))
+                .notes.push_back({step.name.where,
+                                  fmt::format("{} is declared here", checking_.shown_node(node))});
+            return false;
+        });
+    }
+
+    void check_drives() {
+        for (const DeclarationSyntax& declaration : syntax_.declarations) {
+            const Drive* drive = drive_of(declaration);
+            if (drive == nullptr || !drive->continuous.is_known() || !drive->stored.is_known())
+                continue;
+            const bool stored_is_later = drive->stored.line != drive->continuous.line
+                                             ? drive->stored.line > drive->continuous.line
+                                             : drive->stored.column > drive->continuous.column;
+            checking_
+                .error(Code::output_driven_twice,
+                       stored_is_later ? drive->stored : drive->continuous,
+                       fmt::format("output {} is driven by continuous and by stored actions; use "
+                                   "one kind only",
+                                   checking_.shown(declaration.name)))
+                .notes.push_back({stored_is_later ? drive->continuous : drive->stored,
+                                  stored_is_later ? "a continuous action drives it here"
+                                                  : "a stored action drives it here"});
+        }
+    }
+
+    const Drive* drive_of(const DeclarationSyntax& declaration) const {
+        if (declaration.kind != VariableKind::output) return nullptr;
+        const auto* found = find_name(checking_.names.variables, syntax_.text(declaration.name));
+        if (found->declaration == none || &syntax_.declarations[found->declaration] != &declaration)
+            return nullptr;
+        return &drives_[found->variable.index];
+    }
+
+    void check_output_reads() {
+        for (const ExpressionNode& node : syntax_.expression_nodes) {
+            if (node.kind != ExprKind::variable || node.variable != VariableKind::output) continue;
+            const Drive& drive = drives_[node.value];
+            if (drive.stored.is_known()) continue;
+            if (!drive.continuous.is_known()) {
+                checking_.error(Code::reads_continuous_output, node.word.where,
+                                fmt::format("output {} is read, but no stored action drives it; "
+                                            "only stored outputs can be read",
+                                            checking_.shown(node.word)));
+                continue;
+            }
+            checking_
+                .error(Code::reads_continuous_output, node.word.where,
+                       fmt::format("{} is a continuous output, which cannot be read; write its "
+                                   "condition instead",
+                                   checking_.shown(node.word)))
+                .notes.push_back({drive.continuous, "this continuous action drives it"});
+        }
+    }
+
+    const Checking& checking_;
+    Syntax& syntax_;
+    std::vector<Drive> drives_;
+};
+
+}  // namespace
+
+void resolve_actions(const Checking& checking) {
+    ActionResolver(checking).resolve();
+}
+
+}  // namespace grafwire

@@ -1,0 +1,139 @@
+// Macro-steps and expansions. Every expansion is named by one macro-step, so from each block one
+// path of macro-steps leads outwards to the graph that it belongs to. The paths are walked without
+// recursion and every block is settled once; a path that meets itself is an expansion that would
+// contain itself.
+
+#include <fmt/format.h>
+
+#include "grafcet/names.h"
+
+namespace grafwire {
+
+namespace {
+
+void join_macro(const Checking& checking, std::uint32_t index) {
+    Syntax& syntax = checking.syntax;
+    NodeSyntax& macro = syntax.nodes[index];
+    if (macro.extra == none) return;
+    const Word& word = syntax.words[macro.extra];
+    const std::string_view name = syntax.text(word);
+    const std::uint32_t* expansion = find_name(checking.names.expansions, name);
+    if (expansion == nullptr) {
+        const bool is_graph = find_name(checking.names.graphs, name) != nullptr;
+        checking.error(
+            Code::unknown_name, word.where,
+            is_graph ? fmt::format("{} is a graph; a macro-step is expanded by an "
+                                   "expansion, declared with 'expansion {} {{ … }}'",
+                                   checking.shown(word), name)
+                     : fmt::format("unknown expansion {}{}", checking.shown(word),
+                                   checking.suggestions.did_you_mean(name, Meant::expansion)));
+        return;
+    }
+    macro.resolved = *expansion;
+    BlockSyntax& block = syntax.blocks[*expansion];
+    if (block.macro == none) {
+        block.macro = index;
+        return;
+    }
+    checking
+        .error(Code::expansion_use, word.where,
+               fmt::format("expansion {} expands macro-step {} already; each macro-step needs an "
+                           "expansion of its own",
+                           checking.shown(word), checking.shown(syntax.nodes[block.macro].name)))
+        .notes.push_back({syntax.nodes[block.macro].name.where, "it is first used here"});
+}
+
+void check_ends(const Checking& checking, std::uint32_t index) {
+    Syntax& syntax = checking.syntax;
+    BlockSyntax& block = syntax.blocks[index];
+    for (std::uint32_t i = block.nodes.first; i < block.nodes.first + block.nodes.count; ++i) {
+        const NodeSyntax& node = syntax.nodes[i];
+        if (node.kind != NodeKind::entry && node.kind != NodeKind::exit) continue;
+        const bool is_entry = node.kind == NodeKind::entry;
+        std::uint32_t& end = is_entry ? block.entry : block.exit;
+        if (end == none) {
+            end = i;
+            continue;
+        }
+        checking
+            .error(Code::expansion_entry_exit, node.name.where,
+                   fmt::format("expansion {} has a second {} step; an expansion has exactly one",
+                               checking.shown(block.name), is_entry ? "entry" : "exit"))
+            .notes.push_back({syntax.nodes[end].name.where, "the first one is here"});
+    }
+    for (const bool is_entry : {true, false})
+        if ((is_entry ? block.entry : block.exit) == none)
+            checking.error(Code::expansion_entry_exit, block.name.where,
+                           fmt::format("expansion {} has no {} step; declare it with '{} {}'",
+                                       checking.shown(block.name), is_entry ? "entry" : "exit",
+                                       is_entry ? "entry" : "exit", is_entry ? "E1" : "S1"));
+}
+
+// `path` ends with the block at which it met itself.
+void report_circle(const Checking& checking, const std::vector<std::uint32_t>& path) {
+    std::size_t first = path.size() - 1;
+    while (path[first - 1] != path.back()) --first;
+    --first;
+    std::string names;
+    // The path leads outwards; the message tells which expansion contains which.
+    for (std::size_t i = path.size(); i-- > first;)
+        names += fmt::format("{}{}", names.empty() ? "" : " → ",
+                             checking.shown(checking.syntax.blocks[path[i]].name));
+    checking.error(Code::expansion_use, checking.syntax.blocks[path.back()].name.where,
+                   fmt::format("expansion {} contains itself ({}); a macro-step must not lead back "
+                               "to an expansion it stands in",
+                               checking.shown(checking.syntax.blocks[path.back()].name), names));
+}
+
+void find_roots(const Checking& checking) {
+    Syntax& syntax = checking.syntax;
+    enum class State : std::uint8_t { untouched, on_path, settled };
+    std::vector<State> states(syntax.blocks.size(), State::untouched);
+    std::vector<std::uint32_t> path;
+    for (std::uint32_t start = 0; start < syntax.blocks.size(); ++start) {
+        path.clear();
+        std::uint32_t block = start;
+        std::uint32_t root = none;
+        while (true) {
+            path.push_back(block);
+            if (states[block] == State::settled) {
+                root = syntax.blocks[block].root;
+                break;
+            }
+            if (states[block] == State::on_path) {
+                report_circle(checking, path);
+                break;
+            }
+            states[block] = State::on_path;
+            if (!syntax.blocks[block].is_expansion) root = block;
+            if (root != none || syntax.blocks[block].macro == none) break;
+            block = syntax.nodes[syntax.blocks[block].macro].block;
+        }
+        for (const std::uint32_t item : path) {
+            states[item] = State::settled;
+            syntax.blocks[item].root = root;
+        }
+    }
+}
+
+}  // namespace
+
+void resolve_expansions(const Checking& checking) {
+    Syntax& syntax = checking.syntax;
+    for (std::uint32_t i = 0; i < syntax.nodes.size(); ++i)
+        if (syntax.nodes[i].kind == NodeKind::macro) join_macro(checking, i);
+    for (std::uint32_t i = 0; i < syntax.blocks.size(); ++i) {
+        const BlockSyntax& block = syntax.blocks[i];
+        if (!block.is_expansion || block.name.length == 0) continue;
+        check_ends(checking, i);
+        const std::uint32_t* named = find_name(checking.names.expansions, syntax.text(block.name));
+        if (block.macro == none && *named == i)
+            checking.error(Code::expansion_use, block.name.where,
+                           fmt::format("no macro-step uses expansion {}; declare one with 'macro M "
+                                       "= {}', or remove the expansion",
+                                       checking.shown(block.name), syntax.text(block.name)));
+    }
+    find_roots(checking);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,133 @@
+// Ripple-carry arithmetic on words of nets. Counters are small and the clocked style computes once
+// a scan, so the simplest adder is the right one: it can be followed with a pencil.
+
+#include "netlist/arithmetic.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace grafwire {
+
+Arithmetic::Arithmetic(NetlistBuilder& builder, std::string owner)
+    : builder_(builder), owner_(std::move(owner)) {}
+
+NetId Arithmetic::gate(CellType type, NetId a, NetId b) {
+    const NetId pins[] = {a, b};
+    return builder_.gate(type, pins, owner_, "a" + std::to_string(++next_));
+}
+
+NetId Arithmetic::and_of(NetId a, NetId b) {
+    if (builder_.is_low(a) || builder_.is_low(b)) return builder_.low();
+    if (builder_.is_high(a) || a == b) return b;
+    if (builder_.is_high(b)) return a;
+    return gate(CellType::and_gate, a, b);
+}
+
+NetId Arithmetic::or_of(NetId a, NetId b) {
+    if (builder_.is_high(a) || builder_.is_high(b)) return builder_.high();
+    if (builder_.is_low(a) || a == b) return b;
+    if (builder_.is_low(b)) return a;
+    return gate(CellType::or_gate, a, b);
+}
+
+NetId Arithmetic::xor_of(NetId a, NetId b) {
+    if (a == b) return builder_.low();
+    if (builder_.is_low(a)) return b;
+    if (builder_.is_low(b)) return a;
+    if (builder_.is_high(a)) return builder_.inverted(b);
+    if (builder_.is_high(b)) return builder_.inverted(a);
+    return gate(CellType::xor_gate, a, b);
+}
+
+NetId Arithmetic::choose(NetId chosen, NetId a, NetId b) {
+    if (a == b) return a;
+    return or_of(and_of(chosen, a), and_of(builder_.inverted(chosen), b));
+}
+
+Word Arithmetic::choose(NetId chosen, const Word& a, const Word& b) {
+    const std::size_t width = std::max(a.size(), b.size());
+    const Word left = extended(a, width);
+    const Word right = extended(b, width);
+    Word result;
+    for (std::size_t i = 0; i < width; ++i) result.push_back(choose(chosen, left[i], right[i]));
+    return result;
+}
+
+Word Arithmetic::constant(WideInteger value, std::size_t width) {
+    Word word;
+    for (std::size_t i = 0; i < width; ++i) {
+        word.push_back((value & 1) != 0 ? builder_.high() : builder_.low());
+        value >>= 1;
+    }
+    return word;
+}
+
+Word Arithmetic::extended(Word word, std::size_t width) const {
+    while (word.size() < width) word.push_back(word.back());
+    return word;
+}
+
+Word Arithmetic::add(const Word& a, const Word& b, NetId carry) {
+    const std::size_t width = std::max(a.size(), b.size()) + 1;
+    const Word left = extended(a, width);
+    const Word right = extended(b, width);
+    Word result;
+    for (std::size_t i = 0; i < width; ++i) {
+        const NetId half = xor_of(left[i], right[i]);
+        result.push_back(xor_of(half, carry));
+        if (i + 1 < width) carry = or_of(and_of(left[i], right[i]), and_of(half, carry));
+    }
+    return result;
+}
+
+Word Arithmetic::subtract(const Word& a, const Word& b) {
+    const std::size_t width = std::max(a.size(), b.size());
+    Word complement = extended(b, width);
+    for (NetId& bit : complement) bit = builder_.inverted(bit);
+    return add(extended(a, width), complement, builder_.high());
+}
+
+Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
+    WideInteger constant_part = 0;
+    for (const SumTerm& term : terms) {
+        if (term.counter == SumTerm::no_counter) {
+            constant_part += term.negative ? -WideInteger{term.value} : WideInteger{term.value};
+        }
+    }
+    std::size_t width = 1;
+    for (WideInteger rest = constant_part; rest != 0 && rest != -1; rest >>= 1) ++width;
+    Word result = constant(constant_part, width);
+    for (const SumTerm& term : terms) {
+        if (term.counter == SumTerm::no_counter) continue;
+        const Word& counter = counters[term.counter];
+        result = term.negative ? subtract(result, counter) : add(result, counter, builder_.low());
+    }
+    return result;
+}
+
+NetId Arithmetic::is_zero(const Word& word) {
+    NetId any = builder_.low();
+    for (const NetId bit : word) any = or_of(any, bit);
+    return builder_.inverted(any);
+}
+
+NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right) {
+    const Word difference = subtract(left, right);
+    switch (relation) {
+        case Relation::equal:
+            return is_zero(difference);
+        case Relation::not_equal:
+            return builder_.inverted(is_zero(difference));
+        case Relation::less:
+            return is_negative(difference);
+        case Relation::greater_equal:
+            return builder_.inverted(is_negative(difference));
+        case Relation::less_equal:
+            return or_of(is_negative(difference), is_zero(difference));
+        case Relation::greater:
+            return builder_.inverted(or_of(is_negative(difference), is_zero(difference)));
+    }
+    return builder_.low();
+}
+
+}  // namespace grafwire

@@ -1,0 +1,182 @@
+#include "netlist/netlist.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <unordered_set>
+
+namespace grafwire {
+
+NetId NetNames::add(std::string_view name) {
+    text_ += name;
+    ends_.push_back(text_.size());
+    return static_cast<NetId>(ends_.size() - 1);
+}
+
+std::string_view NetNames::operator[](NetId net) const {
+    const std::size_t index = index_of(net);
+    const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
+    return std::string_view(text_).substr(begin, ends_[index] - begin);
+}
+
+Table<NetId, CellId> drivers_of(const Netlist& netlist) {
+    Table<NetId, CellId> drivers(netlist.net_count(), no_cell);
+    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
+        const CellId cell = netlist.cells.id_at(i);
+        drivers[netlist.cells[cell].output] = cell;
+    }
+    return drivers;
+}
+
+namespace {
+
+std::string fault_of_cell(const Netlist& netlist, const Cell& cell) {
+    const CellTypeRow& row = row_of(cell.type);
+    const std::string name(index_of(cell.output) < netlist.net_count() ? netlist.names[cell.output]
+                                                                       : "?");
+    if (index_of(cell.output) >= netlist.net_count()) return "a cell drives no net";
+    if (cell.pin_count < row.min_pins || cell.pin_count > row.max_pins) {
+        return fmt::format("cell {} of type {} has {} pins", name, row.name, cell.pin_count);
+    }
+    if (std::size_t{cell.first_pin} + cell.pin_count > netlist.pins.size()) {
+        return fmt::format("the pins of cell {} are out of range", name);
+    }
+    for (const NetId pin : netlist.pins_of(cell)) {
+        if (index_of(pin) >= netlist.net_count()) {
+            return fmt::format("a pin of cell {} is connected to no net", name);
+        }
+    }
+    if (cell.origin >= netlist.origins.size()) return fmt::format("cell {} has no origin", name);
+    if (row.has_timing && cell.timing >= netlist.timings.size()) {
+        return fmt::format("cell {} has no timing", name);
+    }
+    return {};
+}
+
+std::string fault_of_drivers(const Netlist& netlist) {
+    std::vector<std::uint8_t> drivers(netlist.net_count());
+    const auto drive = [&](NetId net) { return ++drivers[index_of(net)] == 1; };
+    for (const Port& port : netlist.inputs) {
+        if (index_of(port.net) >= netlist.net_count()) return "an input port has no net";
+        if (!drive(port.net)) return fmt::format("net {} has two drivers", netlist.names[port.net]);
+    }
+    for (const Cell& cell : netlist.cells) {
+        if (!drive(cell.output)) {
+            return fmt::format("net {} has two drivers", netlist.names[cell.output]);
+        }
+    }
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        if (drivers[i] == 0) {
+            return fmt::format("net {} has no driver", netlist.names[static_cast<NetId>(i)]);
+        }
+    }
+    return {};
+}
+
+std::string fault_of_names(const Netlist& netlist) {
+    std::unordered_set<std::string_view> seen;
+    seen.reserve(netlist.net_count());
+    for (std::size_t i = 0; i < netlist.net_count(); ++i) {
+        const std::string_view name = netlist.names[static_cast<NetId>(i)];
+        if (!seen.insert(name).second) return fmt::format("two nets are called {}", name);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string fault_of(const Netlist& netlist) {
+    for (const Cell& cell : netlist.cells) {
+        if (std::string fault = fault_of_cell(netlist, cell); !fault.empty()) return fault;
+    }
+    if (std::string fault = fault_of_drivers(netlist); !fault.empty()) return fault;
+    std::size_t next_cell = 0;
+    for (const Module& module : netlist.modules) {
+        if (module.first_cell != next_cell) return "the modules leave a gap before " + module.name;
+        next_cell += module.cell_count;
+    }
+    if (next_cell != netlist.cells.size()) return "the modules leave cells out";
+    for (const Port& port : netlist.outputs) {
+        if (index_of(port.net) >= netlist.net_count()) return "an output port has no net";
+    }
+    return fault_of_names(netlist);
+}
+
+namespace {
+
+std::string_view word_for(Origin::Kind kind) {
+    switch (kind) {
+        case Origin::Kind::other:
+            return "";
+        case Origin::Kind::input:
+            return "input";
+        case Origin::Kind::step:
+            return "step";
+        case Origin::Kind::transition:
+            return "transition";
+        case Origin::Kind::output:
+            return "output";
+        case Origin::Kind::var:
+            return "var";
+        case Origin::Kind::counter:
+            return "counter";
+        case Origin::Kind::graph:
+            return "graph";
+        case Origin::Kind::edge:
+            return "edge";
+        case Origin::Kind::time_condition:
+            return "time condition";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string cell_description(const Netlist& netlist, CellId id) {
+    const Cell& cell = netlist.cells[id];
+    const Origin& origin = netlist.origin_of(cell);
+    std::string text =
+        fmt::format("{} {}", row_of(cell.type).description, netlist.names[cell.output]);
+    if (origin.kind != Origin::Kind::other) {
+        text += fmt::format(" of {} {}", word_for(origin.kind), origin.name);
+    }
+    return text;
+}
+
+std::string write_netlist_text(const Netlist& netlist) {
+    std::string text = fmt::format("netlist {}\n", netlist.name);
+    const auto out = std::back_inserter(text);
+    for (const Port& port : netlist.inputs) fmt::format_to(out, "input {}\n", port.name);
+    for (const Port& port : netlist.outputs) {
+        fmt::format_to(out, "output {} = {}\n", port.name, netlist.names[port.net]);
+    }
+    for (const Module& module : netlist.modules) {
+        fmt::format_to(out, "module {}{}{}\n", module.name, module.comment.empty() ? "" : " # ",
+                       module.comment);
+        for (std::uint32_t i = 0; i < module.cell_count; ++i) {
+            const Cell& cell = netlist.cells[netlist.cells.id_at(module.first_cell + i)];
+            fmt::format_to(out, "  {} = {}(", netlist.names[cell.output], row_of(cell.type).name);
+            bool first = true;
+            for (const NetId pin : netlist.pins_of(cell)) {
+                fmt::format_to(out, "{}{}", first ? "" : ", ", netlist.names[pin]);
+                first = false;
+            }
+            text += ')';
+            if (row_of(cell.type).has_timing) {
+                const Timing& timing = netlist.timings[cell.timing];
+                fmt::format_to(out, " rise {} fall {}", format_duration(timing.rise),
+                               format_duration(timing.fall));
+            }
+            if (row_of(cell.type).has_memory && cell.initial != Logic::unknown) {
+                fmt::format_to(out, " initially {}", cell.initial == Logic::one ? 1 : 0);
+            }
+            text += '\n';
+        }
+    }
+    for (const Netlist::InitialValue& start : netlist.initial_values) {
+        fmt::format_to(out, "initially {} = {}\n", netlist.names[start.net], start.value ? 1 : 0);
+    }
+    return text;
+}
+
+}  // namespace grafwire

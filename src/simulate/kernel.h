@@ -1,0 +1,195 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "netlist/netlist.h"
+#include "simulate/evaluate_cell.h"
+#include "simulate/event_wheel.h"
+#include "simulate/oscillation.h"
+#include "simulate/simulator.h"
+
+namespace grafwire {
+
+/// The simulation proper; run_kernel.cpp tells how it works. As every net has one driver, a net and
+/// the cell that drives it are one node, numbered as the net. Moments are counted in ticks, which
+/// never go back; the origin says which moment tick 0 stands for.
+class Simulator::Kernel {
+  public:
+    Kernel(const Netlist& netlist, const CellDelays& delays);
+
+    void power_up();
+    void begin_instant(Time at);
+    void restart_clock();
+    void set_input(std::uint32_t net, Logic value);
+    void hold_pulses(bool on);
+    void remember_pulse_inputs();
+    void doubt_unknown_pulses();
+    void force(std::uint32_t net, Logic value);
+    void release_all();
+    Settling settle();
+    Settling clock_cycle();
+
+    const std::vector<CellId>& timer_cells() const { return timer_cells_; }
+    bool is_running(std::size_t timer) const { return due_[timer] != never; }
+    Time next_due() const;
+    void end_delays(Time now);
+    void end_delay(std::size_t timer);
+
+    Logic value(std::uint32_t net) const { return values_[net]; }
+    Time now() const { return origin_ + tick_ * slot_; }
+    SimulatorState save() const { return {values_, due_, now(), towards_}; }
+    void restore(const SimulatorState& state);
+    void observe(Observer observer) { observer_ = std::move(observer); }
+
+  private:
+    /// `pending`: no change is on its way. As the target of an evaluation: leave things as they are.
+    static constexpr std::uint8_t no_change = 3;
+    /// `table`: evaluated by evaluate_special.
+    static constexpr std::uint8_t special = 0x80;
+    /// `table`: an input port.
+    static constexpr std::uint8_t undriven = 0xc0;
+    /// `readers`: there are more than fit.
+    static constexpr std::uint8_t listed = 0xff;
+    static constexpr std::uint32_t no_memory = 0xffffffffU;
+
+    /// What is touched when a net changes, in half a cache line.
+    struct alignas(32) Node {
+        InputSum sum = 0;  ///< see evaluate_cell.h
+        /// Who reads the net, one entry per pin: twice the node number, plus the controlling value
+        /// of the reader. Where `reader_count` is `listed`: first and end in more_readers_.
+        std::array<std::uint32_t, 3> readers{};
+        std::uint8_t reader_count = 0;
+        Logic value = Logic::unknown;
+        std::uint8_t pending = no_change;
+        std::uint8_t table = undriven;
+        bool touched = false;  ///< in touched_, to be evaluated at the end of the moment
+        bool forced = false;
+        CellType type = CellType::buffer;
+        std::uint32_t memory = no_memory;  ///< index into memories_, for cells with pins of meaning
+    };
+    static_assert(sizeof(Node) == 32);
+
+    /// Delays of a node in ticks, and when its pending change is due. Only where delays differ.
+    struct NodeTiming {
+        Tick due = 0;
+        Tick rise = 1;
+        Tick fall = 1;
+    };
+    /// A cell that is evaluated from its pins.
+    struct MemoryCell {
+        std::uint32_t node = 0;
+        std::uint32_t data = 0;     ///< first pin
+        std::uint32_t control = 0;  ///< last pin: the clock, where there is one
+        std::uint32_t detail = 0;   ///< index into pulses_ or the timers
+        Logic data_seen = Logic::unknown;  ///< values of the pins when last evaluated
+        Logic control_seen = Logic::unknown;
+    };
+    /// The output is 1 from certain_from to before certain_to, else unknown likewise, else 0.
+    struct Pulse {
+        std::uint32_t memory = 0;
+        Tick delay = 1;
+        Tick width = 1;
+        Tick due = 0;
+        Tick certain_from = 0;
+        Tick certain_to = 0;
+        Tick possible_from = 0;
+        Tick possible_to = 0;
+    };
+
+    // build_kernel.cpp
+    void choose_slot(const Netlist& netlist, const CellDelays& delays);
+    void add_cell(const Netlist& netlist, const CellDelays& delays, CellId id);
+    void add_memory(const Netlist& netlist, const CellDelays& delays, CellId id);
+    void link_readers(const Netlist& netlist);
+
+    // simulator.cpp
+    void look_at_pins();
+    void release(std::uint32_t net);
+
+    // run_kernel.cpp
+    template <bool uniform, bool observed>
+    Settling run();
+    template <bool uniform, bool observed>
+    void watch(Settling& settling);
+    template <bool uniform, bool observed, bool watched>
+    void next_moment(RecurrenceWatch* watch);
+    template <bool observed, bool watched>
+    void apply_current(RecurrenceWatch* watch);
+    template <bool observed, bool watched>
+    void apply_wheel(RecurrenceWatch* watch);
+    template <bool observed, bool watched>
+    void apply_far(RecurrenceWatch* watch);
+    template <bool observed, bool watched>
+    void change(std::uint32_t net, Logic value, RecurrenceWatch* watch);
+    template <bool uniform>
+    void evaluate_touched();
+    void aim(std::uint32_t net, Logic target);
+    void touch(std::uint32_t net);
+    void change_unseen(std::uint32_t net, Logic value);
+    void change_now(std::uint32_t net, Logic value);
+    void drop_pending(std::uint32_t net);
+    void drop_all_pending();
+    void take_snapshot(Snapshot& snapshot) const;
+    bool is_live() const { return next_.size != 0 || live_ != 0; }
+
+    // memory_cells.cpp
+    std::uint8_t evaluate_special(std::uint32_t net);
+    std::uint8_t evaluate_flip_flop(MemoryCell& cell);
+    std::uint8_t evaluate_timer(std::size_t timer, Logic operand, Logic aimed);
+    std::uint8_t evaluate_scan_timer(MemoryCell& cell);
+    void evaluate_pulse(MemoryCell& cell);
+    void fire(Pulse& pulse, Edge edge);
+    void aim_pulse(Pulse& pulse);
+    static Logic pulse_value(const Pulse& pulse, Tick tick);
+    Logic aimed_value(const Node& node) const {
+        return node.pending == no_change ? node.value : static_cast<Logic>(node.pending);
+    }
+    Tick& due_tick(std::uint32_t net);
+
+    /// A list that is filled without asking for room: it has room for every node once.
+    struct NodeList {
+        std::vector<std::uint32_t> items;
+        std::size_t size = 0;
+    };
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> more_readers_;
+    std::vector<Logic> values_;  ///< of the nodes once more, for save() and restore()
+    std::vector<MemoryCell> memories_;
+    std::vector<Pulse> pulses_;
+    NodeList touched_;
+    std::vector<std::uint32_t> forced_;
+    std::vector<std::pair<std::uint32_t, Logic>> held_at_power_up_;
+    std::uint32_t clock_ = no_memory;
+
+    Time slot_ = nanosecond;
+    Time origin_ = 0;
+    Tick tick_ = 0;
+    Time instant_ = 0;
+
+    /// All delays are one tick: all changes but those of pulse cells happen at the next tick, and
+    /// the two lists hold them as four times the net plus the value. Else the wheel is used.
+    bool uniform_ = true;
+    NodeList current_;
+    NodeList next_;
+    std::vector<NodeTiming> timings_;
+    EventWheel wheel_{0};
+    std::uint64_t live_ = 0;  ///< pending changes in the wheel that still stand
+    std::uint64_t changes_ = 0;
+    std::uint64_t changes_told_ = 0;  ///< of these, in earlier results of settle()
+
+    std::vector<CellId> timer_cells_;
+    std::vector<std::uint32_t> timer_nodes_;
+    std::vector<Time> rise_delays_;
+    std::vector<Time> fall_delays_;
+    std::vector<Time> due_;
+    std::vector<Logic> towards_;  ///< per timer: what its output takes when the delay ends
+
+    bool pulses_held_ = false;
+    bool pulses_remember_ = false;
+    Observer observer_;
+};
+
+}  // namespace grafwire

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+
+#include "simulate/kernel.h"
+
+// The cells that are more than a gate: latches, flip-flops, pulse cells, timers.
+//
+// Clocked cells take their data as it was when they were last evaluated before the clock's rise:
+// any change of the data pin evaluates them, so that is the value of the moment before.
+//
+// A timer whose operand is unknown is taken to have begun its delay, but towards unknown: before it
+// ends the output cannot have changed, from then on it may have. Where the operand becomes known
+// only at a later instant, the delay may have begun at either, and the output becomes unknown at
+// once. Operands that are unknown for a few nanoseconds after power-up thus do no harm.
+
+namespace grafwire {
+
+std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
+    Node& node = nodes_[net];
+    if (node.memory == no_memory) {
+        const bool is_xor = node.type == CellType::xor_gate && !node.forced;
+        return is_xor ? static_cast<std::uint8_t>(xor_value(node.sum)) : no_change;
+    }
+    MemoryCell& cell = memories_[node.memory];
+    const Logic data = values_[cell.data];
+    const Logic control = values_[cell.control];
+    std::uint8_t target = no_change;
+    switch (node.type) {
+        case CellType::latch:
+            target = static_cast<std::uint8_t>(latch_value(data, control, node.value));
+            break;
+        case CellType::hold_latch:
+            target = static_cast<std::uint8_t>(hold_latch_value(data, control, node.value));
+            break;
+        case CellType::flip_flop: target = evaluate_flip_flop(cell); break;
+        case CellType::scan_timer: target = evaluate_scan_timer(cell); break;
+        case CellType::timer:
+            if (!node.forced) target = evaluate_timer(cell.detail, data, aimed_value(node));
+            break;
+        case CellType::rise_pulse:
+        case CellType::fall_pulse: evaluate_pulse(cell); break;
+        default: break;
+    }
+    if (!(pulses_held_ && pulses_remember_)) cell.data_seen = data;
+    cell.control_seen = control;
+    return node.forced ? no_change : target;
+}
+
+std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
+    const Logic held = aimed_value(nodes_[cell.node]);
+    switch (rise_between(cell.control_seen, values_[cell.control])) {
+        case Edge::none: return no_change;
+        case Edge::certain: return static_cast<std::uint8_t>(cell.data_seen);
+        default: return static_cast<std::uint8_t>(agreed(cell.data_seen, held));
+    }
+}
+
+/// What a timer is to show at once, given its operand and what it shows or is about to show.
+std::uint8_t Simulator::Kernel::evaluate_timer(std::size_t timer, Logic operand, Logic aimed) {
+    Time& due = due_[timer];
+    Logic& towards = towards_[timer];
+    if (operand == aimed) {
+        due = never;
+        return static_cast<std::uint8_t>(operand);
+    }
+    const bool rises = operand == Logic::one || (operand != Logic::zero && aimed == Logic::zero);
+    const Time delay = rises ? rise_delays_[timer] : fall_delays_[timer];
+    if (delay == 0) {
+        due = never;
+        return static_cast<std::uint8_t>(operand);
+    }
+    const Time end = add_times(instant_, delay);
+    if (due != never && towards != operand && operand == Logic::unknown && aimed != Logic::unknown) {
+        towards = operand;  // the running delay may or may not go on
+        return no_change;
+    }
+    const bool doubtful = due != never && towards == Logic::unknown && due != end;
+    if (due == never || towards != operand) {
+        due = end;
+        towards = operand;
+    }
+    return doubtful && operand != Logic::unknown ? static_cast<std::uint8_t>(Logic::unknown)
+                                                 : no_change;
+}
+
+std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
+    const Node& node = nodes_[cell.node];
+    if (node.forced) return no_change;
+    const Logic aimed = aimed_value(node);
+    Time& due = due_[cell.detail];
+    switch (rise_between(cell.control_seen, values_[cell.control])) {
+        case Edge::none: return no_change;
+        case Edge::certain: break;
+        default:
+            if (cell.data_seen == aimed && due == never) return no_change;
+            due = never;
+            return static_cast<std::uint8_t>(Logic::unknown);
+    }
+    const std::uint8_t target = evaluate_timer(cell.detail, cell.data_seen, aimed);
+    if (due > instant_) return target;
+    due = never;
+    return static_cast<std::uint8_t>(towards_[cell.detail]);
+}
+
+Logic Simulator::Kernel::pulse_value(const Pulse& pulse, Tick tick) {
+    if (pulse.certain_from <= tick && tick < pulse.certain_to) return Logic::one;
+    if (pulse.possible_from <= tick && tick < pulse.possible_to) return Logic::unknown;
+    return Logic::zero;
+}
+
+void Simulator::Kernel::evaluate_pulse(MemoryCell& cell) {
+    const Logic input = values_[cell.data];
+    const Edge edge = nodes_[cell.node].type == CellType::rise_pulse
+                          ? rise_between(cell.data_seen, input)
+                          : fall_between(cell.data_seen, input);
+    Pulse& pulse = pulses_[cell.detail];
+    if (edge != Edge::none && !pulses_held_) fire(pulse, edge);
+    aim_pulse(pulse);
+}
+
+void Simulator::Kernel::fire(Pulse& pulse, Edge edge) {
+    const Tick from = tick_ + pulse.delay;
+    const Tick to = from + pulse.width;
+    Tick& start = edge == Edge::certain ? pulse.certain_from : pulse.possible_from;
+    Tick& end = edge == Edge::certain ? pulse.certain_to : pulse.possible_to;
+    if (tick_ >= end) start = from;
+    end = to;
+}
+
+/// Makes the next moment at which the output differs from what it is the pending change.
+void Simulator::Kernel::aim_pulse(Pulse& pulse) {
+    const std::uint32_t net = memories_[pulse.memory].node;
+    Node& node = nodes_[net];
+    if (node.pending != no_change) {
+        node.pending = no_change;
+        --live_;
+    }
+    std::array<Tick, 4> bounds{pulse.certain_from, pulse.certain_to, pulse.possible_from,
+                               pulse.possible_to};
+    std::sort(bounds.begin(), bounds.end());
+    for (const Tick bound : bounds) {
+        if (bound <= tick_ || pulse_value(pulse, bound) == node.value) continue;
+        pulse.due = bound;
+        node.pending = static_cast<std::uint8_t>(pulse_value(pulse, bound));
+        ++live_;
+        wheel_.add_far(bound, net);
+        return;
+    }
+}
+
+void Simulator::Kernel::doubt_unknown_pulses() {
+    for (Pulse& pulse : pulses_) {
+        if (values_[memories_[pulse.memory].data] != Logic::unknown) continue;
+        fire(pulse, Edge::possible);
+        aim_pulse(pulse);
+    }
+}
+
+void Simulator::Kernel::hold_pulses(bool on) {
+    pulses_held_ = on;
+    if (!on) pulses_remember_ = false;
+}
+
+void Simulator::Kernel::remember_pulse_inputs() { pulses_remember_ = true; }
+
+}  // namespace grafwire

@@ -1,0 +1,171 @@
+#include "simulate/simulator.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "simulate/kernel.h"
+
+namespace grafwire {
+
+CellDelays unit_delays(const Netlist& netlist) {
+    return {std::vector<Time>(netlist.cells.size(), nanosecond),
+            std::vector<Time>(netlist.cells.size(), nanosecond)};
+}
+
+void Simulator::Kernel::power_up() {
+    drop_all_pending();
+    for (const std::uint32_t net : forced_) release(net);
+    forced_.clear();
+    tick_ = 0;
+    origin_ = 0;
+    instant_ = 0;
+    std::fill(values_.begin(), values_.end(), Logic::unknown);
+    for (const auto& [net, value] : held_at_power_up_) values_[net] = value;
+    for (Node& node : nodes_) node.sum = 0;
+    for (std::size_t net = 0; net < nodes_.size(); ++net) {
+        Node& node = nodes_[net];
+        node.value = values_[net];
+        const auto tell = [&](std::uint32_t reader) {
+            nodes_[reader >> 1U].sum += contribution(static_cast<Logic>(reader & 1U), node.value);
+        };
+        if (node.reader_count == listed) {
+            for (std::uint32_t i = node.readers[0]; i < node.readers[1]; ++i) tell(more_readers_[i]);
+        } else {
+            for (unsigned i = 0; i < node.reader_count; ++i) tell(node.readers[i]);
+        }
+        if (node.table != undriven) touch(static_cast<std::uint32_t>(net));
+    }
+    std::fill(due_.begin(), due_.end(), never);
+    look_at_pins();
+}
+
+/// Cells with pins of meaning take what they see for what has always been, and no pulse is running.
+void Simulator::Kernel::look_at_pins() {
+    for (MemoryCell& cell : memories_) {
+        if (!(pulses_held_ && pulses_remember_)) cell.data_seen = values_[cell.data];
+        cell.control_seen = values_[cell.control];
+    }
+    for (Pulse& pulse : pulses_) {
+        pulse.certain_from = pulse.certain_to = tick_;
+        pulse.possible_from = pulse.possible_to = tick_;
+    }
+}
+
+void Simulator::Kernel::begin_instant(Time at) {
+    instant_ = at;
+    if (!is_live() && at > now()) origin_ = at - tick_ * slot_;
+}
+
+void Simulator::Kernel::restart_clock() {
+    assert(!is_live());
+    origin_ = -tick_ * slot_;
+    instant_ = 0;
+}
+
+void Simulator::Kernel::set_input(std::uint32_t net, Logic value) { change_now(net, value); }
+
+void Simulator::Kernel::force(std::uint32_t net, Logic value) {
+    Node& node = nodes_[net];
+    drop_pending(net);
+    change_now(net, value);
+    if (node.forced) return;
+    node.forced = true;
+    node.table |= special;
+    forced_.push_back(net);
+}
+
+void Simulator::Kernel::release(std::uint32_t net) {
+    Node& node = nodes_[net];
+    node.forced = false;
+    if (node.table != undriven && is_gate(node.type)) node.table = gate_rule(node.type).table;
+}
+
+void Simulator::Kernel::release_all() {
+    for (const std::uint32_t net : forced_) {
+        release(net);
+        if (nodes_[net].table != undriven) touch(net);
+    }
+    forced_.clear();
+}
+
+Settling Simulator::Kernel::clock_cycle() {
+    Settling cycle = settle();
+    for (const Logic level : {Logic::one, Logic::zero}) {
+        if (!cycle.settled || clock_ == no_memory) break;
+        ++tick_;
+        set_input(clock_, level);
+        Settling half = settle();
+        half.events += cycle.events;
+        cycle = std::move(half);
+    }
+    return cycle;
+}
+
+Time Simulator::Kernel::next_due() const {
+    const auto first = std::min_element(due_.begin(), due_.end());
+    return first == due_.end() ? never : *first;
+}
+
+void Simulator::Kernel::end_delays(Time now) {
+    for (std::size_t timer = 0; timer < due_.size(); ++timer) {
+        if (due_[timer] <= now) end_delay(timer);
+    }
+}
+
+void Simulator::Kernel::end_delay(std::size_t timer) {
+    if (!is_running(timer)) return;
+    const std::uint32_t net = timer_nodes_[timer];
+    due_[timer] = never;
+    drop_pending(net);
+    change_now(net, towards_[timer]);
+    touch(net);
+}
+
+void Simulator::Kernel::restore(const SimulatorState& state) {
+    assert(state.values.size() == values_.size());
+    for (std::size_t net = 0; net < values_.size(); ++net) {
+        if (values_[net] == state.values[net]) continue;
+        change_unseen(static_cast<std::uint32_t>(net), state.values[net]);
+    }
+    drop_all_pending();
+    due_ = state.due;
+    towards_ = state.towards;
+    origin_ = state.now - tick_ * slot_;
+    instant_ = state.now;
+    pulses_remember_ = false;
+    look_at_pins();
+}
+
+Simulator::Simulator(const Netlist& netlist, const CellDelays& delays)
+    : kernel_(std::make_unique<Kernel>(netlist, delays)) {}
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
+Simulator& Simulator::operator=(Simulator&&) noexcept = default;
+
+void Simulator::power_up() { kernel_->power_up(); }
+void Simulator::begin_instant(Time at) { kernel_->begin_instant(at); }
+void Simulator::restart_clock() { kernel_->restart_clock(); }
+void Simulator::set_input(NetId input, Logic value) {
+    kernel_->set_input(static_cast<std::uint32_t>(input), value);
+}
+void Simulator::hold_pulses(bool on) { kernel_->hold_pulses(on); }
+void Simulator::remember_pulse_inputs() { kernel_->remember_pulse_inputs(); }
+void Simulator::doubt_unknown_pulses() { kernel_->doubt_unknown_pulses(); }
+void Simulator::force(NetId net, Logic value) {
+    kernel_->force(static_cast<std::uint32_t>(net), value);
+}
+void Simulator::release_all() { kernel_->release_all(); }
+Settling Simulator::settle() { return kernel_->settle(); }
+Settling Simulator::clock_cycle() { return kernel_->clock_cycle(); }
+const std::vector<CellId>& Simulator::timers() const { return kernel_->timer_cells(); }
+bool Simulator::is_running(std::size_t timer) const { return kernel_->is_running(timer); }
+Time Simulator::next_due() const { return kernel_->next_due(); }
+void Simulator::end_delays(Time now) { kernel_->end_delays(now); }
+void Simulator::end_delay(std::size_t timer) { kernel_->end_delay(timer); }
+Logic Simulator::value(NetId net) const { return kernel_->value(static_cast<std::uint32_t>(net)); }
+Time Simulator::now() const { return kernel_->now(); }
+SimulatorState Simulator::save() const { return kernel_->save(); }
+void Simulator::restore(const SimulatorState& state) { kernel_->restore(state); }
+void Simulator::observe(Observer observer) { kernel_->observe(std::move(observer)); }
+
+}  // namespace grafwire

@@ -1,0 +1,148 @@
+// Each message is shown with its source line. A line may be as long as the file, so only a window
+// around the column is shown, and the places of a sorted list are found by walking on from the
+// place before rather than from the beginning of the line each time.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "text/diagnostics.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t characters_before_caret = 100;
+constexpr std::size_t characters_after_caret = 60;
+
+// Appends text for a terminal: control characters and stray bytes become something visible.
+void append_visible(std::string& out, std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint code_point = decode_utf8(text, at);
+        const std::size_t length = std::max<std::size_t>(code_point.length, 1);
+        const bool is_control =
+            code_point.value < 0x20 || (code_point.value >= 0x7f && code_point.value < 0xa0);
+        if (code_point.length == 0 || (is_control && code_point.value != '\t'))
+            out += "\xef\xbf\xbd";
+        else
+            out += text.substr(at, length);
+        at += length;
+    }
+}
+
+class SourceLines {
+  public:
+    explicit SourceLines(std::string_view text) : text_(text) {
+        starts_.push_back(byte_order_mark_size(text));
+        for (std::size_t at = starts_[0]; at < text.size(); ++at)
+            if (text[at] == '\n') starts_.push_back(at + 1);
+    }
+
+    bool has(Location where) const { return where.is_known() && where.line <= starts_.size(); }
+
+    // Appends the line and, under it, the caret.
+    void append(std::string& out, Location where) {
+        const std::string_view line = line_of(where.line);
+        const std::size_t column = std::max<std::size_t>(where.column, 1) - 1;
+        const std::size_t caret = byte_of(line, where.line, column);
+        const std::size_t first = step_back(line, caret, characters_before_caret);
+        const std::size_t last = step_on(line, caret, characters_after_caret);
+        std::string head;
+        if (first != 0) head = "…";
+        append_visible(head, line.substr(first, caret - first));
+        out += head;
+        append_visible(out, line.substr(caret, last - caret));
+        if (last != line.size()) out += "…";
+        out += '\n';
+        for (std::size_t at = 0; at < head.size();) {
+            out += head[at] == '\t' ? '\t' : ' ';
+            at += std::max<std::size_t>(decode_utf8(head, at).length, 1);
+        }
+        out += "^\n";
+    }
+
+  private:
+    std::string_view line_of(std::uint32_t line) const {
+        const std::size_t start = starts_[line - 1];
+        const std::size_t end = line < starts_.size() ? starts_[line] - 1 : text_.size();
+        std::string_view result = text_.substr(start, end - start);
+        if (!result.empty() && result.back() == '\r') result.remove_suffix(1);
+        return result;
+    }
+
+    // The byte at which a column (from 0) begins, at most the end of the line.
+    std::size_t byte_of(std::string_view line, std::uint32_t number, std::size_t column) {
+        if (number != last_line_ || column < last_column_) {
+            last_line_ = number;
+            last_column_ = 0;
+            last_byte_ = 0;
+        }
+        while (last_column_ < column && last_byte_ < line.size()) {
+            last_byte_ += std::max<std::size_t>(decode_utf8(line, last_byte_).length, 1);
+            ++last_column_;
+        }
+        return last_byte_;
+    }
+
+    static bool begins_character(char byte) {
+        return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+    }
+    static std::size_t step_back(std::string_view line, std::size_t at, std::size_t count) {
+        for (; at > 0 && count > 0; --count) {
+            do --at;
+            while (at > 0 && !begins_character(line[at]));
+        }
+        return at;
+    }
+    static std::size_t step_on(std::string_view line, std::size_t at, std::size_t count) {
+        for (; at < line.size() && count > 0; --count) {
+            do ++at;
+            while (at < line.size() && !begins_character(line[at]));
+        }
+        return at;
+    }
+
+    std::string_view text_;
+    std::vector<std::size_t> starts_;
+    std::uint32_t last_line_ = 0;
+    std::size_t last_column_ = 0;
+    std::size_t last_byte_ = 0;
+};
+
+void append_message(std::string& out, SourceLines& lines, std::string_view file, Location where,
+                    std::string_view kind, std::string_view message) {
+    append_visible(out, file);
+    if (where.is_known()) out += fmt::format(":{}:{}", where.line, where.column);
+    out += fmt::format(": {}: ", kind);
+    append_visible(out, message);
+    out += '\n';
+    if (lines.has(where)) lines.append(out, where);
+}
+
+}  // namespace
+
+std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile& source,
+                               std::size_t limit) {
+    std::string out;
+    if (diagnostics.items().empty()) return out;
+    SourceLines lines(source.text);
+    SourceLines note_lines(lines);
+    const std::string_view file = source.name == "-" ? "<stdin>" : std::string_view(source.name);
+    std::size_t errors = 0;
+    for (const Diagnostic& item : diagnostics.items()) {
+        const bool is_error = item.severity == Severity::error;
+        if (is_error && limit != 0 && ++errors > limit) continue;
+        append_message(out, lines, file, item.where, is_error ? "error" : "warning", item.message);
+        for (const Diagnostic::Note& note : item.notes)
+            append_message(out, note_lines, file, note.where, "note", note.message);
+    }
+    if (errors > limit) {
+        const std::size_t rest = errors - limit;
+        append_visible(out, file);
+        out += fmt::format(": {} more error{} not shown\n", rest, rest == 1 ? "" : "s");
+    }
+    return out;
+}
+
+}  // namespace grafwire

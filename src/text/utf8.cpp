@@ -1,0 +1,110 @@
+#include "text/utf8.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cstring>
+
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+namespace {
+
+bool is_continuation(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
+// The smallest code point that may be written with so many bytes: shorter ones are overlong.
+constexpr char32_t smallest_of_length[] = {0, 0, 0x80, 0x800, 0x10000};
+
+std::uint32_t length_from_lead(unsigned char lead) {
+    if (lead < 0x80) return 1;
+    if (lead >= 0xc2 && lead < 0xe0) return 2;
+    if (lead >= 0xe0 && lead < 0xf0) return 3;
+    if (lead >= 0xf0 && lead < 0xf5) return 4;
+    return 0;
+}
+
+// The number of leading ASCII bytes, eight at a time.
+std::size_t ascii_prefix(std::string_view text, std::size_t at) {
+    constexpr std::uint64_t high_bits = 0x8080808080808080U;
+    std::size_t end = at;
+    while (end + 8 <= text.size()) {
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, text.data() + end, 8);
+        if ((bytes & high_bits) != 0) break;
+        end += 8;
+    }
+    while (end < text.size() && static_cast<unsigned char>(text[end]) < 0x80) ++end;
+    return end - at;
+}
+
+}  // namespace
+
+CodePoint decode_utf8(std::string_view text, std::size_t at) {
+    assert(at < text.size());
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::uint32_t length = length_from_lead(lead);
+    if (length == 1) return {lead, 1};
+    if (length == 0 || at + length > text.size()) return {lead, 0};
+    auto value = static_cast<char32_t>(lead & (0x7fU >> length));
+    for (std::uint32_t i = 1; i < length; ++i) {
+        if (!is_continuation(text[at + i])) return {lead, 0};
+        value = (value << 6U) | (static_cast<unsigned char>(text[at + i]) & 0x3fU);
+    }
+    const bool is_surrogate = value >= 0xd800 && value <= 0xdfff;
+    if (value < smallest_of_length[length] || value > 0x10ffff || is_surrogate) return {lead, 0};
+    return {value, length};
+}
+
+std::size_t count_code_points(std::string_view text) {
+    std::size_t count = 0;
+    for (const char byte : text) count += is_continuation(byte) ? 0U : 1U;
+    return count;
+}
+
+std::size_t byte_order_mark_size(std::string_view text) {
+    return text.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
+}
+
+std::string in_quotes(std::string_view name) {
+    constexpr std::size_t most_shown = 60;
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < name.size(); ++at) {
+        if (is_continuation(name[at]) || ++count <= most_shown) continue;
+        return fmt::format("'{}…'", name.substr(0, at));
+    }
+    return fmt::format("'{}'", name);
+}
+
+bool check_utf8(std::string_view text, Diagnostics& diagnostics) {
+    std::uint32_t line = 1;
+    std::size_t line_start = byte_order_mark_size(text);
+    std::size_t at = line_start;
+    std::size_t counted_from = at;
+    while (at < text.size()) {
+        at += ascii_prefix(text, at);
+        if (at == text.size()) break;
+        const CodePoint code_point = decode_utf8(text, at);
+        if (code_point.length != 0) {
+            at += code_point.length;
+            continue;
+        }
+        for (std::size_t i = counted_from; i < at; ++i) {
+            if (text[i] != '\n') continue;
+            ++line;
+            line_start = i + 1;
+        }
+        const auto column =
+            static_cast<std::uint32_t>(count_code_points(text.substr(line_start, at - line_start)));
+        diagnostics.error(Code::not_utf8, {line, column + 1},
+                          fmt::format("the byte 0x{:02X} is not UTF-8 here; save the file in the "
+                                      "encoding UTF-8",
+                                      static_cast<unsigned>(code_point.value)));
+        return false;
+    }
+    return true;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,264 @@
+// Reading a `.stim` text. Unlike the GRAFCET language this one goes by lines, so that after an
+// error the reader is sure of its footing again at the next line break; within a line it goes on
+// after the next white space. All errors are reported in one go.
+
+#include "trace/stimuli.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "grafcet/lexer.h"
+#include "text/utf8.h"
+#include "trace/line_cursor.h"
+
+namespace grafwire {
+
+namespace {
+
+class StimuliReader {
+  public:
+    StimuliReader(const Grafcet& grafcet, Diagnostics& diagnostics)
+        : grafcet_(grafcet), diagnostics_(diagnostics), place_(grafcet.all_input_count()) {
+        for (std::size_t i = 0; i < grafcet.all_input_count(); ++i) {
+            inputs_.emplace(input_name(grafcet, i), static_cast<std::uint32_t>(i));
+        }
+    }
+
+    void read_line(std::string_view line, std::uint32_t number) {
+        LineCursor cursor(line, number);
+        cursor.skip_blanks();
+        if (cursor.at_end()) return;
+        const Location where = cursor.here();
+        read_time(cursor);
+        if (end_at_.is_known() && !reported_after_end_) {
+            error(Code::time_order, where, "nothing may follow the line that says 'end'")
+                .notes.push_back({end_at_, "'end' is here"});
+            reported_after_end_ = true;
+        }
+        last_line_ = where;
+        cursor.skip_blanks();
+        if (!cursor.skip_if(':')) {
+            error(Code::unexpected_token, cursor.here(),
+                  "expected ':' between the time and the assignments");
+            return;
+        }
+        cursor.skip_blanks();
+        if (is_end_line(cursor)) {
+            read_end(cursor, where);
+        } else {
+            read_assignments(cursor, where);
+        }
+    }
+
+    Stimuli finish() {
+        stimuli_.end = now_;
+        return std::move(stimuli_);
+    }
+
+  private:
+    Diagnostic& error(Code code, Location where, std::string message) {
+        return diagnostics_.error(code, where, std::move(message));
+    }
+
+    /// Reads the time of a line into `now_`, which keeps its value if the time is wrong.
+    void read_time(LineCursor& cursor) {
+        const Location where = cursor.here();
+        const bool is_relative = cursor.skip_if('+');
+        const std::string_view text = cursor.take_until_blank(':');
+        const std::optional<Time> time = parse_duration(text);
+        // The language knows no unit below the microsecond.
+        const bool is_finer = text.size() > 1 && text.back() == 's' &&
+                              (text[text.size() - 2] == 'n' || text[text.size() - 2] == 'p');
+        if (!time || is_finer) {
+            error(
+                Code::bad_time, where,
+                fmt::format("expected a time such as '100ms', '1.5s' or '+50ms' (units us, ms, s, "
+                            "min, h; at most 106 days){}",
+                            text.empty() ? "" : ", got " + in_quotes(text)));
+            return;
+        }
+        if (is_relative && !last_line_.is_known()) {
+            error(Code::bad_time, where,
+                  "a time with '+' counts from the line before, and there is none: leave out the "
+                  "'+'");
+            return;
+        }
+        const Time at = is_relative ? add_times(now_, *time) : *time;
+        if (at == never) {
+            error(Code::bad_time, where, "the time is beyond the range of 106 days");
+            return;
+        }
+        if (at < now_) {
+            error(Code::time_order, where,
+                  fmt::format("{} comes before {}, the time of an earlier line: lines stand in the "
+                              "order of time",
+                              format_duration(at), format_duration(now_)))
+                .notes.push_back({now_at_, "that line is here"});
+            return;
+        }
+        now_ = at;
+        now_at_ = where;
+    }
+
+    /// Whether the line says `end`; `end=1` sets an input of that name.
+    static bool is_end_line(const LineCursor& cursor) {
+        LineCursor ahead = cursor;
+        if (ahead.take_word() != "end") return false;
+        ahead.skip_blanks();
+        return ahead.at_end() || ahead.peek() != '=';
+    }
+
+    void read_end(LineCursor& cursor, Location where) {
+        cursor.skip(3);
+        cursor.skip_blanks();
+        if (!cursor.at_end()) {
+            error(Code::unexpected_token, cursor.here(), "nothing may stand behind 'end'");
+        }
+        if (!end_at_.is_known()) end_at_ = where;
+    }
+
+    void read_assignments(LineCursor& cursor, Location where) {
+        if (stimuli_.changes.empty() || stimuli_.changes.back().at != now_) {
+            stimuli_.changes.push_back({now_, {}, where});
+        }
+        while (!cursor.at_end()) {
+            if (!read_assignment(cursor)) {
+                cursor.take_until_blank();
+            }
+            cursor.skip_blanks();
+        }
+    }
+
+    /// False after an error that leaves the cursor somewhere in the assignment.
+    bool read_assignment(LineCursor& cursor) {
+        const Location where = cursor.here();
+        const std::optional<std::string_view> name = read_name(cursor);
+        if (!name) return false;
+        const std::optional<std::uint32_t> input = find_input(*name, where);
+        cursor.skip_blanks();
+        if (!cursor.skip_if('=')) {
+            error(Code::unexpected_token, cursor.here(),
+                  fmt::format("expected '=' and 0 or 1 after {}", in_quotes(*name)));
+            return false;
+        }
+        cursor.skip_blanks();
+        const Location value_at = cursor.here();
+        const std::string_view value = cursor.take_until_blank();
+        if (value != "0" && value != "1") {
+            error(Code::bad_value, value_at,
+                  fmt::format("expected 0 or 1 for {}{}; assignments are separated by white space",
+                              in_quotes(*name), value.empty() ? "" : ", got " + in_quotes(value)));
+            return true;
+        }
+        if (input) assign(*input, value == "1");
+        return true;
+    }
+
+    std::optional<std::string_view> read_name(LineCursor& cursor) {
+        const Location where = cursor.here();
+        if (cursor.skip_if('"')) {
+            const std::string_view rest = cursor.rest();
+            const std::size_t length = rest.find('"');
+            if (length == std::string_view::npos) {
+                error(Code::unterminated_text, where, "the quoted name is not ended on its line");
+                cursor.skip(rest.size());
+                return std::nullopt;
+            }
+            cursor.skip(length + 1);
+            return rest.substr(0, length);
+        }
+        const std::string_view name = cursor.take_word();
+        if (name.empty()) {
+            error(Code::unexpected_character, where,
+                  "expected the name of an input (quoted, if it holds other characters than "
+                  "letters, digits and '_')");
+            return std::nullopt;
+        }
+        if (!is_letter(decode_utf8(name, 0).value)) {
+            error(Code::unexpected_token, where,
+                  fmt::format("expected the name of an input, got {} (a name that begins with no "
+                              "letter is quoted)",
+                              in_quotes(name)));
+            return std::nullopt;
+        }
+        return name;
+    }
+
+    std::optional<std::uint32_t> find_input(std::string_view name, Location where) {
+        const auto found = inputs_.find(name);
+        if (found != inputs_.end()) return found->second;
+        std::string message =
+            fmt::format("{} is not an input of the GRAFCET nor a control input", in_quotes(name));
+        const std::string_view nearest = suggestion(name);
+        if (!nearest.empty()) {
+            message += fmt::format("; did you mean {}?", in_quotes(nearest));
+        }
+        error(Code::unknown_name, where, std::move(message));
+        return std::nullopt;
+    }
+
+    std::string_view suggestion(std::string_view name) {
+        // A comparison with every input costs time: a file of nothing but wrong names must not
+        // take for ever.
+        constexpr std::size_t most_suggestions = 100;
+        if (++suggestion_count_ > most_suggestions) return {};
+        std::vector<std::string_view> names;
+        for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
+            names.push_back(input_name(grafcet_, i));
+        }
+        return nearest_name(name, names);
+    }
+
+    /// The last assignment to an input within an instant wins.
+    void assign(std::uint32_t input, bool value) {
+        std::vector<Stimuli::Assignment>& assignments = stimuli_.changes.back().assignments;
+        Place& place = place_[input];
+        if (place.change == stimuli_.changes.size()) {
+            assignments[place.index].value = value;
+            return;
+        }
+        place = {stimuli_.changes.size(), assignments.size()};
+        assignments.push_back({input, value});
+    }
+
+    /// Where an input was assigned last.
+    struct Place {
+        std::size_t change = 0;  ///< counted from 1; 0: nowhere yet
+        std::size_t index = 0;
+    };
+
+    const Grafcet& grafcet_;
+    Diagnostics& diagnostics_;
+    std::unordered_map<std::string_view, std::uint32_t> inputs_;
+    std::vector<Place> place_;
+    Stimuli stimuli_;
+    Time now_ = 0;
+    Location now_at_;     ///< the line that gave `now_`
+    Location last_line_;  ///< unknown before the first line
+    Location end_at_;     ///< unknown before the line that says `end`
+    bool reported_after_end_ = false;
+    std::size_t suggestion_count_ = 0;
+};
+
+}  // namespace
+
+std::optional<Stimuli> parse_stimuli(const SourceFile& source, const Grafcet& grafcet,
+                                     Diagnostics& diagnostics) {
+    const std::size_t errors_before = diagnostics.error_count();
+    std::string_view text = source.text;
+    if (!check_utf8(text, diagnostics)) return std::nullopt;
+    text.remove_prefix(byte_order_mark_size(text));
+
+    StimuliReader reader(grafcet, diagnostics);
+    for (std::uint32_t number = 1; !text.empty(); ++number) {
+        const std::size_t length = std::min(text.find('\n'), text.size());
+        reader.read_line(text.substr(0, length), number);
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+    if (diagnostics.error_count() != errors_before) return std::nullopt;
+    return reader.finish();
+}
+
+}  // namespace grafwire

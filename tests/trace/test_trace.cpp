@@ -1,0 +1,85 @@
+#include "trace/small_grafcet.h"
+#include "trace/trace.h"
+
+namespace grafwire {
+
+namespace {
+
+Trace sample() {
+    Trace trace;
+    trace.columns = {{"a", 1}, {"a,b \"c\"", 1}, {"count", 4}};
+    trace.times = {0, 1500 * microsecond, 2 * second};
+    trace.values = {0, 1, -3, 1, Trace::unknown, 5, 1, 0, 5};
+    return trace;
+}
+
+}  // namespace
+
+TEST_CASE("the columns of a trace are the declarations in their order") {
+    const Trace trace = empty_trace(read_grafcet(R"(
+input b, "a x"
+output z, y
+var w
+counter c : 0..9
+counter d : -8..7
+counter e : 0..0
+counter f : 8..8
+graph H { initial 2 : z, set y on ↑w  2 -> 2 : b . "a x" }
+graph G { initial "my step" : set w, c := d, d := e, e := f, f := c on 1s/w }
+)"));
+    std::string names;
+    for (const Trace::Column& column : trace.columns) {
+        names += column.name + ":" + std::to_string(column.width) + " ";
+    }
+    CHECK(names ==
+          "b:1 a x:1 Init:1 AUdur:1 AUdoux:1 X2:1 Xmy step:1 z:1 y:1 w:1 c:5 d:4 e:2 f:5 ");
+    CHECK(trace.row_count() == 0);
+    CHECK(write_csv(trace) == "time_ms,b,a x,Init,AUdur,AUdoux,X2,Xmy step,z,y,w,c,d,e,f\n");
+}
+
+TEST_CASE("CSV: fields quoted where they must be, times without trailing zeros") {
+    CHECK(write_csv(sample()) ==
+          "time_ms,a,\"a,b \"\"c\"\"\",count\n"
+          "0,0,1,-3\n"
+          "1.5,1,x,5\n"
+          "2000,1,0,5\n");
+}
+
+TEST_CASE("a trace as a waveform: only changes, counters as vectors, x for the unknown") {
+    CHECK(write_vcd(sample(), "my machine") ==
+          "$version grafwire $end\n"
+          "$timescale 1 us $end\n"
+          "$scope module my_machine $end\n"
+          "$var wire 1 ! a $end\n"
+          "$var wire 1 \" a,b_\"c\" $end\n"
+          "$var wire 4 # count $end\n"
+          "$upscope $end\n"
+          "$enddefinitions $end\n"
+          "#0\n"
+          "0!\n"
+          "1\"\n"
+          "b1101 #\n"
+          "#1500\n"
+          "1!\n"
+          "x\"\n"
+          "b0101 #\n"
+          "#2000000\n"
+          "0\"\n");
+}
+
+TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
+    const auto timescale = [](Time moment) {
+        Trace trace;
+        trace.times = {0, moment};
+        const std::string text = write_vcd(trace, "m");
+        const std::size_t first = text.find("1 ");
+        return text.substr(first, 4) + text.substr(text.rfind('#'));
+    };
+    CHECK(timescale(3 * second) == "1 ms#3000\n");
+    CHECK(timescale(3 * microsecond) == "1 us#3\n");
+    CHECK(timescale(second + nanosecond) == "1 ns#1000000001\n");
+    CHECK(timescale(7) == "1 ps#7\n");
+    CHECK(write_vcd(Trace{}, "").find("$scope module _ $end") != std::string::npos);
+}
+
+}  // namespace grafwire
