@@ -18,14 +18,14 @@ namespace {
 
 struct Helper {
     CellType type;
-    /// `@` stands for the prefix of the module names.
+    /// `%` stands for the prefix of the module names.
     std::string_view text;
 };
 
 constexpr std::array<Helper, 7> helpers{{
     {CellType::latch, R"(
 // Latch: s sets, r resets, both at once set.
-module @latch #(parameter INIT = 1'bx) (input s, input r, output q);
+module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
   reg m;
   initial m = INIT;
 `ifdef SYNTHESIS
@@ -38,7 +38,7 @@ endmodule
 )"},
     {CellType::hold_latch, R"(
 // Hold latch: follows d while e is 1.
-module @hold #(parameter INIT = 1'bx) (input d, input e, output q);
+module %hold #(parameter INIT = 1'bx) (input d, input e, output q);
   reg m;
   initial m = INIT;
 `ifdef SYNTHESIS
@@ -54,7 +54,7 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module @rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module %rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
@@ -74,7 +74,7 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module @fall_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module %fall_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
@@ -95,7 +95,7 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module @timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
+module %timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
 `ifndef SYNTHESIS
   reg m, started;
   integer begun, due;
@@ -119,7 +119,7 @@ endmodule
 )"},
     {CellType::flip_flop, R"(
 // D flip-flop.
-module @dff #(parameter INIT = 1'bx) (input d, input c, output reg q);
+module %dff #(parameter INIT = 1'bx) (input d, input c, output reg q);
   initial q = INIT;
   always @(posedge c) q <= d;
 endmodule
@@ -127,7 +127,7 @@ endmodule
     {CellType::scan_timer, R"(
 // Clocked timer: looks at a at each rise of the clock and follows it after so many cycles as make up
 // RISE_PS or FALL_PS.
-module @scan_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, SCAN_PS = 1, parameter INIT = 1'b0)
+module %scan_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, SCAN_PS = 1, parameter INIT = 1'b0)
     (input a, input c, output reg q);
   localparam [63:0] RISE = (RISE_PS + SCAN_PS - 1) / SCAN_PS;
   localparam [63:0] FALL = (FALL_PS + SCAN_PS - 1) / SCAN_PS;
@@ -159,15 +159,11 @@ void append_verilog_helpers(std::string& out, const Netlist& netlist, std::strin
         if (!any) out += "\n`timescale 1ps/1ps\n";
         any = true;
         for (const char c : helper.text) {
-            if (c == '@') {
-                // `always @(` and `@latch` differ in what follows.
-                const std::size_t next = static_cast<std::size_t>(&c - helper.text.data()) + 1;
-                if (helper.text[next] != '(') {
-                    out += prefix;
-                    continue;
-                }
+            if (c == '%') {
+                out += prefix;
+            } else {
+                out.push_back(c);
             }
-            out.push_back(c);
         }
     }
 }

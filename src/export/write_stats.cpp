@@ -9,9 +9,8 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/graph/filtered_graph.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/strong_components.hpp>
-#include <boost/property_map/vector_property_map.hpp>
 #include <iterator>
 
 #include "netlist/boost_graph.h"
@@ -20,15 +19,9 @@ namespace grafwire {
 
 namespace {
 
-/// Keeps the edges along which a change travels at once: those into clocked cells do not count.
-struct NotIntoClocked {
-    const Netlist* netlist = nullptr;
-    bool operator()(NetlistGraph::Edge edge) const {
-        return !row_of(netlist->cells.items()[edge.target].type).is_clocked;
-    }
-};
-
-using InstantGraph = boost::filtered_graph<NetlistGraph, NotIntoClocked>;
+using InstantGraph =
+    boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                       boost::no_property, std::uint32_t, std::uint32_t>;
 
 class Stats {
   public:
@@ -38,6 +31,7 @@ class Stats {
 
   private:
     void write_cells();
+    InstantGraph instant_graph() const;
     void find_components();
     void write_loops();
     void write_loop(std::size_t component);
@@ -78,16 +72,28 @@ void Stats::write_cells() {
     }
 }
 
+/// The edges along which a change travels at once: not those into clocked cells.
+InstantGraph Stats::instant_graph() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(netlist_.pins.size());
+    for (std::uint32_t cell = 0; cell < netlist_.cells.size(); ++cell) {
+        for (const std::uint32_t reader : graph_.readers(cell)) {
+            if (!is_clocked(reader)) edges.emplace_back(cell, reader);
+        }
+    }
+    return InstantGraph(boost::edges_are_sorted, edges.begin(), edges.end(),
+                        static_cast<std::uint32_t>(netlist_.cells.size()));
+}
+
 void Stats::find_components() {
     const std::size_t count = netlist_.cells.size();
     component_.resize(count);
     std::size_t component_count = 0;
     if (count != 0) {
-        const InstantGraph instant(graph_, NotIntoClocked{&netlist_});
-        const boost::identity_property_map index;
+        const InstantGraph instant = instant_graph();
         component_count = boost::strong_components(
-            instant, boost::make_iterator_property_map(component_.begin(), index),
-            boost::vertex_index_map(index));
+            instant, boost::make_iterator_property_map(component_.begin(),
+                                                       get(boost::vertex_index, instant)));
     }
     first_member_.assign(component_count + 1, 0);
     for (const std::uint32_t component : component_) ++first_member_[component + 1];

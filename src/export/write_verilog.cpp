@@ -277,7 +277,9 @@ void VerilogWriter::write_flat() {
 }
 
 void VerilogWriter::write_block_name(std::size_t number) {
-    append_verilog_with_suffix(out_, name_, "$block" + std::to_string(number + 1));
+    std::string suffix = "$block";
+    append(suffix, number + 1);
+    append_verilog_with_suffix(out_, name_, suffix);
 }
 
 void VerilogWriter::write_instance(const VerilogBlock& block, std::size_t number) {

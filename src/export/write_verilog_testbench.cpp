@@ -53,7 +53,7 @@ std::string BenchWriter::write() {
     write_row_task();
     out_ += "\n  initial begin\n";
     write_header_row();
-    append(out_, "    #64'd", start_, ";\n");
+    append(out_, "    #(64'd", start_, ");\n");
     for (const BenchEvent& event : bench_events(netlist_, bench_)) write_event(event);
     out_ += "    $finish;\n  end\nendmodule\n";
     return std::move(out_);
@@ -136,13 +136,13 @@ void BenchWriter::write_header_row() {
 }
 
 void BenchWriter::wait_until(Time moment) {
-    if (moment > now_) append(out_, "    #64'd", moment - now_, ";\n");
+    if (moment > now_) append(out_, "    #(64'd", moment - now_, ");\n");
     now_ = std::max(now_, moment);
 }
 
 void BenchWriter::write_cycles(Time half_period) {
-    append(out_, "    repeat (", bench_.clock_cycles, ") begin #64'd", half_period, " in[", clock_,
-           "] = 1; #64'd", half_period, " in[", clock_, "] = 0; end\n");
+    append(out_, "    repeat (", bench_.clock_cycles, ") begin #(64'd", half_period, ") in[", clock_,
+           "] = 1; #(64'd", half_period, ") in[", clock_, "] = 0; end\n");
     now_ += half_period * 2 * bench_.clock_cycles;
 }
 

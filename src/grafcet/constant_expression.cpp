@@ -150,8 +150,8 @@ ConstantExpressions::Value ConstantExpressions::value_of_comparison(
     Interval difference;
     add_terms(difference, grafcet_, comparison.left, false);
     add_terms(difference, grafcet_, comparison.right, true);
-    const auto decide = [](bool always, bool never_) {
-        return always ? Value::one : never_ ? Value::zero : Value::unknown;
+    const auto decide = [](bool always, bool is_never) {
+        return always ? Value::one : is_never ? Value::zero : Value::unknown;
     };
     const auto [low, high] = difference;
     switch (comparison.relation) {

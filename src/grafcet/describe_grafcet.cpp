@@ -92,7 +92,8 @@ class Description {
     Description(const Grafcet& grafcet, Language language)
         : grafcet_(grafcet),
           words_(wording(language)),
-          colon_(language == Language::french ? " : " : ": ") {}
+          colon_(language == Language::french ? " : " : ": "),
+          semicolon_(language == Language::french ? " ; " : "; ") {}
 
     std::string write() {
         write_head();
@@ -308,7 +309,7 @@ class Description {
             out_ += separator;
             out_ += fmt::format(fmt::runtime(phrase),
                                 listed(steps.size(), [&](std::size_t i) { return steps[i]; }));
-            separator = "; ";
+            separator = semicolon_;
         };
         add(words_.forced_by, bond.forced_by);
         add(words_.frozen_by, bond.frozen_by);
@@ -320,6 +321,7 @@ class Description {
     const Grafcet& grafcet_;
     const Wording& words_;
     std::string_view colon_;
+    std::string_view semicolon_;
     std::string out_;
 };
 

@@ -102,7 +102,9 @@ bool is_integer(std::string_view text) {
 
 std::string token_in_message(std::string_view source, const Token& token) {
     if (token.kind == TokenKind::end) return "the end of the file";
-    return in_quotes(source.substr(token.offset, token.length));
+    const std::string_view text = source.substr(token.offset, token.length);
+    if (token.kind != TokenKind::quoted) return in_quotes(text);
+    return text.empty() ? "an empty name" : fmt::format("the name {}", in_quotes(text));
 }
 
 Lexer::Lexer(std::string_view text) : text_(text), at_(byte_order_mark_size(text)) {}
@@ -272,7 +274,9 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
     }
     if (diagnostics == nullptr) return;
     std::string shown = fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.value));
-    if (first.value > 0x20 && first.value != 0x7f)
+    const bool is_visible = first.value > 0x20 && (first.value < 0x7f || first.value > 0xa0) &&
+                            (first.value < 0x2000 || first.value > 0x206f) && first.value != 0xfeff;
+    if (is_visible)
         shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));
     diagnostics->error(
         Code::unexpected_character, token.where,

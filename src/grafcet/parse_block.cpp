@@ -80,18 +80,23 @@ void SyntaxParser::parse_block_item() {
     if (!is_good) recover_in_block();
 }
 
-// Skips to what may begin the next part of the block. A `}` closes the braces of an order that were
-// being read, if it stands on their line.
+// Skips to what may begin the next part of the block: a reserved word, a transition, or at least a
+// line that begins like one and does not continue the line before. A `}` closes the braces of an
+// order that were being read, if it stands on their line.
 void SyntaxParser::recover_in_block() {
+    bool is_continued = true;
     while (!at(TokenKind::end) && !at_file_item() && !at_block_item()) {
         if (at(TokenKind::left_brace)) {
             open_brace_line_ = token_.where.line;
         } else if (at(TokenKind::right_brace)) {
             if (open_brace_line_ != token_.where.line) return;
             open_brace_line_ = 0;
-        } else if (token_.first_on_line && looks_like_transition()) {
-            return;
+        } else if (token_.first_on_line) {
+            const bool begins_item = at_name() || at(TokenKind::left_parenthesis);
+            if ((begins_item && !is_continued) || looks_like_transition()) return;
         }
+        is_continued = !at_name() && !at(TokenKind::right_parenthesis) &&
+                       !at(TokenKind::right_brace) && !at(TokenKind::right_bracket);
         take();
     }
 }

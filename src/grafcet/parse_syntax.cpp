@@ -82,6 +82,8 @@ bool SyntaxParser::parse_declaration() {
         syntax_.declarations.push_back(declaration);
         declared_.emplace(syntax_.text(declaration.name), declaration.kind);
     } while (take_if(TokenKind::comma));
+    if (at_name() && !token_.first_on_line)
+        return fail(fmt::format("expected ',' between the names, got {}", shown()));
     return true;
 }
 
@@ -93,10 +95,14 @@ bool SyntaxParser::parse_counter() {
     const std::size_t index = syntax_.declarations.size();
     syntax_.declarations.push_back(declaration);
     declared_.emplace(syntax_.text(declaration.name), declaration.kind);
-    return expect(TokenKind::colon, "':' and the range, as in counter c : 0..9") &&
-           parse_bound(syntax_.declarations[index].low) &&
-           expect(TokenKind::dot_dot, "'..' between the lowest and the highest value") &&
-           parse_bound(syntax_.declarations[index].high);
+    const bool is_good =
+        expect(TokenKind::colon, "':' and the range, as in counter c : 0..9") &&
+        parse_bound(syntax_.declarations[index].low) &&
+        expect(TokenKind::dot_dot, "'..' between the lowest and the highest value") &&
+        parse_bound(syntax_.declarations[index].high);
+    if (is_good && at(TokenKind::comma))
+        return fail("each counter has a declaration of its own; write 'counter' again");
+    return is_good;
 }
 
 bool SyntaxParser::parse_bound(std::int64_t& value) {

@@ -97,7 +97,8 @@ void NetlistBuilder::add_pulse(CellType type, NetId output, NetId input, Time wi
 
 void NetlistBuilder::drive(NetId output, CellType type, std::span<const NetId> pins) {
     if (pins.size() == 1) {
-        const bool inverting = type == CellType::nand_gate || type == CellType::nor_gate;
+        const bool inverting =
+            type == CellType::inverter || type == CellType::nand_gate || type == CellType::nor_gate;
         type = inverting ? CellType::inverter : CellType::buffer;
     }
     add_cell(type, output, pins);

@@ -24,7 +24,7 @@ class LineCursor {
     /// Takes letters, digits and `_`; empty if the next character is none of them.
     std::string_view take_word();
     /// Takes everything up to the next white space, or the next `stop`.
-    std::string_view take_until_blank(char stop = '\0');
+    std::string_view take_until_blank(char stop = ' ');
     /// All that is left of the line, a comment included.
     std::string_view rest() const { return line_.substr(at_); }
 

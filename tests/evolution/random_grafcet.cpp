@@ -11,6 +11,11 @@ struct Graph {
     std::vector<bool> initial;
 };
 
+std::string named(std::string prefix, std::size_t number) {
+    prefix += std::to_string(number);
+    return prefix;
+}
+
 class Generator {
   public:
     explicit Generator(Random& random) : random_(random) {}
@@ -59,7 +64,7 @@ class Generator {
                 const auto inner = static_cast<std::size_t>(encloses_[g][s]);
                 text += " encloses G" + std::to_string(inner) + "{" + some_steps(inner) + "}";
             }
-            text += actions(g) + "\n";
+            text += actions(g, g == 0 && s == 0) + "\n";
         }
         const std::uint32_t count = 1 + random_.below(6);
         for (std::uint32_t t = 0; t < count; ++t) text += "  " + transition(g) + "\n";
@@ -82,8 +87,9 @@ class Generator {
         return second == first ? first : first + ", " + second;
     }
 
-    std::string actions(std::size_t g) {
-        std::string text;
+    std::string actions(std::size_t g, bool first) {
+        // The output s is driven at least once, so that it can be read.
+        std::string text = first ? " : reset s on ↑c" : "";
         for (std::uint32_t count = random_.below(4); count > 0; --count) {
             text += text.empty() ? " : " : ", ";
             text += action(g);
@@ -95,7 +101,7 @@ class Generator {
         if (g + 1 < graphs_.size() && random_.one_in(3)) {
             const std::size_t target =
                 g + 1 + random_.below(static_cast<std::uint32_t>(graphs_.size() - g - 1));
-            const std::string name = "G" + std::to_string(target);
+            const std::string name = named("G", target);
             switch (random_.below(5)) {
                 case 0:
                     return name + "{}";
@@ -192,8 +198,7 @@ class Generator {
             case 4:
                 return random_.one_in(2) ? "[k > m]" : "[k + m <> 2]";
             case 5:
-                return "XG" +
-                       std::to_string(random_.below(static_cast<std::uint32_t>(graphs_.size())));
+                return named("XG", random_.below(static_cast<std::uint32_t>(graphs_.size())));
             case 6:
             case 7:
                 return "X" + any_step();

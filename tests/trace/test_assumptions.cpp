@@ -1,5 +1,5 @@
-#include "trace/small_grafcet.h"
 #include "trace/assumptions.h"
+#include "trace/small_grafcet.h"
 
 namespace grafwire {
 

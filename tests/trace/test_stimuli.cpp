@@ -1,3 +1,7 @@
+#include <random>
+#include <sstream>
+#include <vector>
+
 #include "trace/small_grafcet.h"
 #include "trace/stimuli.h"
 
@@ -15,15 +19,17 @@ graph G { initial 1 : lamp  step 2  1 -> 2 : dcy . "a b" . été . "end" . "5" .
 
 /// One line per change, `ns: index=value …`, and the end.
 std::string shown(const Stimuli& stimuli) {
-    std::string text = "\n";
+    std::ostringstream text;
+    text << "\n";
     for (const Stimuli::Change& change : stimuli.changes) {
-        text += std::to_string(change.at / nanosecond) + ":";
+        text << change.at / nanosecond << ":";
         for (const Stimuli::Assignment& assignment : change.assignments) {
-            text += " " + std::to_string(assignment.input) + (assignment.value ? "=1" : "=0");
+            text << " " << assignment.input << "=" << assignment.value;
         }
-        text += "\n";
+        text << "\n";
     }
-    return text + "end " + std::to_string(stimuli.end / nanosecond) + "\n";
+    text << "end " << stimuli.end / nanosecond << "\n";
+    return text.str();
 }
 
 std::string read(std::string_view text) {
@@ -130,7 +136,7 @@ TEST_CASE("errors of assignment; all are reported in one go") {
               at("2:12", Code::unknown_name) + at("2:19", Code::unknown_name) +
               at("2:28", Code::bad_value) + at("3:4", Code::unexpected_token) +
               at("4:3", Code::unexpected_token) + at("5:10", Code::unexpected_token) +
-              at("5:12", Code::unexpected_token) + at("6:6", Code::unterminated_text) +
+              at("5:15", Code::unexpected_token) + at("6:6", Code::unterminated_text) +
               at("7:10", Code::unexpected_token));
     CHECK(errors("1s : ,dcy=1") == at("1:6", Code::unexpected_character));
     CHECK(errors("1s : dcy=1, été=1") == at("1:10", Code::bad_value));
@@ -180,6 +186,46 @@ TEST_CASE("stimuli are written as they are read") {
     REQUIRE(again.has_value());
     CHECK(shown(*again) == shown(stimuli));
     CHECK(write_stimuli(*again, grafcet) == text);
+}
+
+TEST_CASE("any bytes give stimuli or errors, and stimuli can be written and read back") {
+    const Grafcet grafcet = two_inputs();
+    const std::vector<std::string> pieces = {"1s",      "+",
+                                             "5ms",     "0.25us",
+                                             "9h",      ":",
+                                             " : ",     "dcy",
+                                             "=1",      "=0",
+                                             "=",       "\"",
+                                             "\"a b\"", "end",
+                                             "\n",      "\r\n",
+                                             "#",       " ",
+                                             "é",       "\xc3",
+                                             "été=1 ",  std::string(1, '\0'),
+                                             "\u00a0",  "Init=1 ",
+                                             "\t",      "5",
+                                             "-",       ",",
+                                             "dcy=1 ",  "\n+3ms : ",
+                                             "\n",      "\n7s: "};
+    std::mt19937 random(1);
+    int accepted = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text;
+        for (std::size_t count = random() % 12; count > 0; --count) {
+            text += pieces[random() % pieces.size()];
+        }
+        Diagnostics diagnostics;
+        const auto stimuli = parse_stimuli({"t.stim", text}, grafcet, diagnostics);
+        CAPTURE(text);
+        REQUIRE(stimuli.has_value() != diagnostics.has_errors());
+        if (!stimuli) continue;
+        ++accepted;
+        Diagnostics none;
+        const auto again =
+            parse_stimuli({"t.stim", write_stimuli(*stimuli, grafcet)}, grafcet, none);
+        REQUIRE(again.has_value());
+        REQUIRE(shown(*again) == shown(*stimuli));
+    }
+    CHECK(accepted > 500);
 }
 
 }  // namespace grafwire

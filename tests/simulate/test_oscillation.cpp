@@ -1,0 +1,174 @@
+#include <doctest/doctest.h>
+
+#include "small_netlist.h"
+
+using namespace grafwire;
+
+namespace {
+
+std::string names(const SmallNetlist& small, const std::vector<NetId>& nets) {
+    std::string text;
+    for (const NetId net : nets) {
+        if (!text.empty()) text += ' ';
+        text += small.netlist.names[net];
+    }
+    return text;
+}
+
+/// Three inverters in a ring once `go` is 1, and a bystander.
+void add_ring(SmallNetlist& small, const std::string& prefix) {
+    small.cell(CellType::nand_gate, prefix + "1", {"go", prefix + "3"});
+    small.cell(CellType::inverter, prefix + "2", {prefix + "1"});
+    small.cell(CellType::inverter, prefix + "3", {prefix + "2"});
+}
+
+}  // namespace
+
+TEST_CASE("a ring of three inverters oscillates, and its nets are named") {
+    SmallNetlist small;
+    small.input("go");
+    small.cell(CellType::buffer, "calm", {"go"});
+    add_ring(small, "r");
+    Bench bench(small);
+    bench.step("go", zero);
+    CHECK(bench.get("r3") == one);
+    bench.set("go", one);
+    const Settling settling = bench.simulator.settle();
+    CHECK_FALSE(settling.settled);
+    CHECK(names(small, settling.oscillating) == "r3 r1 r2");  // in the order of their ids
+    CHECK(settling.events > 0);
+    // The state before can be put back.
+    bench.simulator.power_up();
+    bench.set("go", zero);
+    CHECK(bench.simulator.settle().settled);
+    CHECK(bench.get("r3") == one);
+}
+
+TEST_CASE("a ring of inverters at power-up without a known value stays unknown, and settles") {
+    SmallNetlist small;
+    small.cell(CellType::inverter, "a", {"c"});
+    small.cell(CellType::inverter, "b", {"a"});
+    small.cell(CellType::inverter, "c", {"b"});
+    Bench bench(small);
+    CHECK(bench.simulator.settle().settled);
+    CHECK(bench.get("a") == unknown);
+}
+
+TEST_CASE("cross-coupled NOR gates released together oscillate with equal delays only") {
+    SmallNetlist small;
+    small.input("s");
+    small.input("r");
+    small.cell(CellType::nor_gate, "q", {"r", "nq"});
+    small.cell(CellType::nor_gate, "nq", {"s", "q"});
+    CellDelays delays = unit_delays(small.netlist);
+    const auto release = [&] {
+        Bench bench(small, delays);
+        bench.set("s", one);
+        bench.step("r", one);
+        bench.set("s", zero);
+        bench.set("r", zero);
+        const Settling settling = bench.simulator.settle();
+        return settling.settled ? std::string("settled")
+                                : names(small, settling.oscillating);
+    };
+    CHECK(release() == "nq q");
+    delays.rise[1] = 1001;
+    CHECK(release() == "settled");
+    delays.rise[0] = 1001;
+    CHECK(release() == "nq q");
+    delays.fall[0] = 300;
+    delays.fall[1] = 300;
+    CHECK(release() == "nq q");
+}
+
+TEST_CASE("two rings of different periods come back together") {
+    SmallNetlist small;
+    small.input("go");
+    add_ring(small, "a");
+    add_ring(small, "b");
+    small.cell(CellType::and_gate, "both", {"a1", "b1"});
+    CellDelays delays = unit_delays(small.netlist);
+    delays.rise = {700, 700, 700, 1100, 1300, 1700, 1000};
+    delays.fall = {900, 700, 700, 1100, 1300, 1700, 1000};
+    Bench bench(small, delays);
+    bench.step("go", zero);
+    bench.set("go", one);
+    const Settling settling = bench.simulator.settle();
+    CHECK_FALSE(settling.settled);
+    CHECK(settling.oscillating.size() == 7);
+}
+
+TEST_CASE("a pulse that sets itself off again oscillates") {
+    SmallNetlist small;
+    small.input("go");
+    small.timed(CellType::rise_pulse, "p", {"n"}, {0, 10 * nanosecond, 0});
+    small.cell(CellType::nor_gate, "n", {"p", "stop"});
+    small.cell(CellType::inverter, "stop", {"go"});
+    Bench bench(small);
+    bench.simulator.hold_pulses(true);
+    bench.step("go", zero);
+    bench.simulator.hold_pulses(false);
+    CHECK(bench.get("n") == zero);
+    bench.set("go", one);
+    const Settling settling = bench.simulator.settle();
+    CHECK_FALSE(settling.settled);
+    CHECK(names(small, settling.oscillating) == "p n");
+}
+
+TEST_CASE("a cascade may be long without being an oscillation") {
+    // A token runs through 200 000 phase modules, over one input that lets all pass.
+    SmallNetlist small;
+    small.input("a");
+    small.input("init");
+    constexpr int steps = 200'000;
+    const auto x = [](int i) { return "x" + std::to_string(i); };
+    for (int i = 0; i < steps; ++i) {
+        const std::string n = std::to_string(i);
+        if (i == 0) {
+            small.cell(CellType::buffer, "s0", {"init"});
+        } else {
+            small.cell(CellType::and_gate, "s" + n, {x(i - 1), "a"});
+        }
+        small.cell(CellType::nor_gate, "n" + n, {i + 1 < steps ? x(i + 1) : "init", "init"});
+        small.cell(CellType::and_gate, "h" + n, {"n" + n, x(i)});
+        small.cell(CellType::or_gate, x(i), {"s" + n, "h" + n});
+    }
+    for (const Time odd : {1000, 1001}) {
+        CellDelays delays = unit_delays(small.netlist);
+        delays.rise[0] = odd;
+        Bench bench(small, delays);
+        bench.set("a", zero);
+        bench.step("init", one);
+        bench.step("init", zero);
+        CHECK(bench.get(x(0)) == one);
+        CHECK(bench.get(x(1)) == zero);
+        bench.set("a", one);
+        const Settling settling = bench.simulator.settle();
+        CHECK(settling.settled);
+        CHECK(settling.events > 4 * steps);
+        CHECK(bench.get(x(steps - 1)) == one);
+        CHECK(bench.get(x(steps - 2)) == zero);
+    }
+}
+
+TEST_CASE("a counter of gates runs through all its states before it comes back") {
+    // A ripple of toggling flip-flops, the first clocked by a ring: the period is that of the last.
+    SmallNetlist small;
+    small.input("go");
+    add_ring(small, "r");
+    std::string clock = "r1";
+    constexpr int bits = 8;
+    for (int i = 0; i < bits; ++i) {
+        const std::string q = "q" + std::to_string(i);
+        small.cell(CellType::flip_flop, q, {"n" + q, clock}, zero);
+        small.cell(CellType::inverter, "n" + q, {q});
+        clock = "n" + q;
+    }
+    Bench bench(small);
+    bench.step("go", zero);
+    CHECK(bench.get("q7") == zero);
+    bench.set("go", one);
+    const Settling settling = bench.simulator.settle();
+    CHECK_FALSE(settling.settled);
+    CHECK(settling.oscillating.size() == 3 + 2 * bits);
+}

@@ -1,0 +1,146 @@
+#include <doctest/doctest.h>
+
+#include "small_netlist.h"
+
+using namespace grafwire;
+
+namespace {
+
+/// Rising and falling pulses of 10 ns on input a.
+struct PulseBench {
+    SmallNetlist small;
+    std::unique_ptr<Bench> bench;
+
+    explicit PulseBench(Time delay = nanosecond, Time inverter_delay = nanosecond) {
+        small.input("a");
+        small.input("b");
+        small.timed(CellType::rise_pulse, "up", {"a"}, {0, 10 * nanosecond, 0});
+        small.timed(CellType::fall_pulse, "down", {"a"}, {0, 10 * nanosecond, 0});
+        small.cell(CellType::inverter, "n", {"b"});
+        CellDelays delays = unit_delays(small.netlist);
+        delays.rise[0] = delay;
+        delays.rise[2] = inverter_delay;
+        bench = std::make_unique<Bench>(small, delays);
+        bench->simulator.hold_pulses(true);
+        bench->set("b", zero);
+        bench->step("a", zero);
+        bench->simulator.hold_pulses(false);
+        bench->simulator.restart_clock();
+    }
+    /// The changes of a net when a takes these values at once, each as soon as all has settled.
+    std::string seen(const char* net, std::initializer_list<Logic> values) {
+        bench->record(net);
+        for (const Logic value : values) bench->step("a", value);
+        return bench->changes;
+    }
+};
+
+/// a goes through values at given moments while the pulse runs: by a slow chain of buffers from
+/// inputs set at the same time.
+struct Shaped {
+    SmallNetlist small;
+    /// Toggles the input of an XOR at 0 and at each of these nanoseconds.
+    std::string seen(std::initializer_list<Time> toggles, CellType type = CellType::rise_pulse,
+                     Logic last = zero) {
+        small.input("a");
+        small.input("v");
+        std::vector<std::string> taps{"a"};
+        std::vector<Time> buffer_delays;
+        for (const Time toggle : toggles) {
+            const std::string name = "t" + std::to_string(toggle);
+            small.cell(CellType::buffer, name, {"a"});
+            buffer_delays.push_back(toggle * nanosecond);
+            taps.push_back(name);
+        }
+        if (last == unknown) {
+            // The last toggle gives way to unknown.
+            small.cell(CellType::and_gate, "doubt", {taps.back(), "v"});
+            taps.back() = "doubt";
+        }
+        small.cell(CellType::xor_gate, "x", taps);
+        small.timed(type, "p", {"x"}, {0, 10 * nanosecond, 0});
+        CellDelays delays = unit_delays(small.netlist);
+        for (std::size_t i = 0; i < buffer_delays.size(); ++i) {
+            delays.rise[i] = delays.fall[i] = buffer_delays[i];
+        }
+        Bench bench(small, delays);
+        bench.simulator.hold_pulses(true);
+        bench.set("v", last);
+        bench.step("a", zero);
+        bench.simulator.hold_pulses(false);
+        bench.record("p");
+        bench.step("a", one);
+        return bench.changes;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a pulse begins after the cell's delay and lasts its width") {
+    CHECK(PulseBench().seen("up", {one}) == "1@1 0@11");
+    CHECK(PulseBench().seen("down", {one}) == "");
+    CHECK(PulseBench().seen("down", {one, zero}) == "1@1 0@11");
+    CHECK(PulseBench(3 * nanosecond).seen("up", {one}) == "1@3 0@13");
+    CHECK(PulseBench(3 * nanosecond, 7).seen("up", {one}) == "1@3 0@13");
+}
+
+TEST_CASE("a new edge begins the width again") {
+    // x rises at 1 and 5 and falls at 3 and 7.
+    CHECK(Shaped().seen({2, 4, 6}) == "1@2 0@16");
+    CHECK(Shaped().seen({2, 4, 6}, CellType::fall_pulse) == "1@4 0@18");
+    // Rises at 1 and 11: the pulse of the first ends as that of the second would begin.
+    CHECK(Shaped().seen({2, 10, 12}) == "1@2 0@22");
+    CHECK(Shaped().seen({2, 11, 13}) == "1@2 0@12 1@13 0@23");
+}
+
+TEST_CASE("an edge in doubt gives an unknown pulse") {
+    CHECK(PulseBench().seen("up", {unknown}) == "x@1 0@11");
+    CHECK(PulseBench().seen("up", {unknown, one}) == "x@1 0@11 x@12 0@22");
+    CHECK(PulseBench().seen("up", {unknown, zero}) == "x@1 0@11");
+    CHECK(PulseBench().seen("down", {unknown}) == "");
+    CHECK(PulseBench().seen("down", {unknown, zero}) == "x@1 0@11");
+    CHECK(PulseBench().seen("down", {one, unknown}) == "x@1 0@11");
+    // Certain from the rise at 1, perhaps a second time from 5 on.
+    CHECK(Shaped().seen({2, 4}, CellType::rise_pulse, unknown) == "1@2 x@12 0@16");
+}
+
+TEST_CASE("held pulses do not fire, and compare with what they see when they are let go") {
+    PulseBench held;
+    held.bench->simulator.hold_pulses(true);
+    CHECK(held.seen("up", {one, zero, unknown, one}) == "");
+    held.bench->simulator.hold_pulses(false);
+    CHECK(held.seen("up", {one}) == "");
+    CHECK(held.seen("down", {zero}) == "1@1 0@11");
+}
+
+TEST_CASE("what a pulse cell is told to remember outlives the time it is held") {
+    PulseBench held;
+    Simulator& simulator = held.bench->simulator;
+    simulator.hold_pulses(true);
+    simulator.remember_pulse_inputs();
+    simulator.power_up();
+    held.bench->step("b", zero);
+    held.bench->step("a", one);
+    simulator.hold_pulses(false);
+    held.bench->record("up");
+    // Remembered was 0: the fall back to it is no edge, nor was the rise while held.
+    held.bench->step("a", zero);
+    CHECK(held.bench->changes == "");
+    CHECK(held.bench->get("down") == zero);
+    CHECK(held.seen("up", {one}) == "1@1 0@11");
+}
+
+TEST_CASE("a pulse cell with an unknown input can be put in doubt") {
+    PulseBench doubt;
+    doubt.bench->record("up");
+    doubt.bench->simulator.doubt_unknown_pulses();
+    doubt.bench->simulator.settle();
+    CHECK(doubt.bench->changes == "");
+    doubt.bench->simulator.hold_pulses(true);
+    doubt.bench->step("a", unknown);
+    doubt.bench->simulator.hold_pulses(false);
+    doubt.bench->record("down");
+    doubt.bench->simulator.doubt_unknown_pulses();
+    CHECK(doubt.bench->simulator.settle().settled);
+    CHECK(doubt.bench->changes == "x@1 0@11");
+}

@@ -1,0 +1,220 @@
+#include <doctest/doctest.h>
+
+#include "small_netlist.h"
+
+using namespace grafwire;
+
+namespace {
+
+constexpr Timing five_up_two_down{5 * millisecond, 2 * millisecond, 0};
+
+/// t is `5ms/e/2ms` of the inverse of the inverse of a.
+struct TimerBench {
+    SmallNetlist small;
+    std::unique_ptr<Bench> bench;
+    explicit TimerBench(Timing timing = five_up_two_down) {
+        small.input("a");
+        small.cell(CellType::inverter, "n", {"a"});
+        small.cell(CellType::inverter, "e", {"n"});
+        small.timed(CellType::timer, "t", {"e"}, timing, zero);
+        small.cell(CellType::buffer, "y", {"t"});
+        bench = std::make_unique<Bench>(small);
+        bench->step("a", zero);
+        bench->simulator.restart_clock();
+    }
+    Simulator& simulator() { return bench->simulator; }
+    /// An instant at so many milliseconds at which a takes a value.
+    void instant(Time at, Logic a) {
+        simulator().begin_instant(at * millisecond);
+        simulator().end_delays(at * millisecond);
+        bench->step("a", a);
+    }
+    Logic y() { return bench->get("y"); }
+    /// The end of the running delay in milliseconds, -1 for none.
+    Time due() {
+        CHECK(simulator().is_running(0) == (simulator().next_due() != never));
+        return simulator().is_running(0) ? simulator().next_due() / millisecond : -1;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a timer's delay counts from the instant, not from when the gates had done") {
+    TimerBench timer;
+    CHECK(timer.due() == -1);
+    CHECK(timer.simulator().timers() == std::vector<CellId>{CellId{2}});
+    timer.instant(10, one);
+    CHECK(timer.simulator().now() == 10 * millisecond + 2 * nanosecond);
+    CHECK(timer.simulator().next_due() == 15 * millisecond);
+    CHECK(timer.y() == zero);
+    timer.bench->record("t");
+    timer.instant(15, one);
+    CHECK(timer.bench->changes.find("1@4999998") == 0);  // the very moment the delay ends
+    CHECK(timer.y() == one);
+    CHECK(timer.due() == -1);
+    timer.instant(20, zero);
+    CHECK(timer.due() == 22);
+    timer.instant(21, zero);
+    CHECK(timer.y() == one);
+    timer.instant(22, zero);
+    CHECK(timer.y() == zero);
+}
+
+TEST_CASE("the return of the operand ends a timer's delay") {
+    TimerBench timer;
+    timer.instant(10, one);
+    timer.instant(14, zero);
+    CHECK(timer.due() == -1);
+    timer.instant(15, zero);
+    CHECK(timer.y() == zero);
+    timer.instant(16, one);
+    CHECK(timer.due() == 21);
+}
+
+TEST_CASE("settling never ends a delay, end_delay always does") {
+    TimerBench timer;
+    timer.instant(10, one);
+    timer.simulator().begin_instant(1000 * millisecond);
+    timer.simulator().settle();
+    CHECK(timer.y() == zero);
+    CHECK(timer.due() == 15);
+    timer.simulator().begin_instant(1001 * millisecond);
+    timer.simulator().end_delay(0);
+    timer.simulator().settle();
+    CHECK(timer.y() == one);
+    CHECK(timer.due() == -1);
+    timer.simulator().end_delay(0);
+    timer.simulator().settle();
+    CHECK(timer.y() == one);
+}
+
+TEST_CASE("a delay of 0 is that of a gate") {
+    TimerBench timer({5 * millisecond, 0, 0});
+    timer.instant(10, one);
+    timer.instant(15, one);
+    CHECK(timer.y() == one);
+    timer.bench->record("t");
+    timer.instant(16, zero);
+    CHECK(timer.y() == zero);
+    CHECK(timer.due() == -1);
+}
+
+TEST_CASE("an operand that is unknown puts the output in doubt when its delay ends") {
+    TimerBench timer;
+    timer.instant(10, unknown);
+    CHECK(timer.y() == zero);
+    CHECK(timer.due() == 15);
+    SUBCASE("still unknown then") {
+        timer.instant(15, unknown);
+        CHECK(timer.y() == unknown);
+        CHECK(timer.due() == -1);
+        timer.instant(16, one);
+        CHECK(timer.due() == 21);
+        timer.instant(21, one);
+        CHECK(timer.y() == one);
+    }
+    SUBCASE("0 in time") {
+        timer.instant(14, zero);
+        CHECK(timer.due() == -1);
+        timer.instant(15, zero);
+        CHECK(timer.y() == zero);
+    }
+    SUBCASE("known only later: the delay may have begun at either instant") {
+        timer.instant(12, one);
+        CHECK(timer.y() == unknown);
+        CHECK(timer.due() == 17);
+        timer.instant(17, one);
+        CHECK(timer.y() == one);
+    }
+    SUBCASE("known at the same instant: no doubt at all") {
+        timer.bench->step("a", one);
+        CHECK(timer.due() == 15);
+        timer.instant(15, one);
+        CHECK(timer.y() == one);
+    }
+    SUBCASE("a certain delay that may have been broken off") {
+        timer.bench->step("a", one);
+        timer.instant(12, unknown);
+        CHECK(timer.due() == 15);
+        timer.instant(15, unknown);
+        CHECK(timer.y() == unknown);
+    }
+}
+
+namespace {
+
+struct ScanTimerBench {
+    SmallNetlist small;
+    std::unique_ptr<Bench> bench;
+    explicit ScanTimerBench(Timing timing) {
+        small.clock("clk");
+        small.input("a");
+        small.timed(CellType::scan_timer, "t", {"a", "clk"}, timing, zero);
+        small.cell(CellType::flip_flop, "q", {"t", "clk"}, zero);
+        bench = std::make_unique<Bench>(small);
+        bench->set("clk", zero);
+        bench->step("a", zero);
+        bench->simulator.restart_clock();
+    }
+    /// One scan at so many milliseconds; t and q after it.
+    std::string scan(Time at, Logic a) {
+        bench->simulator.begin_instant(at * millisecond);
+        bench->set("a", a);
+        REQUIRE(bench->simulator.clock_cycle().settled);
+        std::string shown;
+        for (const char* net : {"t", "q"}) {
+            shown += bench->get(net) == unknown ? 'x' : bench->get(net) == one ? '1' : '0';
+        }
+        return shown;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a clocked timer looks at its operand and its delay at the rise of the clock") {
+    ScanTimerBench timer(five_up_two_down);
+    CHECK(timer.scan(0, zero) == "00");
+    CHECK(timer.scan(10, one) == "00");
+    CHECK(timer.bench->simulator.next_due() == 15 * millisecond);
+    timer.bench->step("a", zero);  // between two rises: unseen
+    CHECK(timer.scan(14, one) == "00");
+    CHECK(timer.scan(16, one) == "10");
+    CHECK(timer.scan(17, one) == "11");
+    CHECK(timer.scan(18, zero) == "11");
+    CHECK(timer.scan(19, one) == "11");
+    CHECK(timer.scan(20, zero) == "11");
+    CHECK(timer.scan(22, zero) == "01");
+    CHECK(timer.scan(23, zero) == "00");
+}
+
+TEST_CASE("a clocked timer without a delay acts at that very rise") {
+    ScanTimerBench timer({0, 2 * millisecond, 0});
+    CHECK(timer.scan(1, one) == "10");
+    CHECK(timer.scan(2, zero) == "11");
+    CHECK(timer.bench->simulator.next_due() == 4 * millisecond);
+}
+
+TEST_CASE("a clocked timer ended before the clock shows the value it was running to") {
+    ScanTimerBench timer(five_up_two_down);
+    CHECK(timer.scan(10, one) == "00");
+    Simulator& simulator = timer.bench->simulator;
+    simulator.begin_instant(15 * millisecond);
+    timer.bench->set("a", zero);  // not seen by the timer before the next rise
+    simulator.end_delays(15 * millisecond);
+    CHECK(timer.bench->get("t") == one);
+    simulator.settle();
+    CHECK(timer.bench->get("t") == one);
+    CHECK(simulator.next_due() == never);
+    simulator.clock_cycle();
+    CHECK(timer.bench->get("q") == one);
+    CHECK(simulator.next_due() == 17 * millisecond);
+}
+
+TEST_CASE("a clocked timer with an unknown operand") {
+    ScanTimerBench timer(five_up_two_down);
+    CHECK(timer.scan(10, unknown) == "00");
+    CHECK(timer.scan(14, unknown) == "00");
+    CHECK(timer.scan(15, unknown) == "x0");
+    CHECK(timer.scan(16, zero) == "xx");
+    CHECK(timer.scan(18, zero) == "0x");
+}

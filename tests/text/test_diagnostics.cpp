@@ -1,0 +1,81 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "text/diagnostics.h"
+
+using namespace grafwire;
+
+TEST_CASE("a message is shown with its line and a caret under the character") {
+    const SourceFile source{"chart.grafcet", "graph G {\n  é -> ↑b : x\r\n}"};
+    Diagnostics diagnostics;
+    diagnostics.error(Code::unknown_name, {2, 9}, "unknown step 'b'")
+        .notes.push_back({{1, 7}, "the graph is here"});
+    CHECK(diagnostics.has_errors());
+    CHECK(format_diagnostics(diagnostics, source) == R"(chart.grafcet:2:9: error: unknown step 'b'
+  é -> ↑b : x
+        ^
+chart.grafcet:1:7: note: the graph is here
+graph G {
+      ^
+)");
+}
+
+TEST_CASE("tabs stay tabs before the caret, and control characters are made visible") {
+    const SourceFile source{"-", "\ta\x1b\tb"};
+    Diagnostics diagnostics;
+    diagnostics.warning(Code::unused_name, {1, 5}, "a \x1b");
+    CHECK_FALSE(diagnostics.has_errors());
+    CHECK(format_diagnostics(diagnostics, source) ==
+          "<stdin>:1:5: warning: a \xef\xbf\xbd\n\ta\xef\xbf\xbd\tb\n\t  \t^\n");
+}
+
+TEST_CASE("places at the end of a line and beyond the file are shown as far as they exist") {
+    const SourceFile source{"f",
+                            "\xef\xbb\xbf"
+                            "ab\n"};
+    Diagnostics diagnostics;
+    diagnostics.error(Code::unexpected_token, {1, 3}, "end of line");
+    diagnostics.error(Code::unexpected_token, {2, 1}, "end of file");
+    diagnostics.error(Code::unexpected_token, {9, 1}, "nowhere");
+    diagnostics.error(Code::unreadable_file, {}, "no place");
+    CHECK(format_diagnostics(diagnostics, source) ==
+          "f:1:3: error: end of line\nab\n  ^\nf:2:1: error: end of file\n\n^\nf:9:1: error: "
+          "nowhere\nf: error: no place\n");
+}
+
+TEST_CASE("of a long line a part around the place is shown") {
+    const SourceFile source{"f", std::string(200, 'a') + "é" + std::string(200, 'b')};
+    Diagnostics diagnostics;
+    diagnostics.error(Code::unexpected_token, {1, 201}, "m");
+    CHECK(format_diagnostics(diagnostics, source) ==
+          "f:1:201: error: m\n…" + std::string(100, 'a') + "é" + std::string(59, 'b') + "…\n" +
+              std::string(101, ' ') + "^\n");
+}
+
+TEST_CASE("errors beyond the limit are counted; warnings are always shown") {
+    const SourceFile source{"f", ""};
+    Diagnostics diagnostics;
+    for (const char* text : {"one", "two", "three", "four"})
+        diagnostics.error(Code::unexpected_token, {}, text);
+    diagnostics.warning(Code::unused_name, {}, "five");
+    CHECK(diagnostics.error_count() == 4);
+    CHECK(format_diagnostics(diagnostics, source, 2) ==
+          "f: error: one\nf: error: two\nf: warning: five\nf: 2 more errors not shown\n");
+    CHECK(format_diagnostics(diagnostics, source, 3).find("f: 1 more error not shown\n") !=
+          std::string::npos);
+    CHECK(format_diagnostics(diagnostics, source, 4).find("not shown") == std::string::npos);
+    CHECK(format_diagnostics(diagnostics, source, 0).find("four") != std::string::npos);
+}
+
+TEST_CASE("sorting goes by place and keeps the order of what stands in one place") {
+    Diagnostics diagnostics;
+    diagnostics.error(Code::unexpected_token, {2, 1}, "d");
+    diagnostics.warning(Code::unused_name, {1, 5}, "b");
+    diagnostics.error(Code::unexpected_token, {1, 5}, "c");
+    diagnostics.error(Code::unreadable_file, {}, "a");
+    diagnostics.sort_by_place();
+    std::string order;
+    for (const Diagnostic& item : diagnostics.items()) order += item.message;
+    CHECK(order == "abcd");
+}

@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "text/diagnostics.h"
+#include "text/utf8.h"
+
+using namespace grafwire;
+using namespace std::string_literals;
+
+namespace {
+
+std::string checked(const std::string& text) {
+    Diagnostics diagnostics;
+    if (check_utf8(text, diagnostics)) return "good";
+    const Diagnostic& item = diagnostics.items().at(0);
+    CHECK(item.code == Code::not_utf8);
+    return std::to_string(item.where.line) + ":" + std::to_string(item.where.column) + " " +
+           item.message.substr(0, 13);
+}
+
+}  // namespace
+
+TEST_CASE("well-formed text passes") {
+    CHECK(checked("") == "good");
+    CHECK(checked("↑dcy é 𝄞 \U0010ffff") == "good");
+    CHECK(checked("\xef\xbb\xbfgraph") == "good");
+    CHECK(checked("a\0b"s) == "good");
+}
+
+TEST_CASE("the first stray byte is found") {
+    CHECK(checked("\x80") == "1:1 the byte 0x80");
+    CHECK(checked("é\nétape\xe9 12345678") == "2:6 the byte 0xE9");
+    CHECK(checked("\xef\xbb\xbf"
+                  "ab\xff") == "1:3 the byte 0xFF");
+    CHECK(checked("01234567890123456789\nabc\xc0\xaf") == "2:4 the byte 0xC0");
+    CHECK(checked("\xe0\x80\xaf") == "1:1 the byte 0xE0");
+    CHECK(checked("\xed\xa0\x80") == "1:1 the byte 0xED");
+    CHECK(checked("\xf4\x90\x80\x80") == "1:1 the byte 0xF4");
+    CHECK(checked("x\xe2\x86") == "1:2 the byte 0xE2");
+}
+
+TEST_CASE("code points are counted, not bytes") {
+    CHECK(count_code_points("") == 0);
+    CHECK(count_code_points("↑é𝄞a") == 4);
+    CHECK(decode_utf8("↑", 0).value == 0x2191);
+    CHECK(decode_utf8("↑", 0).length == 3);
+    CHECK(decode_utf8("↑", 1).length == 0);
+}
+
+TEST_CASE("long names are cut in messages") {
+    CHECK(in_quotes("lamp") == "'lamp'");
+    std::string sixty;
+    for (int i = 0; i < 60; ++i) sixty += "é";
+    CHECK(in_quotes(sixty) == "'" + sixty + "'");
+    CHECK(in_quotes(sixty + "é") == "'" + sixty + "…'");
+}
