@@ -81,6 +81,7 @@ void clear_transitions(const ScanContext& scan, const ClearedList& cleared) {
 
 /// The part of SBR 8 that the next scan needs.
 void update_freeze_bits(const ScanContext& scan) {
+    if (scan.grafcet.orders.empty()) return;  // all 1 since the start
     scan.state.may_evolve = scan.tables.all_graphs;
     for_each_common_bit(scan.state.situation, scan.tables.freezing, [&](std::size_t s) {
         const Step& step = scan.grafcet.steps[scan.grafcet.steps.id_at(s)];

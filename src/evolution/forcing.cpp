@@ -84,7 +84,7 @@ void apply_enclosures(const ScanContext& scan, const OrderList& orders, bool ini
 
 void apply_forcing(const ScanContext& scan, bool init) {
     OrderList orders;
-    list_orders(scan, orders);
+    if (!scan.grafcet.orders.empty()) list_orders(scan, orders);
     assert(std::is_sorted(orders.begin(), orders.end()));  // orders stand in the order of steps
     if (!orders.empty()) {
         force_to_0(scan, orders);

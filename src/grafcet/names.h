@@ -55,7 +55,7 @@ class Suggestions {
     std::vector<std::string_view> more_;
     List lists_[6];
     std::vector<std::string> step_variables_;
-    std::size_t names_compared_ = 0;
+    std::size_t work_done_ = 0;
 };
 
 /// What the checks share.
@@ -91,8 +91,6 @@ enum class ExpressionUse : std::uint8_t { receptivity, condition, event, value, 
 void resolve_expression(const Checking& checking, const ExpressionSyntax& expression,
                         ExpressionUse use);
 void resolve_sum(const Checking& checking, Range sum);
-/// Whether an expression has an edge outside of time conditions.
-bool has_edge(const Syntax& syntax, const ExpressionSyntax& expression);
 
 /// Names each of a list of steps; those that are none are reported, as are those named twice.
 /// `accept` may report a step that does not belong in the list.

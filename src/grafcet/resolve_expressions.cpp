@@ -128,13 +128,4 @@ void resolve_sum(const Checking& checking, Range sum) {
     }
 }
 
-bool has_edge(const Syntax& syntax, const ExpressionSyntax& expression) {
-    for (std::uint32_t i = expression.first; i < expression.first + expression.count; ++i) {
-        const ExpressionNode& node = syntax.expression_nodes[i];
-        const bool is_edge = node.kind == ExprKind::rise || node.kind == ExprKind::fall;
-        if (is_edge && !node.inside_time) return true;
-    }
-    return false;
-}
-
 }  // namespace grafwire

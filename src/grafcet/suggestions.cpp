@@ -21,11 +21,13 @@ std::string Checking::shown_node(std::uint32_t node) const {
 }
 
 std::string Suggestions::did_you_mean(std::string_view name, Meant meant) {
-    constexpr std::size_t most_compared = 20'000'000;
+    constexpr std::size_t most_work = 400'000'000;
+    constexpr std::size_t longest_name = 100;
+    if (name.size() > longest_name) return {};
     List& list = lists_[static_cast<std::size_t>(meant)];
     if (!list.is_made) make(list, meant);
-    names_compared_ += list.names.size();
-    if (names_compared_ > most_compared) return {};
+    work_done_ += list.names.size() * (1 + name.size() * name.size() / 8);
+    if (work_done_ > most_work) return {};
     const std::string_view nearest = nearest_name(name, list.names);
     if (nearest.empty() || nearest == name) return {};
     return fmt::format("; did you mean {}?", in_quotes(nearest));

@@ -50,13 +50,12 @@ LogicBuilder::Signal LogicBuilder::signal(ExprId id) {
 LogicBuilder::Signal LogicBuilder::make(ExprId id) {
     switch (pool_.kind(id)) {
         case ExprKind::constant:
-            return {pool_.constant_value(id) ? builder_.high() : builder_.low(), no_level};
+            return {pool_.constant_value(id) ? builder_.high() : builder_.low()};
         case ExprKind::variable:
             return make_variable(pool_.variable_of(id));
         case ExprKind::negation: {
             const Signal operand = signal(pool_.operands(id)[0]);
-            return {builder_.inverted(operand.net),
-                    operand.level == no_level ? no_level : operand.level + 1};
+            return operand.through(builder_.inverted(operand.net));
         }
         case ExprKind::conjunction:
         case ExprKind::disjunction:
@@ -74,50 +73,57 @@ LogicBuilder::Signal LogicBuilder::make(ExprId id) {
             break;
     }
     assert(false && "asynchronous netlists have no counters");
-    return {builder_.low(), no_level};
+    return {builder_.low()};
 }
 
 LogicBuilder::Signal LogicBuilder::make_variable(Variable variable) {
     switch (variable.kind) {
         case VariableKind::input:
-            return {inputs[variable.index], 0};
+            return {inputs[variable.index], 0, Signal::independent};
         case VariableKind::control: {
             const NetId net = inputs[equations_.grafcet->inputs.size() + variable.index];
-            return net == no_net ? Signal{builder_.low(), no_level} : Signal{net, 0};
+            return net == no_net ? Signal{builder_.low()} : Signal{net, 0, Signal::independent};
         }
         case VariableKind::step:
-            return {steps[variable.index], no_level};
+            return {steps[variable.index], Signal::independent, 0};
         case VariableKind::output:
-            return {outputs[variable.index], no_level};
+            return {outputs[variable.index], Signal::independent, 0};
         case VariableKind::var:
-            return {vars[variable.index], no_level};
+            return {vars[variable.index], Signal::independent, 0};
         case VariableKind::counter:
         case VariableKind::macro:
         case VariableKind::graph:
             break;
     }
     assert(false && "equations hold no such variable");
-    return {builder_.low(), no_level};
+    return {builder_.low()};
 }
 
-int LogicBuilder::align(std::vector<Signal>& operands) {
-    int level = no_level;
-    for (const Signal& operand : operands) level = std::max(level, operand.level);
-    for (Signal& operand : operands) {
-        if (operand.level == no_level) continue;
-        operand.net =
-            builder_.delayed(operand.net, static_cast<std::uint32_t>(level - operand.level));
-        operand.level = level;
+/// Returns what the operands have in common then: their latencies (and no net).
+LogicBuilder::Signal LogicBuilder::align(std::vector<Signal>& operands) {
+    int input = Signal::independent;
+    int step = Signal::independent;
+    bool mixed = false;
+    for (const Signal& operand : operands) {
+        input = std::max(input, operand.since_input);
+        step = std::max(step, operand.since_step);
+        mixed |= operand.since_input >= 0 && operand.since_step >= 0;
     }
-    return level;
+    if (mixed) input = step = std::max(input, step);
+    for (Signal& operand : operands) {
+        const int latency = std::max(operand.since_input, operand.since_step);
+        if (latency < 0) continue;
+        const int wanted = operand.since_input >= 0 ? input : step;
+        operand.net = builder_.delayed(operand.net, static_cast<std::uint32_t>(wanted - latency));
+    }
+    return {no_net, input, step};
 }
 
 LogicBuilder::Signal LogicBuilder::make_gate(CellType type, std::vector<Signal> operands) {
-    const int level = align(operands);
+    const Signal aligned = align(operands);
     std::vector<NetId> nets;
     for (const Signal& operand : operands) nets.push_back(operand.net);
-    return {builder_.gate(type, nets, owner, next_role()),
-            level == no_level ? no_level : level + 1};
+    return aligned.through(builder_.gate(type, nets, owner, next_role()));
 }
 
 LogicBuilder::Signal LogicBuilder::make_edge(ExprId id) {
@@ -134,7 +140,7 @@ LogicBuilder::Signal LogicBuilder::make_edge(ExprId id) {
     builder_.add_pulse(rising ? CellType::rise_pulse : CellType::fall_pulse, output, operand.net,
                        pulse_width);
     builder_.work_on(builder_.module(), before);
-    return {output, operand.level == no_level ? no_level : operand.level + 1};
+    return operand.through(output);
 }
 
 LogicBuilder::Signal LogicBuilder::make_time_condition(ExprId id) {
@@ -152,21 +158,31 @@ LogicBuilder::Signal LogicBuilder::make_time_condition(ExprId id) {
                         static_cast<std::uint32_t>(ordinal)};
     builder_.add_memory(CellType::timer, output, {&operand.net, 1}, Logic::zero, &timing);
     builder_.work_on(builder_.module(), before);
-    return {output, 0};
+    return {output, 0, Signal::independent};
+}
+
+std::vector<LogicBuilder::Signal> LogicBuilder::factor_signals(ExprId id) {
+    if (pool_.kind(id) == ExprKind::constant && pool_.constant_value(id)) return {};
+    if (pool_.kind(id) != ExprKind::conjunction) return {signal(id)};
+    std::vector<Signal> operands;
+    for (const ExprId operand : pool_.operands(id)) operands.push_back(signal(operand));
+    return operands;
 }
 
 std::vector<NetId> LogicBuilder::factors(ExprId id) {
-    if (pool_.kind(id) == ExprKind::constant && pool_.constant_value(id)) return {};
-    std::vector<Signal> operands;
-    if (pool_.kind(id) == ExprKind::conjunction) {
-        for (const ExprId operand : pool_.operands(id)) operands.push_back(signal(operand));
-    } else {
-        operands.push_back(signal(id));
-    }
+    std::vector<Signal> operands = factor_signals(id);
     align(operands);
     std::vector<NetId> nets;
     for (const Signal& operand : operands) nets.push_back(operand.net);
     return nets;
+}
+
+unsigned LogicBuilder::input_latency(ExprId product) {
+    int latency = 0;
+    for (const Signal& factor : factor_signals(product)) {
+        latency = std::max(latency, factor.since_input);
+    }
+    return static_cast<unsigned>(latency);
 }
 
 LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const std::vector<NetId>& held_outputs,
@@ -177,7 +193,7 @@ LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const std::vector<NetI
         const bool is_output = variable.kind == VariableKind::output;
         if (!is_output && variable.kind != VariableKind::var) return signal(id);
         const NetId held = (is_output ? held_outputs : held_vars)[variable.index];
-        return held == no_net ? signal(id) : Signal{held, no_level};
+        return held == no_net ? signal(id) : Signal{held, Signal::independent, 0};
     }
     const bool is_operator = kind == ExprKind::negation || kind == ExprKind::conjunction ||
                              kind == ExprKind::disjunction || kind == ExprKind::exclusive_or;
@@ -190,8 +206,7 @@ LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const std::vector<NetI
     }
     if (!any_held) return signal(id);
     if (kind == ExprKind::negation) {
-        const int level = operands[0].level == no_level ? no_level : operands[0].level + 1;
-        return {builder_.inverted(operands[0].net), level};
+        return operands[0].through(builder_.inverted(operands[0].net));
     }
     return make_gate(gate_for(kind), std::move(operands));
 }

@@ -10,19 +10,27 @@ namespace grafwire {
 
 /// Turns expressions of the equations into gates, each expression once.
 ///
-/// Levels. Where several inputs change in the same instant, a gate must see them together: an input
-/// that comes straight and one that comes through an inverter are one gate delay apart, and in that
-/// time `a./b` is 1 although it is 0 before and after. So every signal that stems from inputs has a
-/// level (the gates it has come through), and the operands of a gate are brought to the same level
-/// by buffers. Signals that stem from X variables alone have no level: they change one at a time,
-/// as the consequence of something that has already been seen.
+/// Latency. Where several signals change in the same instant, a gate must see them together: an
+/// input that comes straight and one that comes through an inverter are one gate delay apart, and
+/// in that time `a./b` is 1 although it is 0 before and after. Likewise for X variables: where a
+/// step is activated in the same instant as the one that freezes its graph, /X3 must not be later
+/// than X11. So every signal knows how many gates it has come through since an input and since an X
+/// variable, and the operands of a gate that stem from the same kind of source are brought to the
+/// same latency by buffers. Inputs and X variables need not be brought together: an X changes as
+/// the consequence of something that all gates have already seen.
 class LogicBuilder {
   public:
     struct Signal {
+        static constexpr int independent = -1;
         NetId net = no_net;
-        int level = no_level;
+        int since_input = independent;  ///< gates since an input; independent: stems from none
+        int since_step = independent;   ///< gates since an X variable
+        /// The same signal behind one more gate.
+        Signal through(NetId gate) const {
+            return {gate, since_input == independent ? independent : since_input + 1,
+                    since_step == independent ? independent : since_step + 1};
+        }
     };
-    static constexpr int no_level = -1;
 
     LogicBuilder(const Equations& equations, NetlistBuilder& builder);
 
@@ -40,9 +48,11 @@ class LogicBuilder {
     Signal signal(ExprId id);
     NetId net(ExprId id) { return signal(id).net; }
 
-    /// The nets of the factors of a product, brought to one level; a single net where the
+    /// The nets of the factors of a product, brought to one latency; a single net where the
     /// expression is no conjunction, none where it is the constant 1.
     std::vector<NetId> factors(ExprId id);
+    /// The gates an input has gone through where it enters that product; 0 where it reads none.
+    unsigned input_latency(ExprId product);
 
     /// An expression for the right-hand side of a write, in which stored outputs and vars are read
     /// at their `held` nets where these are not no_net. Edges and time conditions in it are the
@@ -56,7 +66,8 @@ class LogicBuilder {
     Signal make_gate(CellType type, std::vector<Signal> operands);
     Signal make_edge(ExprId id);
     Signal make_time_condition(ExprId id);
-    int align(std::vector<Signal>& operands);
+    Signal align(std::vector<Signal>& operands);
+    std::vector<Signal> factor_signals(ExprId id);
     std::string next_role();
 
     const Equations& equations_;

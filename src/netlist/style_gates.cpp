@@ -7,6 +7,8 @@
 // OR (the step is listed) and one more to the last AND (the graph is forced, unless the step is
 // listed), which is Ts./Tf0 + Tf1 and keeps every module equally deep.
 
+#include <algorithm>
+
 #include "netlist/asynchronous.h"
 
 namespace grafwire {
@@ -59,12 +61,19 @@ void make_gates_phase(AsynchronousBuild& build, const PhaseSignals& phase) {
     }
     if (phase.initial && phase.init != no_net) causes.push_back(phase.init);
 
+    // An input reaches the last AND through its receptivity, the AND of CAX and the OR; Init and
+    // AUdur must not get there before it.
+    unsigned latency = 0;
+    for (const TransitionId into : phase.into) {
+        latency = std::max(latency, build.logic.input_latency(build.equations.clearing[into]));
+    }
+    const auto in_time = [&](NetId complement) { return builder.delayed(complement, latency + 1); };
     std::vector<NetId> permits;
     NetId forced_on = no_net;
     if (phase.forced_off != no_net) permits.push_back(may_stay(build, phase, name, forced_on));
     if (!phase.initial && phase.init != no_net) {
         // An order that lists the step outweighs Init.
-        NetId permit = phase.not_init;
+        NetId permit = in_time(phase.not_init);
         if (forced_on != no_net) {
             const NetId pins[] = {permit, forced_on};
             permit = builder.gate(CellType::or_gate, pins, name, "free_of_init");
@@ -78,7 +87,7 @@ void make_gates_phase(AsynchronousBuild& build, const PhaseSignals& phase) {
                              : builder.gate(CellType::and_gate, phase.link, name, "link"));
     }
     if (phase.enclosing != no_net) permits.push_back(phase.enclosing);
-    if (phase.not_au_dur != no_net) permits.push_back(phase.not_au_dur);
+    if (phase.not_au_dur != no_net) permits.push_back(in_time(phase.not_au_dur));
 
     if (permits.empty()) {
         builder.drive(phase.x, CellType::or_gate, causes);

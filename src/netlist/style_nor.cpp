@@ -3,7 +3,11 @@
 // is lost, against rule 5. It is kept so that this can be shown.
 //
 //     X = NOR(r1, r2, …, Q)         r: the terms of CDX
-//     Q = NOR(s1, s2, …, X)         s: the clearing conditions of the transitions into the step
+//     Q = NOR(s1, s2, …, X)         s: one AND per transition into the step, 1 while it is cleared
+//
+// Every s also takes in the complements of all r: the set is blocked while the latch is being
+// reset. Without that both halves of the latch would be 0 while S = R = 1, and race when S and R
+// end together.
 
 #include "netlist/asynchronous.h"
 
@@ -17,8 +21,8 @@ class NorPhase {
         : builder_(build.builder), build_(build), phase_(phase), name_(build.step_name(phase.x)) {}
 
     void make() {
-        make_sets();
         make_resets();
+        make_sets();
         const NetId complement = builder_.add_net(name_, "q");
         resets_.push_back(complement);
         builder_.drive(phase_.x, CellType::nor_gate, resets_);
@@ -30,17 +34,19 @@ class NorPhase {
     }
 
   private:
+    void add_set(std::vector<NetId> pins, const std::string& role) {
+        for (const NetId reset : resets_) pins.push_back(builder_.inverted(reset));
+        sets_.push_back(builder_.gate(CellType::and_gate, pins, name_, role));
+    }
+
     void make_sets() {
         for (const TransitionId into : phase_.into) {
-            sets_.push_back(build_.clearing_net(into));
+            add_set(build_.clearing_factors(into),
+                    "set" + build_.equations.grafcet->transitions[into].name);
         }
-        if (phase_.initial && phase_.init != no_net) sets_.push_back(phase_.init);
-        if (phase_.forced_on != no_net) sets_.push_back(phase_.forced_on);
-        if (!phase_.link.empty()) {
-            sets_.push_back(phase_.link.size() == 1
-                                ? phase_.link[0]
-                                : builder_.gate(CellType::and_gate, phase_.link, name_, "link"));
-        }
+        if (phase_.initial && phase_.init != no_net) add_set({phase_.init}, "init");
+        if (phase_.forced_on != no_net) add_set({phase_.forced_on}, "forced");
+        if (!phase_.link.empty()) add_set(phase_.link, "link");
     }
 
     void make_resets() {

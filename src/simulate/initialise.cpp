@@ -9,7 +9,8 @@
 // The reference deems all inputs to have been what they are since always: nothing has an edge at
 // the start, and stored outputs, vars and time conditions are 0. So pulse cells are held, and every
 // cell or net that has an initial value is held at it while the gates work out the rest. With modes
-// the situation comes about as on a real machine, by Init = 1 alone; without, the steps are held too.
+// the situation comes about as on a real machine, by Init = 1 alone; without, the steps are held too,
+// and let go as the first instant begins: what evolves from the initial situation belongs to that.
 //
 // The control inputs are no exception to "since always", although Init has to be 1 first: an edge
 // of Init or AUdur in a receptivity must not see the first instant as a change. Where there are
@@ -131,7 +132,8 @@ class Initialisation {
         set_all(inputs);
         hold_memories();
         if (!has_init) hold_steps();
-        Settling settling = settle_and_release();
+        Settling settling = simulator_.settle();
+        simulator_.release_all();
         if (!has_init || !settling.settled || is_known()) return settling;
         set_controls(Logic::one);
         settling = simulator_.clock_cycle();

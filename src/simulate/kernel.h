@@ -146,7 +146,7 @@ class Simulator::Kernel {
     Logic aimed_value(const Node& node) const {
         return node.pending == no_change ? node.value : static_cast<Logic>(node.pending);
     }
-    Tick& due_tick(std::uint32_t net);
+    Tick due_tick(std::uint32_t net) const;
 
     /// A list that is filled without asking for room: it has room for every node once.
     struct NodeList {

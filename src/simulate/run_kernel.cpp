@@ -105,7 +105,7 @@ void Simulator::Kernel::change_now(std::uint32_t net, Logic value) {
     ++changes_;
 }
 
-Tick& Simulator::Kernel::due_tick(std::uint32_t net) {
+Tick Simulator::Kernel::due_tick(std::uint32_t net) const {
     const Node& node = nodes_[net];
     if (node.type == CellType::rise_pulse || node.type == CellType::fall_pulse) {
         return pulses_[memories_[node.memory].detail].due;
@@ -274,14 +274,12 @@ void Simulator::Kernel::take_snapshot(Snapshot& snapshot) const {
     }
     wheel_.for_each([&](std::uint32_t net) {
         const Node& node = nodes_[net];
-        if (node.pending == no_change || timings_.empty()) return;
-        coming.push_back({timings_[net].due - tick_, net, node.pending});
+        if (node.pending != no_change) {
+            coming.push_back({due_tick(net) - tick_, net, node.pending});
+        }
     });
     for (const Pulse& pulse : pulses_) {
         const std::uint32_t net = memories_[pulse.memory].node;
-        if (nodes_[net].pending != no_change) {
-            coming.push_back({pulse.due - tick_, net, nodes_[net].pending});
-        }
         const std::array<Tick, 4> bounds{pulse.certain_from, pulse.certain_to, pulse.possible_from,
                                          pulse.possible_to};
         for (std::uint32_t i = 0; i < bounds.size(); ++i) {

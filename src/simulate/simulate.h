@@ -45,7 +45,9 @@ PortMap map_ports(const Grafcet& grafcet, const Netlist& netlist);
 /// Brings a netlist from power-up to the state it starts in: with modes Init is 1 and the other
 /// controls 0 until it has settled; without, the steps are held at the initial situation until it
 /// has settled. The inputs have these values since always (three-valued; declared inputs, Init,
-/// AUdur, AUdoux). Init is left at 1 where there are modes: the first instant sets it.
+/// AUdur, AUdoux). Init is left at 1 where there are modes (but for clocked netlists): the first
+/// instant sets it. What evolves at once from the initial situation is left to the settle() of the
+/// first instant, so nothing is to be saved before. The clock of the simulation stands at 0 then.
 Settling initialise(Simulator& simulator, const Grafcet& grafcet, const Netlist& netlist,
                     const PortMap& ports, const std::vector<Logic>& inputs);
 

@@ -210,7 +210,9 @@ TEST_CASE("random expressions: the minimised form is equal") {
             pairs.emplace_back(receptivity, minimised(equations.expressions, receptivity));
         for (int round = 0; round < 200; ++round) {
             const Assignment values = random_assignment(grafcet, equations, random);
-            for (const auto& [written, smaller] : pairs) {
+            for (const auto& pair : pairs) {
+                const ExprId written = pair.first;
+                const ExprId smaller = pair.second;
                 REQUIRE(smaller != no_expr);
                 CHECK(evaluate(equations.expressions, written, values) ==
                       evaluate(equations.expressions, smaller, values));

@@ -132,7 +132,7 @@ TEST_CASE("written and read back, the charts stay the same") {
         CHECK(messages_of(once).empty());
         CHECK(write_grafcet(parsed(once)) == once);
     }
-    CHECK(write_grafcet(parsed(press)).substr(0, 279) == R"(grafcet press "Hierarchy"
+    CHECK(write_grafcet(parsed(press)).find(R"(grafcet press "Hierarchy"
 
 input start, stop, part, up, down
 output press, lamp
@@ -152,5 +152,6 @@ expansion cycle {
   entry E2
   step 21 : press
   exit S2
-)");
+
+)") == 0);
 }

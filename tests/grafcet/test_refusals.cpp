@@ -460,9 +460,8 @@ TEST_CASE("each refusal has its code") {
     CHECK(gives_only(graph("", "b"), Code::unknown_name));
     CHECK(gives_only(graph("", "l . "), Code::unexpected_token));
     CHECK(gives_only(graph("", "l §"), Code::unexpected_character));
-    CHECK(gives_only(graph("", "l\n \""), Code::unexpected_token) == false);
     CHECK(gives_only("grafcet g \"title\n", Code::unterminated_text));
-    CHECK(gives_only("counter c : 0..9999999999999", Code::number_too_large) == false);
+    CHECK(gives_only("counter c : 0..9999999999999", Code::number_too_large));
     CHECK(gives_only(graph("", "[c = 9999999999999]"), Code::number_too_large));
     CHECK(gives_only(graph("", "9999h/a"), Code::duration_out_of_range));
     CHECK(gives_only(graph("", std::string(600, '/') + "a"), Code::nested_too_deep));
@@ -485,7 +484,6 @@ TEST_CASE("each refusal has its code") {
     CHECK(gives_only(graph(": K{*}"), Code::forcing_unknown_graph));
     CHECK(gives_only(graph(": G{2}"), Code::forcing_foreign_step));
     CHECK(gives_only(graph(": H{2}"), Code::forcing_circle));
-    CHECK(gives_only(with("counter d : 3..2"), Code::counter_range) == false);
     CHECK(gives_only("counter d : 3..2", Code::counter_range));
     CHECK(gives_only(graph("", "[a = 1]"), Code::not_a_counter));
     CHECK(gives_only(graph("", "c"), Code::not_a_boolean));

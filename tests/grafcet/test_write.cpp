@@ -156,7 +156,7 @@ TEST_CASE("long declarations are broken between names") {
     for (int i = 0; i < 40; ++i) text += "input_" + std::to_string(i) + ", ";
     text += "last\ngraph G { initial 1 1 -> 1 : last }";
     const std::string written = write_grafcet(parsed(text));
-    CHECK(written.substr(0, 207) ==
+    CHECK(written.substr(0, 206) ==
           "input input_0, input_1, input_2, input_3, input_4, input_5, input_6, input_7, input_8, "
           "input_9,\n      input_10, input_11, input_12, input_13, input_14, input_15, input_16, "
           "input_17, input_18,\n      input_19");

@@ -35,7 +35,7 @@ TEST_CASE("a ring of three inverters oscillates, and its nets are named") {
     bench.set("go", one);
     const Settling settling = bench.simulator.settle();
     CHECK_FALSE(settling.settled);
-    CHECK(names(small, settling.oscillating) == "r3 r1 r2");  // in the order of their ids
+    CHECK(names(small, settling.oscillating) == "r1 r3 r2");  // in the order of their ids
     CHECK(settling.events > 0);
     // The state before can be put back.
     bench.simulator.power_up();
@@ -71,14 +71,14 @@ TEST_CASE("cross-coupled NOR gates released together oscillate with equal delays
         return settling.settled ? std::string("settled")
                                 : names(small, settling.oscillating);
     };
-    CHECK(release() == "nq q");
+    CHECK(release() == "q nq");
     delays.rise[1] = 1001;
     CHECK(release() == "settled");
     delays.rise[0] = 1001;
-    CHECK(release() == "nq q");
+    CHECK(release() == "q nq");
     delays.fall[0] = 300;
     delays.fall[1] = 300;
-    CHECK(release() == "nq q");
+    CHECK(release() == "q nq");
 }
 
 TEST_CASE("two rings of different periods come back together") {
@@ -165,7 +165,10 @@ TEST_CASE("a counter of gates runs through all its states before it comes back")
         clock = "n" + q;
     }
     Bench bench(small);
+    // The first clock edge after power-up is none that is known of.
+    for (int i = 0; i < bits; ++i) bench.simulator.force(small.net("q" + std::to_string(i)), zero);
     bench.step("go", zero);
+    bench.simulator.release_all();
     CHECK(bench.get("q7") == zero);
     bench.set("go", one);
     const Settling settling = bench.simulator.settle();

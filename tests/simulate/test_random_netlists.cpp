@@ -36,6 +36,7 @@ Logic naive_gate(const Netlist& netlist, const Cell& cell, const Values& values)
         case CellType::nand_gate: return inverted(conjunction);
         case CellType::nor_gate:
         case CellType::inverter: return inverted(disjunction);
+        case CellType::high: return one;
         case CellType::xor_gate: return doubt ? unknown : odd ? one : zero;
         default: return disjunction;
     }

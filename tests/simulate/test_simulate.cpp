@@ -86,7 +86,7 @@ TEST_CASE("the first instant that does not settle ends the run") {
     const Grafcet grafcet = grafcet_of(two_steps_text);
     SmallNetlist small = two_steps_netlist(true);
     small.cell(CellType::nand_gate, "ring", {"b", "ring"});
-    const SimulateResult result = run(small, grafcet, "1ms : a=1\n2ms : b=1\n3ms : b=0\n");
+    const SimulateResult result = run(small, grafcet, "1ms : a=1\n2ms : a=0 b=1\n3ms : b=0\n");
     REQUIRE(result.unsettled_at.has_value());
     CHECK(*result.unsettled_at == 2 * millisecond);
     CHECK(result.oscillating == std::vector<NetId>{small.net("ring")});

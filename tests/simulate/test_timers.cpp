@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <memory>
+
 #include "small_netlist.h"
 
 using namespace grafwire;

@@ -60,7 +60,7 @@ SmallNetlist two_steps_clocked() {
     small.input("a");
     small.clock("clk");
     small.netlist.has_modes = false;
-    small.timed(CellType::scan_timer, "t", {"X1", "clk"}, {3 * millisecond, 0, 0}, zero);
+    small.timed(CellType::scan_timer, "t", {"d1", "clk"}, {3 * millisecond, 0, 0}, zero);
     small.cell(CellType::inverter, "/a", {"a"});
     small.cell(CellType::inverter, "/t", {"t"});
     small.cell(CellType::and_gate, "s1", {"X0", "a"});

@@ -219,9 +219,9 @@ TEST_CASE("any bytes give stimuli or errors, and stimuli can be written and read
         REQUIRE(stimuli.has_value() != diagnostics.has_errors());
         if (!stimuli) continue;
         ++accepted;
-        Diagnostics none;
+        Diagnostics silent;
         const auto again =
-            parse_stimuli({"t.stim", write_stimuli(*stimuli, grafcet)}, grafcet, none);
+            parse_stimuli({"t.stim", write_stimuli(*stimuli, grafcet)}, grafcet, silent);
         REQUIRE(again.has_value());
         REQUIRE(shown(*again) == shown(*stimuli));
     }
