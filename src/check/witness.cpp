@@ -93,8 +93,8 @@ std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& n
     return witness;
 }
 
-/// A scan period that leaves room for a hundred scans between two changes of the inputs, and for not
-/// more than some hundred thousand rows altogether.
+/// A scan period that leaves room for a hundred scans between two changes of the inputs, and for
+/// not more than some hundred thousand rows altogether.
 Time scan_period_for(const Stimuli& stimuli) {
     Time spacing = 100 * millisecond;
     for (std::size_t i = 1; i < stimuli.changes.size(); ++i) {

@@ -32,16 +32,32 @@ std::uint64_t hash_of(const Sum& sum) {
 
 template <typename Same>
 ExprId Expressions::find(std::uint64_t hash, const Same& same) const {
-    const auto [first, last] = interned_.equal_range(hash);
-    for (auto it = first; it != last; ++it)
-        if (same(node(it->second))) return it->second;
+    if (slots_.empty()) return no_expr;
+    const std::size_t mask = slots_.size() - 1;
+    const auto short_hash = static_cast<std::uint32_t>(hash);
+    for (std::size_t i = short_hash & mask; slots_[i].id != no_expr; i = (i + 1) & mask)
+        if (slots_[i].hash == short_hash && same(node(slots_[i].id))) return slots_[i].id;
     return no_expr;
 }
 
-ExprId Expressions::add(const Node& node, std::uint64_t hash) {
+void Expressions::insert(const Slot& slot) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = slot.hash & mask;
+    while (slots_[i].id != no_expr) i = (i + 1) & mask;
+    slots_[i] = slot;
+}
+
+ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
+    constexpr std::size_t smallest_table = 64;
     const auto id = static_cast<ExprId>(nodes_.size());
-    nodes_.push_back(node);
-    interned_.emplace(hash, id);
+    nodes_.push_back(new_node);
+    if (2 * nodes_.size() > slots_.size()) {
+        std::vector<Slot> old(std::max(2 * slots_.size(), smallest_table));
+        old.swap(slots_);
+        for (const Slot& slot : old)
+            if (slot.id != no_expr) insert(slot);
+    }
+    insert({static_cast<std::uint32_t>(hash), id});
     return id;
 }
 

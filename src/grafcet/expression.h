@@ -3,7 +3,6 @@
 #include <compare>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "text/time.h"
@@ -135,7 +134,7 @@ class Expressions {
     /// The node that `same` recognises among those with this hash, or no_expr.
     template <typename Same>
     ExprId find(std::uint64_t hash, const Same& same) const;
-    ExprId add(const Node& node, std::uint64_t hash);
+    ExprId add(const Node& new_node, std::uint64_t hash);
     ExprId leaf(const Node& node);
     ExprId with_operands(ExprKind kind, std::span<const ExprId> operands);
 
@@ -145,7 +144,13 @@ class Expressions {
     std::vector<Comparison> comparisons_;
     std::vector<ExprId> edges_;
     std::vector<ExprId> time_condition_ids_;
-    std::unordered_multimap<std::uint64_t, ExprId> interned_;
+    /// Open addressing with linear probing; the size is a power of two, at most half of it used.
+    struct Slot {
+        std::uint32_t hash = 0;
+        ExprId id = no_expr;  ///< no_expr: free
+    };
+    std::vector<Slot> slots_;
+    void insert(const Slot& slot);
 };
 
 }  // namespace grafwire

@@ -11,8 +11,11 @@ Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays) {
     assert(count < (std::size_t{1} << 30U));
     assert(delays.rise.size() == netlist.cells.size());
     assert(delays.fall.size() == netlist.cells.size());
-    nodes_.resize(count);
+    words_.resize(count, undriven_flag);
+    readers_.resize(count);
     values_.resize(count, Logic::unknown);
+    types_.resize(count, CellType::buffer);
+    memory_of_.resize(count, no_memory);
     touched_.items.resize(count + 1);
     choose_slot(netlist, delays);
     for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
@@ -61,9 +64,9 @@ void Simulator::Kernel::choose_slot(const Netlist& netlist, const CellDelays& de
 void Simulator::Kernel::add_cell(const Netlist& netlist, const CellDelays& delays, CellId id) {
     const Cell& cell = netlist.cells[id];
     const auto net = static_cast<std::uint32_t>(cell.output);
-    Node& node = nodes_[net];
-    node.type = cell.type;
-    node.table = is_gate(cell.type) ? gate_rule(cell.type).table : special;
+    assert(cell.pin_count <= most_pins);
+    types_[net] = cell.type;
+    words_[net] = is_gate(cell.type) ? table_of(cell.type) : special_flag;
     if (!uniform_) {
         timings_[net].rise = delays.rise[index_of(id)] / slot_;
         timings_[net].fall = delays.fall[index_of(id)] / slot_;
@@ -98,7 +101,7 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
         due_.push_back(never);
         towards_.push_back(Logic::unknown);
     }
-    nodes_[memory.node].memory = number;
+    memory_of_[memory.node] = number;
     memories_.push_back(memory);
 }
 
@@ -116,18 +119,16 @@ void Simulator::Kernel::link_readers(const Netlist& netlist) {
             static_cast<std::uint32_t>(gate_rule(cell.type).controlling_value);
         for (const NetId pin : netlist.pins_of(cell)) readers[filled[index_of(pin)]++] = entry;
     }
-    for (std::size_t net = 0; net < nodes_.size(); ++net) {
-        Node& node = nodes_[net];
-        const std::uint32_t count = first[net + 1] - first[net];
-        if (count <= node.readers.size()) {
-            node.reader_count = static_cast<std::uint8_t>(count);
-            std::copy_n(readers.begin() + first[net], count, node.readers.begin());
+    for (std::size_t net = 0; net < readers_.size(); ++net) {
+        Readers& own = readers_[net];
+        const auto begin = readers.begin() + first[net];
+        own.count = first[net + 1] - first[net];
+        if (own.count <= own.readers.size()) {
+            std::copy_n(begin, own.count, own.readers.begin());
         } else {
-            node.reader_count = listed;
-            node.readers[0] = static_cast<std::uint32_t>(more_readers_.size());
-            more_readers_.insert(more_readers_.end(), readers.begin() + first[net],
-                                 readers.begin() + first[net + 1]);
-            node.readers[1] = static_cast<std::uint32_t>(more_readers_.size());
+            own.readers[0] = static_cast<std::uint32_t>(more_readers_.size());
+            more_readers_.insert(more_readers_.end(), begin, begin + own.count);
+            own.readers[1] = static_cast<std::uint32_t>(more_readers_.size());
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "netlist/netlist.h"
+#include "simulate/cell_word.h"
 #include "simulate/evaluate_cell.h"
 #include "simulate/event_wheel.h"
 #include "simulate/oscillation.h"
@@ -44,38 +45,22 @@ class Simulator::Kernel {
     void observe(Observer observer) { observer_ = std::move(observer); }
 
   private:
-    /// `pending`: no change is on its way. As the target of an evaluation: leave things as they are.
+    /// No change is pending. As the target of an evaluation: leave things as they are.
     static constexpr std::uint8_t no_change = 3;
-    /// `table`: evaluated by evaluate_special.
-    static constexpr std::uint8_t special = 0x80;
-    /// `table`: an input port.
-    static constexpr std::uint8_t undriven = 0xc0;
-    /// `readers`: there are more than fit.
-    static constexpr std::uint8_t listed = 0xff;
     static constexpr std::uint32_t no_memory = 0xffffffffU;
 
-    /// What is touched when a net changes, in half a cache line.
-    struct alignas(32) Node {
-        InputSum sum = 0;  ///< see evaluate_cell.h
-        /// Who reads the net, one entry per pin: twice the node number, plus the controlling value
-        /// of the reader. Where `reader_count` is `listed`: first and end in more_readers_.
+    /// Who reads a net, one entry per pin: twice the node number, plus the controlling value of the
+    /// reader. More than three stand in more_readers_, from readers[0] to before readers[1].
+    struct Readers {
         std::array<std::uint32_t, 3> readers{};
-        std::uint8_t reader_count = 0;
-        Logic value = Logic::unknown;
-        std::uint8_t pending = no_change;
-        std::uint8_t table = undriven;
-        bool touched = false;  ///< in touched_, to be evaluated at the end of the moment
-        bool forced = false;
-        CellType type = CellType::buffer;
-        std::uint32_t memory = no_memory;  ///< index into memories_, for cells with pins of meaning
+        std::uint32_t count = 0;
     };
-    static_assert(sizeof(Node) == 32);
-
-    /// Delays of a node in ticks, and when its pending change is due. Only where delays differ.
+    /// Delays of a node in ticks, and its pending change. Only where delays differ.
     struct NodeTiming {
         Tick due = 0;
         Tick rise = 1;
         Tick fall = 1;
+        std::uint8_t pending = no_change;
     };
     /// A cell that is evaluated from its pins.
     struct MemoryCell {
@@ -92,6 +77,7 @@ class Simulator::Kernel {
         Tick delay = 1;
         Tick width = 1;
         Tick due = 0;
+        std::uint8_t pending = no_change;
         Tick certain_from = 0;
         Tick certain_to = 0;
         Tick possible_from = 0;
@@ -129,9 +115,10 @@ class Simulator::Kernel {
     void touch(std::uint32_t net);
     void change_unseen(std::uint32_t net, Logic value);
     void change_now(std::uint32_t net, Logic value);
+    void drop_change(std::uint32_t net);
     void drop_pending(std::uint32_t net);
     void drop_all_pending();
-    void take_snapshot(Snapshot& snapshot) const;
+    void take_snapshot(Snapshot& snapshot);
     bool is_live() const { return next_.size != 0 || live_ != 0; }
 
     // memory_cells.cpp
@@ -143,10 +130,24 @@ class Simulator::Kernel {
     void fire(Pulse& pulse, Edge edge);
     void aim_pulse(Pulse& pulse);
     static Logic pulse_value(const Pulse& pulse, Tick tick);
-    Logic aimed_value(const Node& node) const {
-        return node.pending == no_change ? node.value : static_cast<Logic>(node.pending);
+    Logic aimed_value(std::uint32_t net) const;
+
+    bool is_pulse(std::uint32_t net) const {
+        return types_[net] == CellType::rise_pulse || types_[net] == CellType::fall_pulse;
     }
     Tick due_tick(std::uint32_t net) const;
+    std::uint8_t& pending(std::uint32_t net);
+
+    template <typename Visit>
+    void for_each_reader(std::uint32_t net, Visit visit) const {
+        const Readers& readers = readers_[net];
+        if (readers.count <= readers.readers.size()) [[likely]] {
+            for (std::uint32_t i = 0; i < readers.count; ++i) visit(readers.readers[i]);
+        } else {
+            const std::uint32_t* const more = more_readers_.data();
+            for (std::uint32_t i = readers.readers[0]; i < readers.readers[1]; ++i) visit(more[i]);
+        }
+    }
 
     /// A list that is filled without asking for room: it has room for every node once.
     struct NodeList {
@@ -154,9 +155,14 @@ class Simulator::Kernel {
         std::size_t size = 0;
     };
 
-    std::vector<Node> nodes_;
+    // Per node. What a change of a net touches comes first: its readers and their words.
+    std::vector<CellWord> words_;
+    std::vector<Readers> readers_;
+    std::vector<Logic> values_;  ///< those in the words once more, for save() and restore()
+    std::vector<CellType> types_;
+    std::vector<std::uint32_t> memory_of_;  ///< index into memories_, for cells with pins of meaning
+
     std::vector<std::uint32_t> more_readers_;
-    std::vector<Logic> values_;  ///< of the nodes once more, for save() and restore()
     std::vector<MemoryCell> memories_;
     std::vector<Pulse> pulses_;
     NodeList touched_;

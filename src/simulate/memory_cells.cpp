@@ -16,26 +16,28 @@
 namespace grafwire {
 
 std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
-    Node& node = nodes_[net];
-    if (node.memory == no_memory) {
-        const bool is_xor = node.type == CellType::xor_gate && !node.forced;
-        return is_xor ? static_cast<std::uint8_t>(xor_value(node.sum)) : no_change;
+    const bool is_forced = (words_[net] & forced_flag) != 0;
+    if (memory_of_[net] == no_memory) {
+        const bool is_xor = types_[net] == CellType::xor_gate && !is_forced;
+        return is_xor ? static_cast<std::uint8_t>(xor_value(words_[net])) : no_change;
     }
-    MemoryCell& cell = memories_[node.memory];
+    MemoryCell& cell = memories_[memory_of_[net]];
     const Logic data = values_[cell.data];
     const Logic control = values_[cell.control];
     std::uint8_t target = no_change;
-    switch (node.type) {
+    switch (types_[net]) {
         case CellType::latch:
-            target = static_cast<std::uint8_t>(latch_value(data, control, node.value));
+            target = static_cast<std::uint8_t>(latch_value(data, control, values_[net]));
             break;
         case CellType::hold_latch:
-            target = static_cast<std::uint8_t>(hold_latch_value(data, control, node.value));
+            target = static_cast<std::uint8_t>(hold_latch_value(data, control, values_[net]));
             break;
         case CellType::flip_flop: target = evaluate_flip_flop(cell); break;
-        case CellType::scan_timer: target = evaluate_scan_timer(cell); break;
+        case CellType::scan_timer:
+            if (!is_forced) target = evaluate_scan_timer(cell);
+            break;
         case CellType::timer:
-            if (!node.forced) target = evaluate_timer(cell.detail, data, aimed_value(node));
+            if (!is_forced) target = evaluate_timer(cell.detail, data, aimed_value(net));
             break;
         case CellType::rise_pulse:
         case CellType::fall_pulse: evaluate_pulse(cell); break;
@@ -43,11 +45,17 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
     }
     if (!(pulses_held_ && pulses_remember_)) cell.data_seen = data;
     cell.control_seen = control;
-    return node.forced ? no_change : target;
+    return is_forced ? no_change : target;
+}
+
+/// What the output of a cell is, or is about to be.
+Logic Simulator::Kernel::aimed_value(std::uint32_t net) const {
+    if (uniform_ || timings_[net].pending == no_change) return values_[net];
+    return static_cast<Logic>(timings_[net].pending);
 }
 
 std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
-    const Logic held = aimed_value(nodes_[cell.node]);
+    const Logic held = aimed_value(cell.node);
     switch (rise_between(cell.control_seen, values_[cell.control])) {
         case Edge::none: return no_change;
         case Edge::certain: return static_cast<std::uint8_t>(cell.data_seen);
@@ -84,9 +92,7 @@ std::uint8_t Simulator::Kernel::evaluate_timer(std::size_t timer, Logic operand,
 }
 
 std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
-    const Node& node = nodes_[cell.node];
-    if (node.forced) return no_change;
-    const Logic aimed = aimed_value(node);
+    const Logic aimed = aimed_value(cell.node);
     Time& due = due_[cell.detail];
     switch (rise_between(cell.control_seen, values_[cell.control])) {
         case Edge::none: return no_change;
@@ -110,7 +116,7 @@ Logic Simulator::Kernel::pulse_value(const Pulse& pulse, Tick tick) {
 
 void Simulator::Kernel::evaluate_pulse(MemoryCell& cell) {
     const Logic input = values_[cell.data];
-    const Edge edge = nodes_[cell.node].type == CellType::rise_pulse
+    const Edge edge = types_[cell.node] == CellType::rise_pulse
                           ? rise_between(cell.data_seen, input)
                           : fall_between(cell.data_seen, input);
     Pulse& pulse = pulses_[cell.detail];
@@ -130,18 +136,14 @@ void Simulator::Kernel::fire(Pulse& pulse, Edge edge) {
 /// Makes the next moment at which the output differs from what it is the pending change.
 void Simulator::Kernel::aim_pulse(Pulse& pulse) {
     const std::uint32_t net = memories_[pulse.memory].node;
-    Node& node = nodes_[net];
-    if (node.pending != no_change) {
-        node.pending = no_change;
-        --live_;
-    }
+    drop_change(net);
     std::array<Tick, 4> bounds{pulse.certain_from, pulse.certain_to, pulse.possible_from,
                                pulse.possible_to};
     std::sort(bounds.begin(), bounds.end());
     for (const Tick bound : bounds) {
-        if (bound <= tick_ || pulse_value(pulse, bound) == node.value) continue;
+        if (bound <= tick_ || pulse_value(pulse, bound) == values_[net]) continue;
         pulse.due = bound;
-        node.pending = static_cast<std::uint8_t>(pulse_value(pulse, bound));
+        pulse.pending = static_cast<std::uint8_t>(pulse_value(pulse, bound));
         ++live_;
         wheel_.add_far(bound, net);
         return;

@@ -11,15 +11,17 @@
 // simultaneous changes are simultaneous, and the order of cells in the netlist decides nothing.
 //
 // What makes it fast:
-// - Node and cell are one 32-byte record that also holds up to three readers, so a change of a net
-//   touches its own record and those of its readers, and a list of readers only for greater fan-out.
-// - Gates keep a sum of their inputs (evaluate_cell.h): applying a change adds one number to the sum
-//   of each reader, and evaluation is a look-up, whatever the number of pins.
-// - Both phases write into lists without a branch: the entry is always written, and the size grows
-//   by a condition. Mispredicted branches were half the time otherwise.
+// - Node and cell are one number. A change of a net touches 16 bytes that hold up to three readers,
+//   and the word (cell_word.h) of each reader; lists of readers are there for greater fan-out only.
+// - Applying a change adds one number to the word of each reader; if that leaves the row of its table
+//   as it was, the reader need not even be evaluated, and evaluation is a look-up. So an input
+//   that is read by 100 000 gates costs little where it decides none of them.
+// - Lists are written without a branch: the entry is always written, and the size grows by a
+//   condition.
 // - If all delays are equal there is no wheel at all but two lists, and a gate can have no pending
 //   change when it is evaluated: whatever it was aiming at has just been applied.
 // - What is not always there (observer, watch for oscillation, unequal delays) is compiled out.
+// MEASURED
 //
 // A cell has one pending change at most (inertial delay): a re-evaluation that gives the present
 // value again cancels it. If it gives `unknown` while a known value is on its way, that becomes
@@ -30,25 +32,6 @@ namespace grafwire {
 
 namespace {
 
-/// What a change adds to the sums of readers with controlling value 0 and 1, by old and new value.
-struct Shares {
-    std::array<InputSum, 2> of;
-};
-constexpr std::array<Shares, 16> make_share_table() {
-    std::array<Shares, 16> table{};
-    for (unsigned from = 0; from < 3; ++from) {
-        for (unsigned to = 0; to < 3; ++to) {
-            for (unsigned control = 0; control < 2; ++control) {
-                table[4 * from + to].of[control] =
-                    contribution(static_cast<Logic>(control), static_cast<Logic>(to)) -
-                    contribution(static_cast<Logic>(control), static_cast<Logic>(from));
-            }
-        }
-    }
-    return table;
-}
-constexpr std::array<Shares, 16> share_table = make_share_table();
-
 /// Moments of one settle() before the watch for oscillation begins.
 constexpr std::uint64_t patience = 64;
 constexpr std::size_t read_ahead = 12;
@@ -58,37 +41,30 @@ constexpr std::size_t read_ahead = 12;
 template <bool observed, bool watched>
 inline void Simulator::Kernel::change(std::uint32_t net, Logic value,
                                       [[maybe_unused]] RecurrenceWatch* watch) {
-    Node* const nodes = nodes_.data();
-    Node& node = nodes[net];
-    const Logic before = node.value;
-    if constexpr (watched) watch->note(net, before, value);
-    node.value = value;
+    CellWord* const words = words_.data();
+    const unsigned before = value_in(words[net]);
+    if constexpr (watched) watch->note(net, static_cast<Logic>(before), value);
+    words[net] = with_value(words[net], value);
     values_[net] = value;
-    const Shares shares =
-        share_table[4 * static_cast<std::size_t>(before) + static_cast<std::size_t>(value)];
+    const Shares shares = share_table[4 * before + static_cast<unsigned>(value)];
     std::uint32_t* const touched = touched_.items.data();
     std::size_t size = touched_.size;
-    const auto tell = [&](std::uint32_t reader) {
-        Node& cell = nodes[reader >> 1U];
-        cell.sum += shares.of[reader & 1U];
+    for_each_reader(net, [&](std::uint32_t reader) {
+        const CellWord old = words[reader >> 1U];
+        const CellWord now = old + shares[reader & 1U];
+        const bool decides = table_row(old) != table_row(now) || (now & special_flag) != 0;
         touched[size] = reader >> 1U;
-        size += static_cast<std::size_t>(!cell.touched);
-        cell.touched = true;
-    };
-    if (node.reader_count <= 3) [[likely]] {
-        for (unsigned i = 0; i < node.reader_count; ++i) tell(node.readers[i]);
-    } else {
-        const std::uint32_t* const readers = more_readers_.data();
-        for (std::uint32_t i = node.readers[0]; i < node.readers[1]; ++i) tell(readers[i]);
-    }
+        size += static_cast<std::size_t>(decides && (old & touched_flag) == 0);
+        words[reader >> 1U] = now | (decides ? touched_flag : 0);
+    });
     touched_.size = size;
     if constexpr (observed) observer_(now(), static_cast<NetId>(net), value);
 }
 
 void Simulator::Kernel::touch(std::uint32_t net) {
     touched_.items[touched_.size] = net;
-    touched_.size += static_cast<std::size_t>(!nodes_[net].touched);
-    nodes_[net].touched = true;
+    touched_.size += static_cast<std::size_t>((words_[net] & touched_flag) == 0);
+    words_[net] |= touched_flag;
 }
 
 void Simulator::Kernel::change_unseen(std::uint32_t net, Logic value) {
@@ -96,7 +72,7 @@ void Simulator::Kernel::change_unseen(std::uint32_t net, Logic value) {
 }
 
 void Simulator::Kernel::change_now(std::uint32_t net, Logic value) {
-    if (nodes_[net].value == value) return;
+    if (values_[net] == value) return;
     if (observer_) {
         change<true, false>(net, value, nullptr);
     } else {
@@ -106,59 +82,56 @@ void Simulator::Kernel::change_now(std::uint32_t net, Logic value) {
 }
 
 Tick Simulator::Kernel::due_tick(std::uint32_t net) const {
-    const Node& node = nodes_[net];
-    if (node.type == CellType::rise_pulse || node.type == CellType::fall_pulse) {
-        return pulses_[memories_[node.memory].detail].due;
-    }
-    return timings_[net].due;
+    return is_pulse(net) ? pulses_[memories_[memory_of_[net]].detail].due : timings_[net].due;
+}
+
+/// The pending change of a pulse cell, or where delays are unequal of any cell.
+std::uint8_t& Simulator::Kernel::pending(std::uint32_t net) {
+    return is_pulse(net) ? pulses_[memories_[memory_of_[net]].detail].pending
+                         : timings_[net].pending;
 }
 
 /// Unequal delays: the output of a cell is to become `target`.
 void Simulator::Kernel::aim(std::uint32_t net, Logic target) {
-    Node& node = nodes_[net];
     NodeTiming& timing = timings_[net];
-    if (node.pending != no_change) {
-        const auto pending = static_cast<Logic>(node.pending);
+    const Logic present = values_[net];
+    if (timing.pending != no_change) {
+        const auto pending = static_cast<Logic>(timing.pending);
         if (target == pending) return;
-        if (target == node.value) {
-            node.pending = no_change;
-            --live_;
+        if (target != present && target == Logic::unknown) {
+            timing.pending = static_cast<std::uint8_t>(Logic::unknown);
             return;
         }
-        if (target == Logic::unknown) {
-            node.pending = static_cast<std::uint8_t>(Logic::unknown);
-            return;
-        }
-        if (pending == Logic::unknown) return;
-        node.pending = no_change;
+        if (target != present && pending == Logic::unknown) return;
+        timing.pending = no_change;
         --live_;
     }
-    if (target == node.value) return;
-    const bool rises = target == Logic::one || node.value == Logic::zero;
+    if (target == present) return;
+    const bool rises = target == Logic::one || present == Logic::zero;
     timing.due = tick_ + (rises ? timing.rise : timing.fall);
-    node.pending = static_cast<std::uint8_t>(target);
+    timing.pending = static_cast<std::uint8_t>(target);
     ++live_;
     wheel_.add(tick_, timing.due, net);
 }
 
 template <bool uniform>
 void Simulator::Kernel::evaluate_touched() {
-    Node* const nodes = nodes_.data();
+    CellWord* const words = words_.data();
     const std::uint32_t* const touched = touched_.items.data();
     std::uint32_t* const next = next_.items.data();
     std::size_t size = next_.size;
     for (std::size_t i = 0; i < touched_.size; ++i) {
         const std::uint32_t net = touched[i];
-        Node& node = nodes[net];
-        node.touched = false;
-        unsigned target = look_up(node.table, node.sum);
-        if (node.table >= special) [[unlikely]] {
+        const CellWord word = words[net];
+        words[net] = word & ~touched_flag;
+        unsigned target = look_up(word);
+        if ((word & special_flag) != 0) [[unlikely]] {
             target = evaluate_special(net);
             if (target == no_change) continue;
         }
         if constexpr (uniform) {
             next[size] = net << 2U | target;
-            size += static_cast<std::size_t>(target != static_cast<unsigned>(node.value));
+            size += static_cast<std::size_t>(target != value_in(word));
         } else {
             aim(net, static_cast<Logic>(target));
         }
@@ -173,7 +146,8 @@ void Simulator::Kernel::apply_current(RecurrenceWatch* watch) {
     const std::uint32_t* const entries = current_.items.data();
     const std::size_t size = current_.size;
     for (std::size_t i = 0; i < size; ++i) {
-        __builtin_prefetch(&nodes_[entries[i + read_ahead] >> 2U], 1);
+        __builtin_prefetch(&readers_[entries[i + read_ahead] >> 2U]);
+        __builtin_prefetch(&words_[entries[i + read_ahead] >> 2U], 1);
         change<observed, watched>(entries[i] >> 2U, static_cast<Logic>(entries[i] & 3U), watch);
     }
     changes_ += size;
@@ -184,10 +158,10 @@ template <bool observed, bool watched>
 void Simulator::Kernel::apply_wheel(RecurrenceWatch* watch) {
     const std::vector<std::uint32_t>& entries = wheel_.list(tick_);
     for (const std::uint32_t net : entries) {
-        Node& node = nodes_[net];
-        if (node.pending == no_change || timings_[net].due != tick_) continue;
-        const auto value = static_cast<Logic>(node.pending);
-        node.pending = no_change;
+        NodeTiming& timing = timings_[net];
+        if (timing.pending == no_change || timing.due != tick_) continue;
+        const auto value = static_cast<Logic>(timing.pending);
+        timing.pending = no_change;
         --live_;
         ++changes_;
         change<observed, watched>(net, value, watch);
@@ -200,10 +174,9 @@ template <bool observed, bool watched>
 void Simulator::Kernel::apply_far(RecurrenceWatch* watch) {
     while (wheel_.next_far() <= tick_) {
         const std::uint32_t net = wheel_.take_far();
-        Node& node = nodes_[net];
-        if (node.pending == no_change || due_tick(net) != tick_) continue;
-        const auto value = static_cast<Logic>(node.pending);
-        node.pending = no_change;
+        if (pending(net) == no_change || due_tick(net) != tick_) continue;
+        const auto value = static_cast<Logic>(pending(net));
+        pending(net) = no_change;
         --live_;
         ++changes_;
         change<observed, watched>(net, value, watch);
@@ -229,7 +202,7 @@ inline void Simulator::Kernel::next_moment(RecurrenceWatch* watch) {
 template <bool uniform, bool observed>
 Settling Simulator::Kernel::run() {
     Settling settling;
-    const std::uint64_t enough = changes_ + nodes_.size() / 8;
+    const std::uint64_t enough = changes_ + words_.size() / 8;
     evaluate_touched<uniform>();
     for (std::uint64_t moments = 0; is_live(); ++moments) {
         if (moments >= patience && changes_ >= enough) {
@@ -249,7 +222,7 @@ template <bool uniform, bool observed>
 void Simulator::Kernel::watch(Settling& settling) {
     Snapshot present;
     take_snapshot(present);
-    RecurrenceWatch watch(nodes_.size(), std::move(present));
+    RecurrenceWatch watch(words_.size(), std::move(present));
     while (is_live()) {
         next_moment<uniform, observed, true>(&watch);
         if (watch.came_back([this](Snapshot& snapshot) { take_snapshot(snapshot); })) {
@@ -265,7 +238,7 @@ Settling Simulator::Kernel::settle() {
     return observer_ ? run<false, true>() : run<false, false>();
 }
 
-void Simulator::Kernel::take_snapshot(Snapshot& snapshot) const {
+void Simulator::Kernel::take_snapshot(Snapshot& snapshot) {
     snapshot.values = values_;
     std::vector<ComingChange>& coming = snapshot.coming;
     coming.clear();
@@ -273,10 +246,8 @@ void Simulator::Kernel::take_snapshot(Snapshot& snapshot) const {
         coming.push_back({1, next_.items[i] >> 2U, next_.items[i] & 3U});
     }
     wheel_.for_each([&](std::uint32_t net) {
-        const Node& node = nodes_[net];
-        if (node.pending != no_change) {
-            coming.push_back({due_tick(net) - tick_, net, node.pending});
-        }
+        const std::uint8_t to = pending(net);
+        if (to != no_change) coming.push_back({due_tick(net) - tick_, net, to});
     });
     for (const Pulse& pulse : pulses_) {
         const std::uint32_t net = memories_[pulse.memory].node;
@@ -290,11 +261,15 @@ void Simulator::Kernel::take_snapshot(Snapshot& snapshot) const {
     coming.erase(std::unique(coming.begin(), coming.end()), coming.end());
 }
 
+/// Of a pulse cell, or where delays are unequal of any cell.
+void Simulator::Kernel::drop_change(std::uint32_t net) {
+    if (pending(net) == no_change) return;
+    pending(net) = no_change;
+    --live_;
+}
+
 void Simulator::Kernel::drop_pending(std::uint32_t net) {
-    if (nodes_[net].pending != no_change) {
-        nodes_[net].pending = no_change;
-        --live_;
-    }
+    if (!uniform_ || is_pulse(net)) drop_change(net);
     const auto begin = next_.items.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(next_.size);
     const auto kept =
@@ -303,11 +278,11 @@ void Simulator::Kernel::drop_pending(std::uint32_t net) {
 }
 
 void Simulator::Kernel::drop_all_pending() {
-    wheel_.for_each([this](std::uint32_t net) { nodes_[net].pending = no_change; });
+    wheel_.for_each([this](std::uint32_t net) { pending(net) = no_change; });
     wheel_.clear();
     next_.size = 0;
     live_ = 0;
-    for (std::size_t i = 0; i < touched_.size; ++i) nodes_[touched_.items[i]].touched = false;
+    for (std::size_t i = 0; i < touched_.size; ++i) words_[touched_.items[i]] &= ~touched_flag;
     touched_.size = 0;
 }
 

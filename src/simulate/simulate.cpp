@@ -85,6 +85,7 @@ class Run {
         const std::vector<Logic> start = logic_inputs();
         started_ = note(0, initialise(simulator_, grafcet, netlist, ports_, start));
         if (waveform_) waveform_->follow(simulator_);
+        if (options.observer) simulator_.observe(options.observer);
     }
 
     SimulateResult make(Time scan_period) {

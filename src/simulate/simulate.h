@@ -17,6 +17,8 @@ struct SimulateOptions {
     /// Clocked netlists: one clock cycle every so much time and one row per scan; 0: at every
     /// instant clock cycles until nothing changes any more.
     Time scan_period = 0;
+    /// Called at every change of a net from the first instant on; not together with a waveform.
+    Simulator::Observer observer;
 };
 
 struct SimulateResult {

@@ -21,19 +21,14 @@ void Simulator::Kernel::power_up() {
     instant_ = 0;
     std::fill(values_.begin(), values_.end(), Logic::unknown);
     for (const auto& [net, value] : held_at_power_up_) values_[net] = value;
-    for (Node& node : nodes_) node.sum = 0;
-    for (std::size_t net = 0; net < nodes_.size(); ++net) {
-        Node& node = nodes_[net];
-        node.value = values_[net];
-        const auto tell = [&](std::uint32_t reader) {
-            nodes_[reader >> 1U].sum += contribution(static_cast<Logic>(reader & 1U), node.value);
-        };
-        if (node.reader_count == listed) {
-            for (std::uint32_t i = node.readers[0]; i < node.readers[1]; ++i) tell(more_readers_[i]);
-        } else {
-            for (unsigned i = 0; i < node.reader_count; ++i) tell(node.readers[i]);
-        }
-        if (node.table != undriven) touch(static_cast<std::uint32_t>(net));
+    for (CellWord& word : words_) word &= ~all_pins;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+        const auto net = static_cast<std::uint32_t>(i);
+        words_[net] = with_value(words_[net], values_[net]);
+        for_each_reader(net, [&](std::uint32_t reader) {
+            words_[reader >> 1U] += contribution(static_cast<Logic>(reader & 1U), values_[net]);
+        });
+        if ((words_[net] & undriven_flag) == 0) touch(net);
     }
     std::fill(due_.begin(), due_.end(), never);
     look_at_pins();
@@ -65,25 +60,22 @@ void Simulator::Kernel::restart_clock() {
 void Simulator::Kernel::set_input(std::uint32_t net, Logic value) { change_now(net, value); }
 
 void Simulator::Kernel::force(std::uint32_t net, Logic value) {
-    Node& node = nodes_[net];
     drop_pending(net);
     change_now(net, value);
-    if (node.forced) return;
-    node.forced = true;
-    node.table |= special;
-    forced_.push_back(net);
+    if ((words_[net] & forced_flag) == 0) forced_.push_back(net);
+    words_[net] |= forced_flag | special_flag;
 }
 
 void Simulator::Kernel::release(std::uint32_t net) {
-    Node& node = nodes_[net];
-    node.forced = false;
-    if (node.table != undriven && is_gate(node.type)) node.table = gate_rule(node.type).table;
+    words_[net] &= ~forced_flag;
+    const bool is_driven = (words_[net] & undriven_flag) == 0;
+    if (is_driven && is_gate(types_[net])) words_[net] &= ~special_flag;
 }
 
 void Simulator::Kernel::release_all() {
     for (const std::uint32_t net : forced_) {
         release(net);
-        if (nodes_[net].table != undriven) touch(net);
+        if ((words_[net] & undriven_flag) == 0) touch(net);
     }
     forced_.clear();
 }

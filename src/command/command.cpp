@@ -1,0 +1,135 @@
+#include "command/command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "grafcet/parse_grafcet.h"
+#include "import/read_blif.h"
+#include "import/read_yosys_json.h"
+
+namespace grafwire {
+
+namespace {
+
+/// A broken file can have very many errors; nobody reads more than these.
+constexpr std::size_t most_errors = 100;
+
+void show(const Diagnostics& diagnostics, const SourceFile& source) {
+    std::fputs(format_diagnostics(diagnostics, source, most_errors).c_str(), stderr);
+}
+
+}  // namespace
+
+void complain(std::string_view message) {
+    fmt::print(stderr, "grafwire: error: {}\n", message);
+}
+
+void warn(std::string_view message) {
+    fmt::print(stderr, "grafwire: warning: {}\n", message);
+}
+
+std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
+    Diagnostics diagnostics;
+    SourceFile source = read_source(path, diagnostics);
+    std::optional<Grafcet> grafcet;
+    if (!diagnostics.has_errors()) grafcet = parse_grafcet(source, diagnostics);
+    show(diagnostics, source);
+    if (!grafcet) return std::nullopt;
+    return LoadedGrafcet{std::move(source), std::move(*grafcet)};
+}
+
+std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet) {
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(path, diagnostics);
+    std::optional<Stimuli> stimuli;
+    if (!diagnostics.has_errors()) stimuli = parse_stimuli(source, grafcet, diagnostics);
+    show(diagnostics, source);
+    return stimuli;
+}
+
+void NetlistRequest::declare(CLI::App& app, bool style_is_required) {
+    std::vector<std::string> styles;
+    for (const StyleRow& row : style_table) styles.emplace_back(row.name);
+    CLI::Option* option = app.add_option("--style", style, "how the equations become cells")
+                              ->check(CLI::IsMember(styles));
+    if (style_is_required) {
+        option->required();
+    } else {
+        style = "nand";
+        option->capture_default_str();
+    }
+    app.add_option("--cdx", cdx, "form of CDX (default: successor; transition for clocked)")
+        ->check(CLI::IsMember({"successor", "transition"}));
+    app.add_option("--modes", modes, "with Init, AUdur and AUdoux, or without")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
+}
+
+Style NetlistRequest::style_id() const {
+    for (const StyleRow& row : style_table) {
+        if (row.name == style) return row.style;
+    }
+    return Style::nand;
+}
+
+CdxForm NetlistRequest::cdx_form() const {
+    if (cdx.empty()) return style_table[static_cast<std::size_t>(style_id())].default_cdx;
+    return cdx == "successor" ? CdxForm::successor : CdxForm::transition;
+}
+
+std::string_view NetlistRequest::cdx_name() const {
+    return cdx_form() == CdxForm::successor ? "successor" : "transition";
+}
+
+std::optional<Netlist> make_netlist(const LoadedGrafcet& loaded, const NetlistRequest& request) {
+    if (request.style_id() == Style::clocked && request.cdx_form() == CdxForm::successor) {
+        complain(
+            "the clocked style has the transition form of CDX only: leave out --cdx successor");
+        return std::nullopt;
+    }
+    Equations equations =
+        equations_from(loaded.grafcet, {request.cdx_form(), request.modes == "on"});
+    Diagnostics diagnostics;
+    auto netlist = netlist_from(equations, request.style_id(), diagnostics);
+    show(diagnostics, loaded.source);
+    return netlist;
+}
+
+std::optional<Netlist> load_netlist(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension();
+    if (extension != ".blif" && extension != ".json") {
+        complain(
+            fmt::format("{}: a netlist to compare with is a .blif or a .json (Yosys) file", path));
+        return std::nullopt;
+    }
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(path, diagnostics);
+    std::optional<Netlist> netlist;
+    if (!diagnostics.has_errors()) {
+        netlist = extension == ".blif" ? read_blif(source, diagnostics)
+                                       : read_yosys_json(source, diagnostics);
+    }
+    show(diagnostics, source);
+    return netlist;
+}
+
+std::optional<Time> parse_period(const std::string& text) {
+    const auto period = parse_duration(text);
+    if (!period || *period <= 0) {
+        complain(fmt::format("'{}' is no period: write a positive duration such as 10ms", text));
+        return std::nullopt;
+    }
+    return period;
+}
+
+int finish(OutputFiles& files, int status) {
+    if (const auto problem = files.write()) {
+        complain(*problem);
+        return bad_request;
+    }
+    return status;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,19 @@
+#include "command/command.h"
+
+namespace grafwire {
+
+std::function<int()> declare_info(CLI::App& app, const Language& language) {
+    const auto path = std::make_shared<std::string>();
+    app.add_option("FILE", *path, "the GRAFCET, - for standard input")->required();
+    return [path, &language] {
+        // Read and check; errors and warnings go to standard error.
+        const auto loaded = load_grafcet(*path);
+        if (!loaded) return static_cast<int>(bad_request);
+        // Describe it.
+        OutputFiles files;
+        files.add("-", describe_grafcet(loaded->grafcet, language));
+        return finish(files, done);
+    };
+}
+
+}  // namespace grafwire

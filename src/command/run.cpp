@@ -1,0 +1,60 @@
+#include "evolution/run.h"
+
+#include <fmt/format.h>
+
+#include "command/command.h"
+#include "command/trace_output.h"
+
+namespace grafwire {
+
+namespace {
+
+struct Request {
+    std::string path;
+    std::string stimuli;
+    std::string scan;
+    TraceOutput output;
+};
+
+}  // namespace
+
+std::function<int()> declare_run(CLI::App& app, const Language& language) {
+    const auto request = std::make_shared<Request>();
+    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
+    app.add_option("STIM", request->stimuli, "the stimuli (.stim), - for standard input")
+        ->required();
+    app.add_option("--scan", request->scan,
+                   "scan by scan with this period (default: until stable at every instant)");
+    request->output.declare(app);
+    return [request, &language] {
+        // Read the GRAFCET and the stimuli.
+        const auto loaded = load_grafcet(request->path);
+        if (!loaded) return static_cast<int>(bad_request);
+        const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
+        if (!stimuli) return static_cast<int>(bad_request);
+        Time period = 0;
+        if (!request->scan.empty()) {
+            const auto parsed = parse_period(request->scan);
+            if (!parsed) return static_cast<int>(bad_request);
+            period = *parsed;
+        }
+        // Let the reference evolve.
+        const RunResult result = period == 0 ? run_until_stable(loaded->grafcet, *stimuli)
+                                             : run_scans(loaded->grafcet, *stimuli, period);
+        warn_of_broken_assumptions(loaded->grafcet, result.broken_assumptions);
+        // Write the trace, up to the instant without a stable situation if there is one.
+        if (result.unstable_at) {
+            complain(fmt::format(
+                fmt::runtime(language == Language::french
+                                 ? "pas de situation stable à {} ms ; changent sans cesse : {}"
+                                 : "no stable situation at {} ms; these keep changing: {}"),
+                format_milliseconds(*result.unstable_at), fmt::join(result.changing, ", ")));
+        }
+        OutputFiles files;
+        request->output.add_files(files, result.trace,
+                                  write_vcd(result.trace, loaded->grafcet.name));
+        return finish(files, result.unstable_at ? answer_is_no : done);
+    };
+}
+
+}  // namespace grafwire

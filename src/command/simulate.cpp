@@ -1,0 +1,103 @@
+#include "simulate/simulate.h"
+
+#include <fmt/format.h>
+
+#include "check/compare_ports.h"
+#include "command/command.h"
+#include "command/trace_output.h"
+#include "evolution/run.h"
+
+namespace grafwire {
+
+namespace {
+
+struct Request {
+    std::string path;
+    std::string stimuli;
+    NetlistRequest netlist;
+    std::string against;
+    std::string delay = "unit";
+    std::string scan;
+    TraceOutput output;
+};
+
+std::string oscillation_text(const Netlist& netlist, const std::vector<NetId>& nets) {
+    constexpr std::size_t most = 12;
+    const Table<NetId, CellId> drivers = drivers_of(netlist);
+    std::vector<std::string> names;
+    for (const NetId net : nets) {
+        if (drivers[net] != no_cell) names.push_back(cell_description(netlist, drivers[net]));
+    }
+    const bool cut = names.size() > most;
+    if (cut) names.resize(most);
+    return fmt::format("{}{}", fmt::join(names, ", "), cut ? ", …" : "");
+}
+
+int simulate_netlist(const Request& request, const LoadedGrafcet& loaded, const Stimuli& stimuli,
+                     const Netlist& netlist, Language language) {
+    SimulateOptions options;
+    options.waveform = !request.output.vcd.empty();
+    if (!request.scan.empty()) {
+        const auto period = parse_period(request.scan);
+        if (!period) return bad_request;
+        if (!netlist.is_clocked()) {
+            complain("--scan is for the clocked style: the others have no scans");
+            return bad_request;
+        }
+        options.scan_period = *period;
+    }
+    // Let the gates work.
+    const SimulateResult result =
+        simulate(loaded.grafcet, netlist, unit_delays(netlist), stimuli, options);
+    // Write the trace, up to the instant at which they do not settle if there is one.
+    if (result.unsettled_at) {
+        complain(fmt::format(fmt::runtime(language == Language::french
+                                              ? "le câblage ne se stabilise pas à {} ms ; changent "
+                                                "sans cesse : {}"
+                                              : "the netlist does not settle at {} ms; these keep "
+                                                "changing: {}"),
+                             format_milliseconds(*result.unsettled_at),
+                             oscillation_text(netlist, result.oscillating)));
+    }
+    OutputFiles files;
+    request.output.add_files(files, result.trace, result.waveform);
+    return finish(files, result.unsettled_at ? answer_is_no : done);
+}
+
+}  // namespace
+
+std::function<int()> declare_simulate(CLI::App& app, const Language& language) {
+    const auto request = std::make_shared<Request>();
+    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
+    app.add_option("STIM", request->stimuli, "the stimuli (.stim), - for standard input")
+        ->required();
+    request->netlist.declare(app, false);
+    app.add_option("--against", request->against,
+                   "simulate this .blif or .json netlist instead of a generated one");
+    app.add_option("--delay", request->delay, "delay of every gate: unit (1 ns)")
+        ->check(CLI::IsMember({"unit"}))
+        ->capture_default_str();
+    app.add_option("--scan", request->scan,
+                   "clocked style: one scan every so much time (default: until stable)");
+    request->output.declare(app);
+    return [request, &language] {
+        // Read the GRAFCET and the stimuli.
+        const auto loaded = load_grafcet(request->path);
+        if (!loaded) return static_cast<int>(bad_request);
+        const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
+        if (!stimuli) return static_cast<int>(bad_request);
+        // Make the netlist, or read it.
+        auto netlist = request->against.empty() ? make_netlist(*loaded, request->netlist)
+                                                : load_netlist(request->against);
+        if (!netlist) return static_cast<int>(bad_request);
+        if (!request->against.empty()) {
+            const PortComparison ports = compare_ports(loaded->grafcet, *netlist);
+            if (ports.missing_outputs.empty()) adopt_ports(loaded->grafcet, *netlist);
+            if (!ports.fits()) warn("ports:\n" + write_port_table(ports, language));
+        }
+        warn_of_broken_assumptions(loaded->grafcet, broken_assumptions(loaded->grafcet, *stimuli));
+        return simulate_netlist(*request, *loaded, *stimuli, *netlist, language);
+    };
+}
+
+}  // namespace grafwire

@@ -1,0 +1,35 @@
+#include "command/trace_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/write_grafcet.h"
+
+namespace grafwire {
+
+void warn_of_broken_assumptions(const Grafcet& grafcet,
+                                const std::vector<RunResult::BrokenAssumption>& broken) {
+    for (const auto& [at, assumption] : broken) {
+        warn(fmt::format("at {} ms the stimuli break what the GRAFCET assumes: {}",
+                         format_milliseconds(at),
+                         write_expression(grafcet, grafcet.expressions,
+                                          grafcet.assumptions[assumption].expression)));
+    }
+}
+
+std::vector<RunResult::BrokenAssumption> broken_assumptions(const Grafcet& grafcet,
+                                                            const Stimuli& stimuli) {
+    std::vector<RunResult::BrokenAssumption> broken;
+    InputValues inputs(grafcet.all_input_count(), 0);
+    for (const Stimuli::Change& change : stimuli.changes) {
+        for (const auto& set : change.assignments) inputs[set.input] = set.value;
+        const std::size_t found = broken_assumption(grafcet, inputs);
+        const bool known = std::any_of(broken.begin(), broken.end(),
+                                       [&](const auto& item) { return item.assumption == found; });
+        if (found < grafcet.assumptions.size() && !known) broken.push_back({change.at, found});
+    }
+    return broken;
+}
+
+}  // namespace grafwire

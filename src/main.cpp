@@ -1,0 +1,74 @@
+// grafwire: from a GRAFCET (IEC 60848) to checked wiring.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string_view>
+
+#include "command/command.h"
+
+namespace {
+
+using namespace grafwire;
+
+constexpr Command commands[] = {
+    {"info", "check a GRAFCET; print its size, graphs, forcing hierarchy and warnings",
+     "grafwire info examples/manipulator.grafcet", declare_info},
+    {"equations", "derive CAX, CDX, X and the equations of the actions",
+     "grafwire equations examples/nine-steps.grafcet --to markdown", declare_equations},
+    {"run", "run the reference evolution over stimuli",
+     "grafwire run examples/manipulator.grafcet examples/manipulator.stim --vcd run.vcd",
+     declare_run},
+    {"netlist", "make a netlist and write it in one of many formats",
+     "grafwire netlist examples/manipulator.grafcet --style nand --to verilog", declare_netlist},
+    {"simulate", "simulate the gates of a netlist over stimuli",
+     "grafwire simulate examples/manipulator.grafcet examples/manipulator.stim --style nand",
+     declare_simulate},
+    {"check", "prove a netlist equivalent to the reference evolution, or show a difference",
+     "grafwire check examples/manipulator.grafcet --style nand --witness out/", declare_check},
+};
+
+Language language_of_locale() {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (value == nullptr || *value == '\0') continue;
+        return std::string_view(value).starts_with("fr") ? Language::french : Language::english;
+    }
+    return Language::english;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.",
+                 "grafwire"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "grafwire " GRAFWIRE_VERSION);
+    app.footer(
+        "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; "
+        "3 undecided.\n'grafwire COMMAND --help' shows the options of a command.");
+    Language language = language_of_locale();
+    app.add_option_function<std::string>(
+           "--lang",
+           [&](const std::string& name) {
+               language = name == "fr" ? Language::french : Language::english;
+           },
+           "language of reports: en or fr (default: from the locale)")
+        ->check(CLI::IsMember({"en", "fr"}))
+        ->trigger_on_parse();
+    app.fallthrough();
+
+    std::function<int()> chosen;
+    for (const Command& command : commands) {
+        CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+        sub->footer(fmt::format("Example: {}", command.example));
+        const std::function<int()> action = command.declare(*sub, language);
+        sub->final_callback([&chosen, action] { chosen = action; });
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? done : bad_request;
+    }
+    return chosen();
+}

@@ -1,0 +1,176 @@
+# What the scripts under tools/ and .ci/ share: which packages each job needs, and how to build.
+# To be sourced by bash.
+# shellcheck shell=bash disable=SC2034
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+# One line per package: its name, then a file that is there once it is installed. Looking at files
+# takes no time; asking dpkg would.
+packages_to_build='
+ca-certificates      /etc/ssl/certs
+cmake                /usr/bin/cmake
+g++                  /usr/bin/g++
+libboost-dev         /usr/include/boost/version.hpp
+libcli11-dev         /usr/include/CLI/CLI.hpp
+libfmt-dev           /usr/include/fmt/core.h
+ninja-build          /usr/bin/ninja
+nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
+'
+packages_to_test='
+doctest-dev          /usr/include/doctest/doctest.h
+iverilog             /usr/bin/iverilog
+ngspice              /usr/bin/ngspice
+yosys                /usr/bin/yosys
+'
+packages_to_check='
+clang                /usr/bin/clang++
+clang-format         /usr/bin/clang-format
+clang-tidy           /usr/bin/clang-tidy
+libclang-rt-14-dev   /usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.fuzzer-x86_64.a
+'
+
+# The exit status where the product could not even be built: none of grafwire's own.
+cannot_build=70
+
+say() {
+    printf '%s\n' "$*" >&2
+}
+
+# Runs a command quietly; shows what it printed only where it fails.
+quietly() {
+    local log status=0
+    log=$(mktemp)
+    "$@" >"$log" 2>&1 </dev/null || status=$?
+    if [ "$status" -ne 0 ]; then
+        say "failed: $*"
+        cat "$log" >&2
+    fi
+    rm -f "$log"
+    return "$status"
+}
+
+# missing_of LIST: sets `missing` to the packages of the list that are not installed.
+missing_of() {
+    local package file
+    missing=()
+    while read -r package file; do
+        [ -z "$package" ] || [ -e "$file" ] || missing+=("$package")
+    done <<<"$1"
+}
+
+# need LIST: installs what is missing of it. Says nothing where nothing is.
+need() {
+    local missing as_root=()
+    missing_of "$1"
+    [ "${#missing[@]}" -gt 0 ] || return 0
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || {
+            say "missing: ${missing[*]}; install with: apt-get install ${missing[*]}"
+            return 1
+        }
+        as_root=(sudo)
+    fi
+    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600)
+    say "installing: ${missing[*]}"
+    quietly "${as_root[@]}" update &&
+        quietly "${as_root[@]}" install --no-install-recommends "${missing[@]}"
+}
+
+# locked NAME COMMAND…: one caller at a time in this work tree.
+locked() {
+    local name=$1 status=0 lock
+    shift
+    mkdir -p "$root/build"
+    exec {lock}>"$root/build/.$name.lock"
+    flock "$lock"
+    # The lock is not for the command's children to keep.
+    "$@" {lock}>&- || status=$?
+    exec {lock}>&-
+    return "$status"
+}
+
+# build FOLDER TARGET… [-DNAME=VALUE…]: brings targets up to date in build/FOLDER. The first call
+# configures it; later ones do only where a setting has changed. Needs the packages to build.
+build() {
+    local folder=$root/build/$1 targets=() settings=() word
+    shift
+    for word in "$@"; do
+        case $word in
+            -D*) settings+=("$word") ;;
+            *) targets+=("$word") ;;
+        esac
+    done
+    if ! configured "$folder" "${settings[@]}"; then
+        [ -e "$folder/.ninja_log" ] || say "building in ${folder#"$root"/}, which takes some minutes once"
+        ! command -v ccache >/dev/null || settings+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+        quietly cmake -S "$root" -B "$folder" -G Ninja \
+            -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="$folder/bin" "${settings[@]}" || return
+    fi
+    quietly ninja -C "$folder" "${jobs_of_ninja[@]}" "${targets[@]}"
+}
+
+# JOBS=N in the environment limits what runs at a time.
+jobs_of_ninja=(${JOBS:+-j "$JOBS"})
+
+# configured FOLDER -DNAME=VALUE…: whether CMake has set it up with these settings. One that was set
+# up for a work tree elsewhere is thrown away.
+configured() {
+    local folder=$1 cache setting name
+    shift
+    [ -e "$folder/build.ninja" ] && [ -e "$folder/CMakeCache.txt" ] || return 1
+    cache=$'\n'$(<"$folder/CMakeCache.txt")$'\n'
+    if [[ $cache != *$'\n'"CMAKE_CACHEFILE_DIR:INTERNAL=$folder"$'\n'* ]]; then
+        rm -rf "$folder"
+        return 1
+    fi
+    for setting in "$@"; do
+        setting=${setting#-D}
+        name=${setting%%=*}
+        [[ $cache =~ $'\n'"$name":[A-Z]+="${setting#*=}"$'\n' ]] || return 1
+    done
+}
+
+# Builds the program, and puts a copy beside it that appears whole or not at all, so that a call
+# that comes while another one links never runs half a program. Sets `program`.
+build_program() {
+    local built=$root/build/release/bin/grafwire settings=()
+    program=$root/build/release/grafwire
+    # A folder that tools/test has set up keeps its tests.
+    [ -e "$root/build/release/build.ninja" ] ||
+        settings=(-DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF)
+    build release grafwire "${settings[@]}" || return
+    [ "$program" -nt "$built" ] ||
+        { cp -f "$built" "$program.new" && mv -f "$program.new" "$program"; }
+}
+
+# run_tests FOLDER [NAME]: the tests of build/FOLDER, or those whose name matches NAME. Sets `passed`
+# and `failed`: a doctest program counts for each of its cases, any other test for one.
+run_tests() {
+    local report status=0
+    report=$(mktemp)
+    ctest --test-dir "$root/build/$1" --output-on-failure --no-tests=error -j "${JOBS:-2}" \
+        --test-output-size-passed 1000000 --test-output-size-failed 1000000 \
+        --output-junit "$report" ${2:+-R "$2"} </dev/null || status=$?
+    read -r passed failed < <(count_tests <"$report")
+    rm -f "$report"
+    # A failure of CTest itself counts as one.
+    [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1
+    return "$status"
+}
+
+# Reads a JUnit report of CTest, prints the number of tests passed and failed.
+count_tests() {
+    awk '
+        /^\t<testcase / { cases_passed = cases_failed = 0; good = /status="run"/ }
+        /\[doctest\] test cases:/ {
+            n = split($0, part, "|")
+            split(part[2], word, " "); cases_passed += word[1]
+            split(part[3], word, " "); cases_failed += word[1]
+        }
+        /^\t<\/testcase>/ {
+            if (good && cases_passed == 0) cases_passed = 1
+            if (!good && cases_failed == 0) cases_failed = 1
+            passed += cases_passed; failed += cases_failed
+        }
+        END { print passed + 0, failed + 0 }'
+}
