@@ -108,7 +108,7 @@ Time scan_period_for(const Stimuli& stimuli) {
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli) {
     const RunResult expected = run_until_stable(grafcet, stimuli);
-    const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, {});
+    const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, SimulateOptions());
     auto witness = first_difference(grafcet, netlist, stimuli, expected.trace, got);
     if (witness || !netlist.is_clocked()) return witness;
 
@@ -117,7 +117,7 @@ std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
     Stimuli by_scan = stimuli;
     by_scan.end = add_times(stimuli.end, 100 * period);
     const RunResult scans = run_scans(grafcet, by_scan, period);
-    const SimulateResult cycles = simulate(grafcet, netlist, delays, by_scan, {false, period});
+    const SimulateResult cycles = simulate(grafcet, netlist, delays, by_scan, {false, period, {}});
     witness = first_difference(grafcet, netlist, by_scan, scans.trace, cycles);
     if (witness) witness->scan_period = period;
     return witness;

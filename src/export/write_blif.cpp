@@ -1,5 +1,6 @@
 // BLIF after "Berkeley Logic Interchange Format (BLIF)", University of California, Berkeley, 1992,
-// with the `.blackbox` and `.param` lines of Yosys and ABC.
+// with the `.blackbox` and `.attr` lines of Yosys. (`.param` would say better what the figures are, but
+// Yosys wants parameters declared, and BLIF cannot.)
 //
 // Every gate but the exclusive or is a single cube: an OR is written by the one case in which it is
 // 0. So a gate of 200 inputs takes 200 characters and not 40 000, and can be told from its cover.
@@ -176,14 +177,14 @@ void BlifWriter::write_black_box(const Cell& cell) {
     append(out_, " q=", nets_[cell.output], '\n');
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
-        if (row.has_memory) append(out_, ".param RISE \"", format_duration(timing.rise), "\"\n");
-        append(out_, ".param FALL \"", format_duration(timing.fall), "\"\n");
+        if (row.has_memory) append(out_, ".attr RISE \"", format_duration(timing.rise), "\"\n");
+        append(out_, ".attr FALL \"", format_duration(timing.fall), "\"\n");
         if (timing.ordinal != Timing::no_ordinal) {
-            append(out_, ".param ORDINAL \"", timing.ordinal, "\"\n");
+            append(out_, ".attr ORDINAL \"", timing.ordinal, "\"\n");
         }
     }
     if (row.has_memory && cell.initial != Logic::unknown) {
-        append(out_, ".param INIT ", initial_digit(cell.initial), '\n');
+        append(out_, ".attr INIT ", initial_digit(cell.initial), '\n');
     }
 }
 

@@ -157,12 +157,26 @@ void JsonWriter::write_cells() {
     out_ += "\n      },\n";
 }
 
+/// What a black box has for parameters stands here: those Yosys wants declared, which its JSON cannot.
 void JsonWriter::write_attributes(const Cell& cell) {
+    const CellTypeRow& row = row_of(cell.type);
     out_ += ", \"attributes\": { \"module\": \"";
     append_json_text(out_, module_);
     out_ += '"';
     const Location where = netlist_.origin_of(cell).where;
     if (where.is_known()) append(out_, ", \"grafcet_line\": \"line ", where.line, "\"");
+    if (row.has_timing) {
+        const Timing& timing = netlist_.timings[cell.timing];
+        if (row.has_memory) append(out_, ", \"RISE\": \"", format_duration(timing.rise), '"');
+        append(out_, ", \"FALL\": \"", format_duration(timing.fall), '"');
+        if (timing.ordinal != Timing::no_ordinal) {
+            out_ += ", \"ORDINAL\": ";
+            append_int_parameter(out_, timing.ordinal);
+        }
+    }
+    if (row.has_memory && form_of(cell.type).gate.empty() && cell.initial != Logic::unknown) {
+        append(out_, ", \"INIT\": \"", cell.initial == Logic::one ? '1' : '0', '"');
+    }
     out_ += " }";
 }
 
@@ -228,22 +242,7 @@ void JsonWriter::write_gate(const Cell& cell) {
 
 void JsonWriter::write_black_box(const Cell& cell) {
     const CellTypeRow& row = row_of(cell.type);
-    append(out_, prefix_, row.name, "\", \"parameters\": { ");
-    std::string_view separator;
-    if (row.has_timing) {
-        const Timing& timing = netlist_.timings[cell.timing];
-        if (row.has_memory) append(out_, "\"RISE\": \"", format_duration(timing.rise), "\", ");
-        append(out_, "\"FALL\": \"", format_duration(timing.fall), '"');
-        separator = ", ";
-        if (timing.ordinal != Timing::no_ordinal) {
-            append(out_, separator, "\"ORDINAL\": ");
-            append_int_parameter(out_, timing.ordinal);
-        }
-    }
-    if (row.has_memory && cell.initial != Logic::unknown) {
-        append(out_, separator, "\"INIT\": \"", cell.initial == Logic::one ? '1' : '0', '"');
-    }
-    out_ += " }";
+    append(out_, prefix_, row.name, "\", \"parameters\": {}");
     write_attributes(cell);
     out_ += ", \"port_directions\": { ";
     for (std::uint32_t i = 0; i < cell.pin_count; ++i) {

@@ -44,7 +44,8 @@ void Simulator::Kernel::choose_slot(const Netlist& netlist, const CellDelays& de
     }
     const Time longest_gate = longest;
     for (const Cell& cell : netlist.cells) {
-        const bool is_pulse = cell.type == CellType::rise_pulse || cell.type == CellType::fall_pulse;
+        const bool is_pulse =
+            cell.type == CellType::rise_pulse || cell.type == CellType::fall_pulse;
         if (is_pulse && netlist.timings[cell.timing].fall > 0) {
             include(netlist.timings[cell.timing].fall);
         }

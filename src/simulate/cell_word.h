@@ -10,16 +10,16 @@ namespace grafwire {
 // All that is needed to evaluate a gate, in one word.
 //
 // Gates are not evaluated from their pins but from two counts kept up to date as the pins change:
-// how many are at the controlling value of the gate (0 for AND, 1 for OR), and how many are unknown.
-// They say it all, for any number of pins, in Kleene's three values:
+// how many are at the controlling value of the gate (0 for AND, 1 for OR), and how many are
+// unknown. They say it all, for any number of pins, in Kleene's three values:
 //
 //   controlling  unknown     AND  OR  NAND  NOR     row of the table
 //   0            0            1    0    0    1      0
 //   0            1 or more    x    x    x    x      1
 //   1 or more    any          0    1    1    0      2
 //
-// A buffer is an OR of one pin, an inverter a NOR of one, the constants an OR and an AND of none. An
-// XOR counts ones as an OR does, and is told from their parity.
+// A buffer is an OR of one pin, an inverter a NOR of one, the constants an OR and an AND of none.
+// An XOR counts ones as an OR does, and is told from their parity.
 
 /// Bits 0-23 unknown pins, 24-47 controlling pins, 48-53 the table, two bits a row, 54-55 the value
 /// of the cell, then the flags.
@@ -83,7 +83,9 @@ constexpr std::array<Shares, 12> make_share_table() {
 }
 inline constexpr std::array<Shares, 12> share_table = make_share_table();
 
-constexpr bool is_gate(CellType type) { return type <= CellType::nor_gate; }
+constexpr bool is_gate(CellType type) {
+    return type <= CellType::nor_gate;
+}
 
 struct GateRule {
     Logic without = Logic::zero;           ///< the value where no pin is at the controlling value
@@ -92,11 +94,15 @@ struct GateRule {
 constexpr GateRule gate_rule(CellType type) {
     switch (type) {
         case CellType::high:
-        case CellType::and_gate: return {Logic::one, Logic::zero};
-        case CellType::nand_gate: return {Logic::zero, Logic::zero};
+        case CellType::and_gate:
+            return {Logic::one, Logic::zero};
+        case CellType::nand_gate:
+            return {Logic::zero, Logic::zero};
         case CellType::inverter:
-        case CellType::nor_gate: return {Logic::one, Logic::one};
-        default: return {Logic::zero, Logic::one};
+        case CellType::nor_gate:
+            return {Logic::one, Logic::one};
+        default:
+            return {Logic::zero, Logic::one};
     }
 }
 constexpr CellWord table_of(CellType type) {

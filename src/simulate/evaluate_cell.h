@@ -10,7 +10,9 @@ namespace grafwire {
 // it is the same whatever the unknown inputs may be.
 
 /// The value the possibilities agree on.
-constexpr Logic agreed(Logic a, Logic b) { return a == b ? a : Logic::unknown; }
+constexpr Logic agreed(Logic a, Logic b) {
+    return a == b ? a : Logic::unknown;
+}
 
 constexpr Logic inverse(Logic value) {
     if (value == Logic::unknown) return value;

@@ -9,14 +9,15 @@
 // The reference deems all inputs to have been what they are since always: nothing has an edge at
 // the start, and stored outputs, vars and time conditions are 0. So pulse cells are held, and every
 // cell or net that has an initial value is held at it while the gates work out the rest. With modes
-// the situation comes about as on a real machine, by Init = 1 alone; without, the steps are held too,
-// and let go as the first instant begins: what evolves from the initial situation belongs to that.
+// the situation comes about as on a real machine, by Init = 1 alone; without, the steps are held
+// too, and let go as the first instant begins: what evolves from the initial situation belongs to
+// that.
 //
 // The control inputs are no exception to "since always", although Init has to be 1 first: an edge
 // of Init or AUdur in a receptivity must not see the first instant as a change. Where there are
 // pulse cells, the netlist is therefore powered up twice. The first time all inputs have their true
-// values and the steps are held at the initial situation; what the pulse cells see then is what they
-// compare with from the first instant on.
+// values and the steps are held at the initial situation; what the pulse cells see then is what
+// they compare with from the first instant on.
 
 namespace grafwire {
 
@@ -49,8 +50,8 @@ class Initialisation {
     Settling make(const std::vector<Logic>& inputs) {
         simulator_.hold_pulses(true);
         const bool by_init = netlist_.has_modes && init_ != no_net;
-        Settling settling = by_init && !netlist_.is_clocked() ? start_by_init(inputs)
-                                                              : start_held(inputs, by_init);
+        Settling settling =
+            by_init && !netlist_.is_clocked() ? start_by_init(inputs) : start_held(inputs, by_init);
         simulator_.hold_pulses(false);
         if (settling.settled) simulator_.restart_clock();
         return settling;

@@ -65,9 +65,9 @@ class Simulator::Kernel {
     /// A cell that is evaluated from its pins.
     struct MemoryCell {
         std::uint32_t node = 0;
-        std::uint32_t data = 0;     ///< first pin
-        std::uint32_t control = 0;  ///< last pin: the clock, where there is one
-        std::uint32_t detail = 0;   ///< index into pulses_ or the timers
+        std::uint32_t data = 0;            ///< first pin
+        std::uint32_t control = 0;         ///< last pin: the clock, where there is one
+        std::uint32_t detail = 0;          ///< index into pulses_ or the timers
         Logic data_seen = Logic::unknown;  ///< values of the pins when last evaluated
         Logic control_seen = Logic::unknown;
     };
@@ -160,7 +160,8 @@ class Simulator::Kernel {
     std::vector<Readers> readers_;
     std::vector<Logic> values_;  ///< those in the words once more, for save() and restore()
     std::vector<CellType> types_;
-    std::vector<std::uint32_t> memory_of_;  ///< index into memories_, for cells with pins of meaning
+    std::vector<std::uint32_t>
+        memory_of_;  ///< index into memories_, for cells with pins of meaning
 
     std::vector<std::uint32_t> more_readers_;
     std::vector<MemoryCell> memories_;

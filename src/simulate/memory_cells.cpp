@@ -32,7 +32,9 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
         case CellType::hold_latch:
             target = static_cast<std::uint8_t>(hold_latch_value(data, control, values_[net]));
             break;
-        case CellType::flip_flop: target = evaluate_flip_flop(cell); break;
+        case CellType::flip_flop:
+            target = evaluate_flip_flop(cell);
+            break;
         case CellType::scan_timer:
             if (!is_forced) target = evaluate_scan_timer(cell);
             break;
@@ -40,8 +42,11 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
             if (!is_forced) target = evaluate_timer(cell.detail, data, aimed_value(net));
             break;
         case CellType::rise_pulse:
-        case CellType::fall_pulse: evaluate_pulse(cell); break;
-        default: break;
+        case CellType::fall_pulse:
+            evaluate_pulse(cell);
+            break;
+        default:
+            break;
     }
     if (!(pulses_held_ && pulses_remember_)) cell.data_seen = data;
     cell.control_seen = control;
@@ -57,9 +62,12 @@ Logic Simulator::Kernel::aimed_value(std::uint32_t net) const {
 std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
     const Logic held = aimed_value(cell.node);
     switch (rise_between(cell.control_seen, values_[cell.control])) {
-        case Edge::none: return no_change;
-        case Edge::certain: return static_cast<std::uint8_t>(cell.data_seen);
-        default: return static_cast<std::uint8_t>(agreed(cell.data_seen, held));
+        case Edge::none:
+            return no_change;
+        case Edge::certain:
+            return static_cast<std::uint8_t>(cell.data_seen);
+        default:
+            return static_cast<std::uint8_t>(agreed(cell.data_seen, held));
     }
 }
 
@@ -78,7 +86,8 @@ std::uint8_t Simulator::Kernel::evaluate_timer(std::size_t timer, Logic operand,
         return static_cast<std::uint8_t>(operand);
     }
     const Time end = add_times(instant_, delay);
-    if (due != never && towards != operand && operand == Logic::unknown && aimed != Logic::unknown) {
+    if (due != never && towards != operand && operand == Logic::unknown &&
+        aimed != Logic::unknown) {
         towards = operand;  // the running delay may or may not go on
         return no_change;
     }
@@ -95,8 +104,10 @@ std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
     const Logic aimed = aimed_value(cell.node);
     Time& due = due_[cell.detail];
     switch (rise_between(cell.control_seen, values_[cell.control])) {
-        case Edge::none: return no_change;
-        case Edge::certain: break;
+        case Edge::none:
+            return no_change;
+        case Edge::certain:
+            break;
         default:
             if (cell.data_seen == aimed && due == never) return no_change;
             due = never;
@@ -163,6 +174,8 @@ void Simulator::Kernel::hold_pulses(bool on) {
     if (!on) pulses_remember_ = false;
 }
 
-void Simulator::Kernel::remember_pulse_inputs() { pulses_remember_ = true; }
+void Simulator::Kernel::remember_pulse_inputs() {
+    pulses_remember_ = true;
+}
 
 }  // namespace grafwire

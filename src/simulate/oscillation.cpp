@@ -1,5 +1,7 @@
 #include "simulate/oscillation.h"
 
+#include <algorithm>
+
 // How an oscillation is told from a long cascade
 //
 // With the inputs held, the state of a simulation (the values of all nets and what is going to
@@ -9,6 +11,8 @@
 // repetition with a single kept state: every state is compared with it, and after stretches of
 // doubling length the present state takes its place. Once the kept state lies on the circle and the
 // stretch is longer than the circle, the first state equal to it ends the search, one period later.
+//
+// The first stretch is long enough for the copies of the state to cost little beside the events.
 //
 // Comparing whole states at every moment would be too slow, so a hash of the values is kept up to
 // date at every change (the sum of one number per net and value, after Zobrist). Only where it
@@ -29,6 +33,7 @@ RecurrenceWatch::RecurrenceWatch(std::size_t net_count, Snapshot&& present)
     : kept_(std::move(present)),
       hash_(hash_of(kept_.values)),
       kept_hash_(hash_),
+      stretch_length_(std::max<std::uint64_t>(64, net_count / 4)),
       changed_in_(net_count, 0) {}
 
 void RecurrenceWatch::keep() {

@@ -71,7 +71,7 @@ class RecurrenceWatch {
     std::uint64_t hash_ = 0;
     std::uint64_t kept_hash_ = 0;
     std::uint64_t moments_ = 0;  ///< since the kept state
-    std::uint64_t stretch_length_ = 64;
+    std::uint64_t stretch_length_;
     std::uint32_t stretch_ = 1;
     std::vector<std::uint32_t> changed_in_;  ///< per net: the stretch in which it last changed
 };

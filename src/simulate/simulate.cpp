@@ -115,7 +115,8 @@ class Run {
         for (; next_change_ < stimuli_.changes.size(); ++next_change_) {
             const Stimuli::Change& change = stimuli_.changes[next_change_];
             if (change.at > at) return;
-            for (const Stimuli::Assignment& set : change.assignments) inputs_[set.input] = set.value;
+            for (const Stimuli::Assignment& set : change.assignments)
+                inputs_[set.input] = set.value;
         }
     }
     std::vector<Logic> logic_inputs() const {

@@ -22,8 +22,8 @@ struct SimulateOptions {
 };
 
 struct SimulateResult {
-    Trace trace;            ///< in the columns of the reference; what the netlist lacks is unknown
-    std::string waveform;   ///< VCD of every net, if asked for
+    Trace trace;           ///< in the columns of the reference; what the netlist lacks is unknown
+    std::string waveform;  ///< VCD of every net, if asked for
     std::optional<Time> unsettled_at;  ///< the first instant at which the netlist does not settle
     std::vector<NetId> oscillating;
     std::uint64_t events = 0;
@@ -35,8 +35,8 @@ struct SimulateResult {
 SimulateResult simulate(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                         const Stimuli& stimuli, const SimulateOptions& options);
 
-/// Which net of the netlist carries which input of the GRAFCET, X variable, output, var and counter;
-/// found by the names of the ports. no_net where the netlist has none.
+/// Which net of the netlist carries which input of the GRAFCET, X variable, output, var and
+/// counter; found by the names of the ports. no_net where the netlist has none.
 struct PortMap {
     std::vector<NetId> inputs;  ///< declared inputs, Init, AUdur, AUdoux
     std::vector<NetId> steps;

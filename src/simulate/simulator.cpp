@@ -57,7 +57,9 @@ void Simulator::Kernel::restart_clock() {
     instant_ = 0;
 }
 
-void Simulator::Kernel::set_input(std::uint32_t net, Logic value) { change_now(net, value); }
+void Simulator::Kernel::set_input(std::uint32_t net, Logic value) {
+    change_now(net, value);
+}
 
 void Simulator::Kernel::force(std::uint32_t net, Logic value) {
     drop_pending(net);
@@ -134,30 +136,68 @@ Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
-void Simulator::power_up() { kernel_->power_up(); }
-void Simulator::begin_instant(Time at) { kernel_->begin_instant(at); }
-void Simulator::restart_clock() { kernel_->restart_clock(); }
+void Simulator::power_up() {
+    kernel_->power_up();
+}
+void Simulator::begin_instant(Time at) {
+    kernel_->begin_instant(at);
+}
+void Simulator::restart_clock() {
+    kernel_->restart_clock();
+}
 void Simulator::set_input(NetId input, Logic value) {
     kernel_->set_input(static_cast<std::uint32_t>(input), value);
 }
-void Simulator::hold_pulses(bool on) { kernel_->hold_pulses(on); }
-void Simulator::remember_pulse_inputs() { kernel_->remember_pulse_inputs(); }
-void Simulator::doubt_unknown_pulses() { kernel_->doubt_unknown_pulses(); }
+void Simulator::hold_pulses(bool on) {
+    kernel_->hold_pulses(on);
+}
+void Simulator::remember_pulse_inputs() {
+    kernel_->remember_pulse_inputs();
+}
+void Simulator::doubt_unknown_pulses() {
+    kernel_->doubt_unknown_pulses();
+}
 void Simulator::force(NetId net, Logic value) {
     kernel_->force(static_cast<std::uint32_t>(net), value);
 }
-void Simulator::release_all() { kernel_->release_all(); }
-Settling Simulator::settle() { return kernel_->settle(); }
-Settling Simulator::clock_cycle() { return kernel_->clock_cycle(); }
-const std::vector<CellId>& Simulator::timers() const { return kernel_->timer_cells(); }
-bool Simulator::is_running(std::size_t timer) const { return kernel_->is_running(timer); }
-Time Simulator::next_due() const { return kernel_->next_due(); }
-void Simulator::end_delays(Time now) { kernel_->end_delays(now); }
-void Simulator::end_delay(std::size_t timer) { kernel_->end_delay(timer); }
-Logic Simulator::value(NetId net) const { return kernel_->value(static_cast<std::uint32_t>(net)); }
-Time Simulator::now() const { return kernel_->now(); }
-SimulatorState Simulator::save() const { return kernel_->save(); }
-void Simulator::restore(const SimulatorState& state) { kernel_->restore(state); }
-void Simulator::observe(Observer observer) { kernel_->observe(std::move(observer)); }
+void Simulator::release_all() {
+    kernel_->release_all();
+}
+Settling Simulator::settle() {
+    return kernel_->settle();
+}
+Settling Simulator::clock_cycle() {
+    return kernel_->clock_cycle();
+}
+const std::vector<CellId>& Simulator::timers() const {
+    return kernel_->timer_cells();
+}
+bool Simulator::is_running(std::size_t timer) const {
+    return kernel_->is_running(timer);
+}
+Time Simulator::next_due() const {
+    return kernel_->next_due();
+}
+void Simulator::end_delays(Time now) {
+    kernel_->end_delays(now);
+}
+void Simulator::end_delay(std::size_t timer) {
+    kernel_->end_delay(timer);
+}
+Logic Simulator::value(NetId net) const {
+    return kernel_->value(static_cast<std::uint32_t>(net));
+}
+Time Simulator::now() const {
+    return kernel_->now();
+}
+SimulatorState Simulator::save() const {
+    return kernel_->save();
+}
+void Simulator::restore(const SimulatorState& state) {
+    kernel_->restore(state);
+}
+void Simulator::observe(Observer observer) {
+    kernel_->observe(std::move(observer));
+}
 
 }  // namespace grafwire

@@ -84,7 +84,8 @@ class Simulator {
     /// (a state of values and pending events that comes back) and ends there.
     Settling settle();
 
-    /// One cycle of the clock of a clocked netlist, settled before, after the rise and after the fall.
+    /// One cycle of the clock of a clocked netlist, settled before, after the rise and after the
+    /// fall.
     Settling clock_cycle();
 
     /// The cells of type timer or scan_timer, in order; their numbers are used below.
@@ -93,8 +94,9 @@ class Simulator {
     /// The earliest moment at which a running delay ends; `never` if none runs.
     Time next_due() const;
     /// The running delays that end at or before `now` end: the timer takes the value of its
-    /// operand at once (gates see it with settle()), as it was when last settled. settle() itself never ends a delay of a timer;
-    /// clock_cycle() ends those of scan timers that have fallen due by the current instant.
+    /// operand at once (gates see it with settle()), as it was when last settled. settle() itself
+    /// never ends a delay of a timer; clock_cycle() ends those of scan timers that have fallen due
+    /// by the current instant.
     void end_delays(Time now);
     /// Lets one running delay end at once, whatever its length.
     void end_delay(std::size_t timer);

@@ -6,14 +6,16 @@ namespace grafwire {
 
 namespace {
 
-bool is_whole(Time time) { return time % nanosecond == 0; }
+bool is_whole(Time time) {
+    return time % nanosecond == 0;
+}
 
 bool all_whole(const Netlist& netlist, const CellDelays& delays) {
     const bool cells = std::all_of(delays.rise.begin(), delays.rise.end(), is_whole) &&
                        std::all_of(delays.fall.begin(), delays.fall.end(), is_whole);
-    return cells && std::all_of(netlist.timings.begin(), netlist.timings.end(), [](const Timing& t) {
-               return is_whole(t.rise) && is_whole(t.fall);
-           });
+    return cells &&
+           std::all_of(netlist.timings.begin(), netlist.timings.end(),
+                       [](const Timing& t) { return is_whole(t.rise) && is_whole(t.fall); });
 }
 
 char sign_of(Logic value) {

@@ -1,5 +1,8 @@
 // The two charts of the language's own description.
 
+#include <fstream>
+#include <sstream>
+
 #include "parsing.h"
 
 using namespace grafwire;
@@ -154,4 +157,18 @@ expansion cycle {
   exit S2
 
 )") == 0);
+}
+
+TEST_CASE("the worked example of the language's description is accepted without a word") {
+    std::ifstream file(GRAFWIRE_ROOT "/src/grafcet/README.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    const std::string readme = text.str();
+    const std::string opening = "```grafcet\n";
+    const std::size_t begin = readme.find(opening);
+    REQUIRE(begin != std::string::npos);
+    const std::size_t start = begin + opening.size();
+    const std::string chart = readme.substr(start, readme.find("```", start) - start);
+    CHECK(messages_of(chart) == "");
+    CHECK(parsed(chart).steps.size() == 9);
 }

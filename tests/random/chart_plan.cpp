@@ -44,7 +44,8 @@ void Planner::fill(std::size_t block, std::size_t depth) {
     const bool is_expansion = plan_.blocks[block].is_expansion;
     const std::size_t share =
         std::max<std::size_t>(1, features_.steps / (plan_.graph_count + depth));
-    const std::size_t wanted = random_.between(is_expansion ? 0 : 1, std::max<std::size_t>(1, share));
+    const std::size_t wanted =
+        random_.between(is_expansion ? 0 : 1, std::max<std::size_t>(1, share));
     for (std::size_t i = 0; i < wanted && (i == 0 || steps_left_ != 0); ++i) {
         if (features_.macros && depth < 3 && steps_left_ > 2 && random_.one_in(5)) {
             add_macro(block, depth);
@@ -53,7 +54,7 @@ void Planner::fill(std::size_t block, std::size_t depth) {
         PlannedNode node;
         node.name = random_step_name(random_, features_, next_++);
         const auto& nodes = plan_.blocks[block].nodes;
-        node.initial = nodes.empty() && !is_expansion ? !random_.one_in(6) : random_.one_in(6);
+        node.initial = nodes.empty() && !is_expansion ? !random_.one_in(8) : random_.one_in(4);
         plan_.blocks[block].nodes.push_back(node);
         if (steps_left_ != 0) --steps_left_;
     }
@@ -88,8 +89,7 @@ std::vector<PlannedNode*> Planner::steps_that_may_enclose(std::size_t before_gra
     for (PlannedBlock& block : plan_.blocks) {
         if (block.graph >= before_graph) continue;
         for (PlannedNode& node : block.nodes) {
-            const bool is_free =
-                node.kind == PlannedNode::Kind::step && node.encloses == nothing;
+            const bool is_free = node.kind == PlannedNode::Kind::step && node.encloses == nothing;
             if (is_free) steps.push_back(&node);
         }
     }

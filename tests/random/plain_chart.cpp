@@ -74,16 +74,19 @@ std::size_t PlainWriter::sequence(std::size_t from, std::size_t least, std::size
 }
 
 std::size_t PlainWriter::selection(std::size_t from, std::size_t depth) {
-    const std::string chooser = input();
+    const std::size_t chosen = random_.below(inputs());
+    const std::string chooser = "i" + std::to_string(chosen);
+    const std::string other = "i" + std::to_string((chosen + 1) % inputs());
     std::vector<std::size_t> ends;
     for (const char* sign : {"", "/"}) {
         const std::size_t first = add_step();
-        const std::string more = random_.flip() ? "." + condition() : "";
+        const std::string more = random_.flip() ? "." + other : "";
         link(std::to_string(from), std::to_string(first), sign + chooser + more);
         ends.push_back(sequence(first, 0, depth));
     }
     const std::size_t joint = add_step();
-    for (const std::size_t end : ends) link(std::to_string(end), std::to_string(joint), condition());
+    for (const std::size_t end : ends)
+        link(std::to_string(end), std::to_string(joint), condition());
     return joint;
 }
 

@@ -69,7 +69,8 @@ std::string ExpressionWriter::expression(std::size_t depth, bool edges, bool tim
             return joined(leaf(), joined(random_.pick(not_signs) + leaf(), leaf()));
         default:
             return "(" +
-                   joined(expression(depth - 1, edges, times), expression(depth - 1, edges, times)) +
+                   joined(expression(depth - 1, edges, times),
+                          expression(depth - 1, edges, times)) +
                    ")";
     }
 }
@@ -129,22 +130,25 @@ std::string ExpressionWriter::plant_expression(std::size_t depth) {
 
 std::string ExpressionWriter::receptivity() {
     const std::string input = random_.pick(names_.inputs);
-    switch (random_.below(10)) {
+    switch (random_.below(12)) {
         case 0:
             return random_.one_in(4) ? "1" : "0 + " + input;
         case 1:
-            if (edges_left_ != 0) return edge(input);
-            return input;
         case 2:
-            return random_.pick(not_signs) + input;
+            return edges_left_ != 0 ? edge(input) : input;
         case 3:
         case 4:
-            return input + random_.pick(and_signs) + "(" + expression() + ")";
+            return random_.pick(not_signs) + input;
         case 5:
-            if (times_left_ != 0) return time_condition(1);
-            return input;
-        default:
+        case 6:
+            return input + random_.pick(and_signs) + "(" + expression() + ")";
+        case 7:
+            return times_left_ != 0 ? time_condition(1) : input;
+        case 8:
+        case 9:
             return expression();
+        default:
+            return input;
     }
 }
 

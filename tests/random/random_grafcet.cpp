@@ -201,15 +201,16 @@ std::string ChartWriter::action(std::size_t graph) {
 std::string ChartWriter::side(const PlannedBlock& block, std::size_t first) {
     std::vector<std::string> names{block.nodes[first].name};
     const std::size_t second = random_.below(block.nodes.size());
-    if (second != first && random_.one_in(5)) names.push_back(block.nodes[second].name);
+    if (second != first && random_.one_in(8)) names.push_back(block.nodes[second].name);
     return joined(names);
 }
 
 std::string ChartWriter::transition(const PlannedBlock& block, std::size_t from, std::size_t to) {
     std::string text;
     if (random_.one_in(3)) {
-        text = "(" + (random_.flip() ? std::to_string(next_label_)
-                                     : random_name(random_, features_, "t", next_label_)) +
+        text = "(" +
+               (random_.flip() ? std::to_string(next_label_)
+                               : random_name(random_, features_, "t", next_label_)) +
                ") ";
         ++next_label_;
     }

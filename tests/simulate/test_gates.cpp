@@ -19,15 +19,22 @@ bool plain_value(CellType type, const std::vector<bool>& inputs) {
         odd = odd != input;
     }
     switch (type) {
-        case CellType::high: return true;
+        case CellType::high:
+            return true;
         case CellType::buffer:
-        case CellType::or_gate: return any;
-        case CellType::and_gate: return all;
+        case CellType::or_gate:
+            return any;
+        case CellType::and_gate:
+            return all;
         case CellType::inverter:
-        case CellType::nor_gate: return !any;
-        case CellType::nand_gate: return !all;
-        case CellType::xor_gate: return odd;
-        default: return false;
+        case CellType::nor_gate:
+            return !any;
+        case CellType::nand_gate:
+            return !all;
+        case CellType::xor_gate:
+            return odd;
+        default:
+            return false;
     }
 }
 
@@ -126,7 +133,8 @@ TEST_CASE("a gate may have very many pins, and read a net more than once") {
     CHECK(bench.get("nor") == one);
 }
 
-TEST_CASE("at power-up all is unknown but what has an initial value, and constants come by themselves") {
+TEST_CASE(
+    "at power-up all is unknown but what has an initial value, and constants come by themselves") {
     SmallNetlist small;
     small.input("a");
     small.cell(CellType::high, "h", {});

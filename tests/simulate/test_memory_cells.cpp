@@ -72,7 +72,8 @@ TEST_CASE("the latch holds over time") {
 }
 
 TEST_CASE("the flip-flop takes its data at the rise of the clock, and in doubt nothing is known") {
-    // What a flip-flop holding `held` shows with data d when its clock goes from one value to another.
+    // What a flip-flop holding `held` shows with data d when its clock goes from one value to
+    // another.
     const auto taken = [](Logic d, Logic from, Logic to, Logic held) {
         SmallNetlist small;
         small.input("d");

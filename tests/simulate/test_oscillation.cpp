@@ -68,8 +68,7 @@ TEST_CASE("cross-coupled NOR gates released together oscillate with equal delays
         bench.set("s", zero);
         bench.set("r", zero);
         const Settling settling = bench.simulator.settle();
-        return settling.settled ? std::string("settled")
-                                : names(small, settling.oscillating);
+        return settling.settled ? std::string("settled") : names(small, settling.oscillating);
     };
     CHECK(release() == "q nq");
     delays.rise[1] = 1001;

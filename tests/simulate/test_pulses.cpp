@@ -40,8 +40,8 @@ struct PulseBench {
 /// An input that changes while the pulse runs, made by an XOR of slow buffers.
 struct Shaped {
     SmallNetlist small;
-    /// What a pulse cell shows whose input rises 1 ns after these moments begin and toggles 1 ns after
-    /// each of them, in nanoseconds.
+    /// What a pulse cell shows whose input rises 1 ns after these moments begin and toggles 1 ns
+    /// after each of them, in nanoseconds.
     std::string seen(std::initializer_list<Time> toggles, CellType type = CellType::rise_pulse,
                      Logic last = zero) {
         small.input("a");

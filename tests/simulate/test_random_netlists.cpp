@@ -32,13 +32,19 @@ Logic naive_gate(const Netlist& netlist, const Cell& cell, const Values& values)
     const Logic conjunction = !all ? zero : doubt ? unknown : one;
     const Logic disjunction = any ? one : doubt ? unknown : zero;
     switch (cell.type) {
-        case CellType::and_gate: return conjunction;
-        case CellType::nand_gate: return inverted(conjunction);
+        case CellType::and_gate:
+            return conjunction;
+        case CellType::nand_gate:
+            return inverted(conjunction);
         case CellType::nor_gate:
-        case CellType::inverter: return inverted(disjunction);
-        case CellType::high: return one;
-        case CellType::xor_gate: return doubt ? unknown : odd ? one : zero;
-        default: return disjunction;
+        case CellType::inverter:
+            return inverted(disjunction);
+        case CellType::high:
+            return one;
+        case CellType::xor_gate:
+            return doubt ? unknown : odd ? one : zero;
+        default:
+            return disjunction;
     }
 }
 
@@ -81,9 +87,9 @@ SmallNetlist random_netlist(std::mt19937& random, std::size_t inputs, std::size_
         small.input(names.back());
     }
     for (std::size_t i = 0; i < cells; ++i) names.push_back("g" + std::to_string(i));
-    constexpr CellType types[] = {CellType::buffer,    CellType::inverter, CellType::and_gate,
-                                  CellType::or_gate,   CellType::nand_gate, CellType::nor_gate,
-                                  CellType::xor_gate,  CellType::latch};
+    constexpr CellType types[] = {CellType::buffer,   CellType::inverter,  CellType::and_gate,
+                                  CellType::or_gate,  CellType::nand_gate, CellType::nor_gate,
+                                  CellType::xor_gate, CellType::latch};
     for (std::size_t i = 0; i < cells; ++i) {
         const CellType type = types[random() % std::size(types)];
         const std::size_t wanted = 1 + random() % 4;

@@ -33,8 +33,7 @@ TEST_CASE("ports are found by their names") {
     CHECK(ports.steps == std::vector<NetId>{small.net("X0"), small.net("X1")});
     CHECK(ports.outputs == std::vector<NetId>{small.net("V")});
     small.netlist.outputs.erase(small.netlist.outputs.begin());
-    CHECK(map_ports(grafcet, small.netlist).steps ==
-          std::vector<NetId>{no_net, small.net("X1")});
+    CHECK(map_ports(grafcet, small.netlist).steps == std::vector<NetId>{no_net, small.net("X1")});
 }
 
 TEST_CASE("a chart of two steps, one row per instant, ends of delays included") {
@@ -165,9 +164,9 @@ $enddefinitions $end
 #3000
 )");
     // A moment that is no whole nanosecond.
-    const SimulateResult fine = simulate(grafcet, small.netlist,
-                                         CellDelays{{1, 1, 1500}, {1, 1, 1500}},
-                                         stimuli_of("1us : a=1\n", grafcet), options);
+    const SimulateResult fine =
+        simulate(grafcet, small.netlist, CellDelays{{1, 1, 1500}, {1, 1, 1500}},
+                 stimuli_of("1us : a=1\n", grafcet), options);
     CHECK(fine.waveform.find("$timescale 1 ps $end") != std::string::npos);
     CHECK(fine.waveform.find("#1000000\n1!\n#1001500\n1$\n") != std::string::npos);
 }

@@ -77,6 +77,8 @@ SmallNetlist two_steps_clocked() {
     return small;
 }
 
-std::string traced(const SimulateResult& result) { return write_csv(result.trace); }
+std::string traced(const SimulateResult& result) {
+    return write_csv(result.trace);
+}
 
 }  // namespace grafwire

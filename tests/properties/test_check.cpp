@@ -1,0 +1,127 @@
+// The check on random charts: a clocked netlist is right by construction, so the verdict must never
+// be "different"; a wiring of NAND latches may be wrong, and then the witness must show it again.
+
+#include <doctest/doctest.h>
+
+#include "check/check_equivalence.h"
+#include "netlist/netlist_from.h"
+#include "properties/random_cases.h"
+#include "random/read_text.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
+    const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
+    Equations equations = equations_from(grafcet, {cdx, true});
+    Diagnostics diagnostics;
+    return netlist_from(equations, style, diagnostics);
+}
+
+CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {
+    CheckOptions options;
+    options.max_cases = max_cases;
+    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+}
+
+std::string witness_text(const Grafcet& grafcet, const Witness& witness) {
+    std::string text = "witness\n" + write_stimuli(witness.stimuli, grafcet);
+    for (const Witness::Value& value : witness.values) {
+        if (value.expected == value.got) continue;
+        text += value.name + ": expected " + std::to_string(static_cast<int>(value.expected)) +
+                ", got " + std::to_string(static_cast<int>(value.got)) + "\n";
+    }
+    return text;
+}
+
+struct Tally {
+    std::size_t equivalent = 0;
+    std::size_t different = 0;
+    std::size_t undecided = 0;
+    void count(Verdict verdict) {
+        ++(verdict == Verdict::equivalent  ? equivalent
+           : verdict == Verdict::different ? different
+                                           : undecided);
+    }
+};
+
+std::string clocked_is_never_different(const RandomCase& item, Tally& tally) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto netlist = netlist_in(*grafcet, Style::clocked);
+    const CheckResult result = checked(*grafcet, *netlist, 3000);
+    tally.count(result.verdict);
+    if (result.verdict == Verdict::different) return witness_text(*grafcet, *result.witness);
+    if (result.impossible_timings != 0) return "a difference, though with impossible timings";
+    return {};
+}
+
+/// Of an asynchronous style: a witness that replays wherever the verdict is "different".
+std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto netlist = netlist_in(*grafcet, style);
+    if (!netlist) return "no netlist";
+    const CheckResult result = checked(*grafcet, *netlist, 20'000);
+    tally.count(result.verdict);
+    if (result.verdict != Verdict::different) {
+        if (result.witness) return "a witness without a difference";
+        return {};
+    }
+    if (!result.witness) return "no witness";
+    const auto again = replay(*grafcet, *netlist, unit_delays(*netlist), result.witness->stimuli);
+    if (!again) return "does not replay: " + witness_text(*grafcet, *result.witness);
+    if (again->kind != result.witness->kind) return "replays as a difference of another kind";
+    const auto written = read_stimuli(write_stimuli(result.witness->stimuli, *grafcet), *grafcet);
+    if (!written) return "the stimuli of the witness cannot be read";
+    if (!replay(*grafcet, *netlist, unit_delays(*netlist), *written)) {
+        return "does not replay once written and read";
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("no clocked netlist of a small random chart is different") {
+    Tally tally;
+    const Property property = [&](const RandomCase& item) {
+        return clocked_is_never_different(item, tally);
+    };
+    check_property(property, Features::small(), 1'000'000, 400, 1);
+    MESSAGE("clocked: " << tally.equivalent << " equivalent, " << tally.undecided
+                        << " undecided within the bound");
+    CHECK(tally.equivalent > tally.undecided);
+}
+
+TEST_CASE("asynchronous netlists of plain charts: every witness replays") {
+    Features features = Features::plain_chart();
+    features.steps = 8;
+    features.inputs = 3;
+    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+        Tally tally;
+        const Property property = [&](const RandomCase& item) {
+            return witness_replays(item, style, tally);
+        };
+        check_property(property, features, 1'100'000, 150, 1);
+        MESSAGE(style_table[static_cast<std::size_t>(style)].name
+                << ": " << tally.equivalent << " equivalent, " << tally.different << " different, "
+                << tally.undecided << " undecided");
+        CHECK(tally.equivalent != 0);
+    }
+}
+
+TEST_CASE("asynchronous netlists of any charts: every witness replays") {
+    Features features = Features::small();
+    features.counters = 0;
+    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+        Tally tally;
+        const Property property = [&](const RandomCase& item) {
+            return witness_replays(item, style, tally);
+        };
+        check_property(property, features, 1'200'000, 150, 1);
+        MESSAGE(style_table[static_cast<std::size_t>(style)].name
+                << ": " << tally.equivalent << " equivalent, " << tally.different << " different, "
+                << tally.undecided << " undecided");
+    }
+}
+
+}  // namespace grafwire::testing

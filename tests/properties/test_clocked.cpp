@@ -1,0 +1,82 @@
+// The clocked netlist is the reference, scan by scan and until stable, in every column of the
+// trace.
+
+#include <doctest/doctest.h>
+
+#include "evolution/run.h"
+#include "netlist/netlist_from.h"
+#include "properties/random_cases.h"
+#include "random/read_text.h"
+#include "simulate/simulate.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+std::string compare(const Trace& expected, const Trace& got) {
+    const std::string a = write_csv(expected);
+    const std::string b = write_csv(got);
+    return a == b ? "" : "reference\n" + a + "netlist\n" + b;
+}
+
+std::optional<Netlist> clocked(const Grafcet& grafcet) {
+    Equations equations = equations_from(grafcet, {CdxForm::transition, true});
+    Diagnostics diagnostics;
+    return netlist_from(equations, Style::clocked, diagnostics);
+}
+
+SimulateResult cycles(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
+                      Time period) {
+    SimulateOptions options;
+    options.scan_period = period;
+    return simulate(grafcet, netlist, unit_delays(netlist), stimuli, options);
+}
+
+std::string clocked_scans(const RandomCase& item) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto stimuli = read_stimuli(item.stimuli, *grafcet);
+    const auto netlist = clocked(*grafcet);
+    if (!netlist) return "no netlist";
+    if (const std::string fault = fault_of(*netlist); !fault.empty()) return fault;
+    for (const Time period : {millisecond, 1500 * microsecond}) {
+        const RunResult expected = run_scans(*grafcet, *stimuli, period);
+        const SimulateResult got = cycles(*grafcet, *netlist, *stimuli, period);
+        if (got.unsettled_at) return "the netlist does not settle within a scan";
+        const std::string difference = compare(expected.trace, got.trace);
+        if (!difference.empty()) return "every " + format_duration(period) + "\n" + difference;
+    }
+    return {};
+}
+
+std::string clocked_until_stable(const RandomCase& item) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto stimuli = read_stimuli(item.stimuli, *grafcet);
+    const auto netlist = clocked(*grafcet);
+    if (!netlist) return "no netlist";
+    const RunResult expected = run_until_stable(*grafcet, *stimuli);
+    const SimulateResult got = cycles(*grafcet, *netlist, *stimuli, 0);
+    if (got.unsettled_at != expected.unstable_at) {
+        return "unstable: reference " +
+               (expected.unstable_at ? format_milliseconds(*expected.unstable_at) : "never") +
+               ", netlist " +
+               (got.unsettled_at ? format_milliseconds(*got.unsettled_at) : "never") + "\n" +
+               compare(expected.trace, got.trace);
+    }
+    return compare(expected.trace, got.trace);
+}
+
+}  // namespace
+
+// A time condition within another sees the end of a delay one scan later in the netlist, where the
+// reference goes from the inside outwards within one scan: without nested ones here.
+TEST_CASE("the clocked netlist is the reference scan by scan") {
+    Features features;
+    features.nested_times = false;
+    check_property(clocked_scans, features, 500'000, 1200, 15);
+}
+
+TEST_CASE("the clocked netlist is the reference until stable") {
+    check_property(clocked_until_stable, Features(), 600'000, 1500, 15);
+}
+
+}  // namespace grafwire::testing

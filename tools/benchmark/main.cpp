@@ -1,0 +1,36 @@
+// tools/bench [--quick] [--no-icarus] [SECTION…]: measures what the product is to be fast at.
+// Sections: pipeline, evolution, cases, events; all where none is named.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "sections.h"
+
+int main(int argc, char** argv) {
+    bench::Options options;
+    std::set<std::string> sections;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--quick") {
+            options.sizes = {1'000, 10'000, 100'000};
+            options.largest_for_icarus = 10'000;
+        } else if (word == "--no-icarus") {
+            options.largest_for_icarus = 0;
+        } else if (word == "pipeline" || word == "evolution" || word == "cases" ||
+                   word == "events") {
+            sections.insert(word);
+        } else {
+            fmt::print(stderr,
+                       "usage: bench [--quick] [--no-icarus] [pipeline|evolution|cases|events]…\n");
+            return 2;
+        }
+    }
+    const auto wanted = [&](const char* name) { return sections.empty() || sections.count(name); };
+    if (wanted("pipeline")) bench::measure_pipeline(options);
+    if (wanted("evolution")) bench::measure_evolution();
+    if (wanted("cases")) bench::measure_cases();
+    if (wanted("events")) bench::measure_gate_events(options);
+}
