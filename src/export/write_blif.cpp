@@ -45,6 +45,7 @@ class BlifWriter {
 
   private:
     void write_ports(std::string_view keyword, const std::vector<Port>& ports);
+    void write_module_comment(const Module& module);
     void write_aliases();
     void write_cell(const Cell& cell);
     void write_names(const Cell& cell);
@@ -79,16 +80,7 @@ std::string BlifWriter::write() {
     }
     write_aliases();
     for (const Module& module : netlist_.modules) {
-        out_ += "# ";
-        // A backslash at the end of a line would join it with the next.
-        for (const char c : module.comment.empty() ? module.name : module.comment) {
-            if (c == '\\') {
-                out_ += "%5C";
-            } else {
-                append_comment(out_, std::string_view(&c, 1));
-            }
-        }
-        out_ += '\n';
+        write_module_comment(module);
         for (std::uint32_t i = 0; i < module.cell_count; ++i) {
             write_cell(netlist_.cells.items()[module.first_cell + i]);
         }
@@ -96,6 +88,23 @@ std::string BlifWriter::write() {
     out_ += ".end\n";
     write_models();
     return std::move(out_);
+}
+
+/// Yosys takes a comment that follows a constant for a part of it, so there is none then.
+void BlifWriter::write_module_comment(const Module& module) {
+    if (module.first_cell != 0 &&
+        netlist_.pins_of(netlist_.cells.items()[module.first_cell - 1]).empty()) {
+        return;
+    }
+    out_ += "# ";
+    for (const char c : module.comment.empty() ? module.name : module.comment) {
+        if (c == '\\') {
+            out_ += "%5C";  // at the end of a line it would join it with the next
+        } else {
+            append_comment(out_, std::string_view(&c, 1));
+        }
+    }
+    out_ += '\n';
 }
 
 void BlifWriter::write_ports(std::string_view keyword, const std::vector<Port>& ports) {
@@ -190,10 +199,10 @@ void BlifWriter::write_black_box(const Cell& cell) {
 
 void BlifWriter::write_cell(const Cell& cell) {
     switch (cell.type) {
-        case CellType::low: return write_names(cell);
+        case CellType::low:
         case CellType::high:
             write_names(cell);
-            out_ += "1\n";
+            out_ += cell.type == CellType::low ? "0\n" : "1\n";
             return;
         case CellType::buffer: return write_cube(cell, '1', '1');
         case CellType::inverter: return write_cube(cell, '0', '1');

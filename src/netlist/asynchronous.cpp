@@ -22,9 +22,31 @@
 
 namespace grafwire {
 
+bool AsynchronousBuild::is_in_loop_of_two(TransitionId transition) const {
+    const Grafcet& grafcet = *equations.grafcet;
+    const auto before = grafcet.preceding(grafcet.transitions[transition]);
+    for (const StepId after : grafcet.following(grafcet.transitions[transition])) {
+        for (const TransitionId back : links.out_of_step(after)) {
+            for (const StepId step : grafcet.following(grafcet.transitions[back])) {
+                if (std::find(before.begin(), before.end(), step) != before.end()) return true;
+            }
+        }
+    }
+    return false;
+}
+
+// In a loop of two steps the clearing condition must last until the step before has fallen, because
+// that step is what resets the one after. So a freezing order, which may come at the same instant,
+// is let in only then.
 std::vector<NetId> AsynchronousBuild::clearing_factors(TransitionId transition) {
-    const ExprId product = equations.clearing[transition];
-    std::vector<NetId> nets = logic.factors(product);
+    const Transition& item = equations.grafcet->transitions[transition];
+    const ExprId frozen = equations.frozen[item.graph];
+    ExprId late = no_expr;
+    if (frozen != no_expr && is_in_loop_of_two(transition)) {
+        late = not_of(equations.expressions, frozen);
+    }
+    std::vector<NetId> nets =
+        logic.clearing_factors(equations.clearing[transition], writing_steps, late);
     if (nets.empty()) nets.push_back(builder.high());
     return nets;
 }
@@ -59,6 +81,23 @@ void mark_read(const Expressions& pool, ExprId id, std::vector<std::uint8_t>& ou
     for (const ExprId operand : pool.operands(id)) mark_read(pool, operand, outputs, vars);
 }
 
+std::vector<std::uint8_t> writing_steps(const Equations& equations) {
+    const Grafcet& grafcet = *equations.grafcet;
+    std::vector<std::uint8_t> writing(grafcet.steps.size());
+    for (const StoredEquation& stored : equations.stored) {
+        for (const StoredWrite& write : stored.writes) {
+            if (write.cause != StoredWrite::Cause::clearing) {
+                writing[index_of(write.step)] = 1;
+                continue;
+            }
+            for (const StepId step : grafcet.following(grafcet.transitions[write.transition])) {
+                writing[index_of(step)] = 1;
+            }
+        }
+    }
+    return writing;
+}
+
 /// Builds one netlist; the members are what its parts share.
 class Frame {
   public:
@@ -67,8 +106,12 @@ class Frame {
           grafcet_(*equations.grafcet),
           builder_(grafcet_),
           logic_(equations, builder_),
-          build_{equations, builder_, logic_, transitions_by_step(grafcet_),
-                 std::vector<NetId>(grafcet_.transitions.size(), no_net)},
+          build_{equations,
+                 builder_,
+                 logic_,
+                 transitions_by_step(grafcet_),
+                 std::vector<NetId>(grafcet_.transitions.size(), no_net),
+                 writing_steps(equations)},
           make_phase_(make_phase) {
         logic_.pulse_width = set_depth * nanosecond;
     }

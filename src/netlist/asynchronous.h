@@ -31,12 +31,16 @@ struct AsynchronousBuild {
     LogicBuilder& logic;
     StepTransitions links;
     std::vector<NetId> clearing;  ///< per transition: its clearing gate, made when first asked for
+    /// Per step: 1 where its activation writes a stored output or var. What follows waits for that.
+    std::vector<std::uint8_t> writing_steps;
 
     /// The net that is 1 while a transition is being cleared: AND of the X before it and its
     /// receptivity.
     NetId clearing_net(TransitionId transition);
     /// The factors of that product.
     std::vector<NetId> clearing_factors(TransitionId transition);
+    /// Whether a step after the transition leads straight back to one before it.
+    bool is_in_loop_of_two(TransitionId transition) const;
     /// `X7`, for the names of inner nets.
     std::string_view step_name(NetId x) const { return builder.netlist().names[x]; }
 };

@@ -87,9 +87,9 @@ LogicBuilder::Signal LogicBuilder::make_variable(Variable variable) {
         case VariableKind::step:
             return {steps[variable.index], Signal::independent, 0};
         case VariableKind::output:
-            return {outputs[variable.index], Signal::independent, 0};
+            return {outputs[variable.index], Signal::independent, write_latency};
         case VariableKind::var:
-            return {vars[variable.index], Signal::independent, 0};
+            return {vars[variable.index], Signal::independent, write_latency};
         case VariableKind::counter:
         case VariableKind::macro:
         case VariableKind::graph:
@@ -169,12 +169,33 @@ std::vector<LogicBuilder::Signal> LogicBuilder::factor_signals(ExprId id) {
     return operands;
 }
 
-std::vector<NetId> LogicBuilder::factors(ExprId id) {
-    std::vector<Signal> operands = factor_signals(id);
-    align(operands);
+std::vector<NetId> LogicBuilder::aligned_nets(std::vector<Signal> signals) {
+    align(signals);
     std::vector<NetId> nets;
-    for (const Signal& operand : operands) nets.push_back(operand.net);
+    for (const Signal& signal : signals) nets.push_back(signal.net);
     return nets;
+}
+
+std::vector<NetId> LogicBuilder::factors(ExprId id) {
+    return aligned_nets(factor_signals(id));
+}
+
+std::vector<NetId> LogicBuilder::clearing_factors(ExprId id, const std::vector<std::uint8_t>& slow,
+                                                  ExprId late) {
+    std::vector<Signal> signals = factor_signals(id);
+    const bool is_product = pool_.kind(id) == ExprKind::conjunction;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        const ExprId factor = is_product ? pool_.operands(id)[i] : id;
+        bool waits = factor == late;
+        if (pool_.kind(factor) == ExprKind::variable) {
+            const Variable variable = pool_.variable_of(factor);
+            waits |= variable.kind == VariableKind::step && slow[variable.index] != 0;
+        }
+        if (!waits) continue;
+        signals[i].net = builder_.delayed(signals[i].net, write_latency);
+        signals[i].since_step += write_latency;
+    }
+    return aligned_nets(std::move(signals));
 }
 
 unsigned LogicBuilder::input_latency(ExprId product) {

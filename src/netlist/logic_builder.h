@@ -40,6 +40,11 @@ class LogicBuilder {
     std::vector<NetId> outputs;  ///< of stored outputs
     std::vector<NetId> vars;
 
+    /// The gates from an X to the stored variable that it writes: pulse cell, AND, OR, latch. A
+    /// variable counts as a signal that has come so far since an X, so that where a transition
+    /// reads it the X before the transition is delayed until what that step writes can be seen.
+    static constexpr int write_latency = 4;
+
     /// How long the output of a pulse cell stays 1.
     Time pulse_width = 0;
     /// The owner in the names of the gates that are made next.
@@ -51,6 +56,11 @@ class LogicBuilder {
     /// The nets of the factors of a product, brought to one latency; a single net where the
     /// expression is no conjunction, none where it is the constant 1.
     std::vector<NetId> factors(ExprId id);
+    /// The same for the clearing condition of a transition, in which the X of `slow` steps (one
+    /// byte per step) are seen late enough for their writes to be done, and the factor `late`
+    /// (no_expr for none) stays as it was for as long.
+    std::vector<NetId> clearing_factors(ExprId id, const std::vector<std::uint8_t>& slow,
+                                        ExprId late);
     /// The gates an input has gone through where it enters that product; 0 where it reads none.
     unsigned input_latency(ExprId product);
 
@@ -68,6 +78,7 @@ class LogicBuilder {
     Signal make_time_condition(ExprId id);
     Signal align(std::vector<Signal>& operands);
     std::vector<Signal> factor_signals(ExprId id);
+    std::vector<NetId> aligned_nets(std::vector<Signal> signals);
     std::string next_role();
 
     const Equations& equations_;

@@ -45,7 +45,15 @@ class NorPhase {
                     "set" + build_.equations.grafcet->transitions[into].name);
         }
         if (phase_.initial && phase_.init != no_net) add_set({phase_.init}, "init");
-        if (phase_.forced_on != no_net) add_set({phase_.forced_on}, "forced");
+        if (phase_.forced_on != no_net) {
+            // Only what an order does not outweigh blocks it: the resets of add_reset give way.
+            std::vector<NetId> pins{phase_.forced_on};
+            if (phase_.enclosing != no_net) pins.push_back(phase_.enclosing);
+            if (phase_.not_au_dur != no_net) pins.push_back(phase_.not_au_dur);
+            sets_.push_back(pins.size() == 1
+                                ? pins[0]
+                                : builder_.gate(CellType::and_gate, pins, name_, "forced"));
+        }
         if (!phase_.link.empty()) add_set(phase_.link, "link");
     }
 

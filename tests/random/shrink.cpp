@@ -46,13 +46,13 @@ std::size_t word_length(std::string_view text) {
     return std::max<std::size_t>(length, 1);
 }
 
-/// The words of a line, each with the white space before it.
+/// The words of a line, each with the white space before it, without the line break.
 Parts words_of(const std::string& line) {
     Parts words;
     for (std::size_t begin = 0; begin < line.size();) {
         std::size_t at = line.find_first_not_of(" \n", begin);
-        at = at == std::string::npos ? line.size()
-                                     : at + word_length(std::string_view(line).substr(at));
+        if (at == std::string::npos) break;
+        at += word_length(std::string_view(line).substr(at));
         words.push_back(line.substr(begin, at - begin));
         begin = at;
     }
@@ -167,7 +167,7 @@ bool Shrinker::drop_blocks() {
 bool Shrinker::try_line(std::string RandomCase::*text, Parts& lines, std::size_t line,
                         const Parts& words) {
     Parts changed = lines;
-    changed[line] = glued(words);
+    changed[line] = glued(words) + "\n";
     if (!accept(text, changed)) return false;
     lines = std::move(changed);
     return true;

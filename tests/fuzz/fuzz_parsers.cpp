@@ -1,0 +1,85 @@
+// libFuzzer target: the readers of what people write. The first byte chooses the reader; whatever
+// the rest is, there must be no crash, and what is accepted must come back unchanged when it is
+// written and read again.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "equations/equations.h"
+#include "equations/write_equations.h"
+#include "grafcet/describe_grafcet.h"
+#include "grafcet/parse_grafcet.h"
+#include "grafcet/write_grafcet.h"
+#include "trace/stimuli.h"
+
+namespace grafwire {
+
+namespace {
+
+void require(bool condition, const char* what, const std::string& text) {
+    if (condition) return;
+    std::fprintf(stderr, "%s\n%s\n", what, text.c_str());
+    std::abort();
+}
+
+std::optional<Grafcet> read_grafcet(std::string text) {
+    const SourceFile source{"fuzz.grafcet", std::move(text)};
+    Diagnostics diagnostics;
+    std::optional<Grafcet> grafcet = parse_grafcet(source, diagnostics);
+    require(grafcet.has_value() != diagnostics.has_errors(), "errors and a result, or neither",
+            source.text);
+    format_diagnostics(diagnostics, source);
+    return grafcet;
+}
+
+void try_grafcet(std::string text) {
+    const std::optional<Grafcet> grafcet = read_grafcet(std::move(text));
+    if (!grafcet) return;
+    const std::string written = write_grafcet(*grafcet);
+    const std::optional<Grafcet> again = read_grafcet(written);
+    require(again.has_value(), "cannot be read back", written);
+    require(write_grafcet(*again) == written, "written differently the second time", written);
+    describe_grafcet(*grafcet, Language::french);
+    if (grafcet->steps.size() > 50 || grafcet->expressions.size() > 500) return;
+    for (const CdxForm form : {CdxForm::successor, CdxForm::transition}) {
+        const Equations equations = equations_from(*grafcet, {form, true});
+        write_equations(equations, {EquationFormat::text, false, Language::english});
+    }
+}
+
+void try_stimuli(std::string text) {
+    static const Grafcet grafcet =
+        *read_grafcet("input a, b, \"c d\", été graph G { initial 0 0 -> 0 : a.b.\"c d\".été }");
+    const SourceFile source{"fuzz.stim", std::move(text)};
+    Diagnostics diagnostics;
+    const std::optional<Stimuli> stimuli = parse_stimuli(source, grafcet, diagnostics);
+    require(stimuli.has_value() != diagnostics.has_errors(), "errors and a result, or neither",
+            source.text);
+    format_diagnostics(diagnostics, source);
+    if (!stimuli) return;
+    const std::string written = write_stimuli(*stimuli, grafcet);
+    const SourceFile copy{"written.stim", written};
+    Diagnostics of_copy;
+    const std::optional<Stimuli> again = parse_stimuli(copy, grafcet, of_copy);
+    require(again.has_value(), "cannot be read back", written);
+    require(write_stimuli(*again, grafcet) == written, "written differently the second time",
+            written);
+}
+
+}  // namespace
+
+}  // namespace grafwire
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+    if (data[0] == 's') {
+        grafwire::try_stimuli(std::move(text));
+    } else {
+        grafwire::try_grafcet(std::move(text));
+    }
+    return 0;
+}
