@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "command/command.h"
+#include "command/request_error.h"
 
 namespace {
 
@@ -68,7 +69,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? done : bad_request;
+        // Help and version are no errors.
+        if (error.get_exit_code() == 0) return app.exit(error);
+        complain(explain(app, error));
+        return bad_request;
     }
     return chosen();
 }

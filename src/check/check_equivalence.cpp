@@ -10,6 +10,12 @@
 // reported. A difference that would need delays to end in an order their lengths do not allow is
 // counted, its state is not explored further, and the verdict is then not "equivalent" either.
 //
+// An input that nobody reads in the state reached is forgotten there: it is left open, as it could
+// be changed now without any effect. So states that differ only in such inputs are one node. Nobody
+// reads it if a further scan of the reference does not consult it, and if the netlist, with the
+// input unknown, keeps the value of everything it remembers. Where the way to a difference needs
+// the other value after all, the change without effect is put in as an instant of its own.
+//
 // Breadth first, because the shortest way to a difference is the easiest to read. All nodes are
 // compared by their whole state, never by a digest: a collision would be a wrong verdict.
 //
@@ -113,6 +119,7 @@ class Exploration {
                  const ReferenceOutcome& expected);
     void arrive(const Node* node, const PathStep& step, const ReferenceOutcome& expected,
                 SimulatorState&& netlist_state);
+    void forget_unread_inputs(Node& node);
     void found_difference(const Node* node, const PathStep& step);
     void note_unstable(const Node* node, const PathStep& step, const ReferenceOutcome& expected);
     void count_case(bool stable);
@@ -238,6 +245,8 @@ void Exploration::arrive(const Node* node, const PathStep& step, const Reference
                          SimulatorState&& netlist_state) {
     Node next{expected.state, std::move(netlist_state), step.inputs, 0};
     if (!seen_.insert(key_of(next)).second) return;
+    forget_unread_inputs(next);
+    if (next.inputs != step.inputs && !seen_.insert(key_of(next)).second) return;
     std::string situation;
     append_words(situation, next.reference.situation);
     if (situations_.insert(std::move(situation)).second) ++result_.coverage.situations;
@@ -246,13 +255,47 @@ void Exploration::arrive(const Node* node, const PathStep& step, const Reference
     waiting_.push_back(std::move(next));
 }
 
+void Exploration::forget_unread_inputs(Node& node) {
+    std::vector<std::uint32_t> unread = reference_.unread_inputs(node.reference, node.inputs);
+    if (unread.empty()) return;
+    auto forgotten = gates_.forget(node.netlist, unread);
+    if (!forgotten) {
+        // Together they matter to the netlist; some of them may not.
+        std::vector<std::uint32_t> rest;
+        for (const std::uint32_t input : unread) {
+            rest.push_back(input);
+            if (auto more = gates_.forget(node.netlist, rest)) {
+                forgotten = std::move(more);
+            } else {
+                rest.pop_back();
+            }
+        }
+        unread = std::move(rest);
+    }
+    if (!forgotten) return;
+    for (const std::uint32_t input : unread) node.inputs[input] = Logic::unknown;
+    node.netlist = std::move(*forgotten);
+}
+
+/// The first inputs where they say something, else the second.
+PartialInputs merged(PartialInputs first, const PartialInputs& second) {
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] == Logic::unknown) first[i] = second[i];
+    }
+    return first;
+}
+
 std::vector<PathStep> Exploration::path_to(const Node* node, const PathStep& last) const {
     std::vector<PathStep> path{last};
     for (std::uint32_t at = node == nullptr ? no_parent : node->path; at != no_parent;
          at = paths_[at].parent) {
-        // What a later step closes in the state it leaves is closed in the step that led there.
+        // What a later step closes in the state it leaves was open there; so it is closed in the
+        // step that led there, or changes without effect in between.
         PathStep step = paths_[at].step;
-        step.inputs = path.back().before;
+        const PartialInputs wanted = merged(path.back().before, step.inputs);
+        const PartialInputs reached = merged(step.inputs, path.back().before);
+        if (wanted != reached) path.push_back({reached, wanted, {}});
+        step.inputs = reached;
         if (paths_[at].parent == no_parent) step.before = step.inputs;
         path.push_back(std::move(step));
     }

@@ -40,9 +40,25 @@ void NetlistCases::find_watched_nets() {
         }
     }
     watched_.insert(watched_.end(), ports_.steps.begin(), ports_.steps.end());
+    remembered_ = watched_;
     watched_.insert(watched_.end(), ports_.outputs.begin(), ports_.outputs.end());
     std::sort(watched_.begin(), watched_.end());
     watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
+                                                   const std::vector<std::uint32_t>& inputs) {
+    simulator_.restore(state);
+    simulator_.begin_instant(simulator_.now());
+    for (const std::uint32_t input : inputs) {
+        if (ports_.inputs[input] == no_net) continue;
+        simulator_.set_input(ports_.inputs[input], Logic::unknown);
+    }
+    if (!simulator_.settle().settled) return std::nullopt;
+    for (const NetId net : remembered_) {
+        if (simulator_.value(net) != state.values[index_of(net)]) return std::nullopt;
+    }
+    return simulator_.save();
 }
 
 void NetlistCases::set_inputs(const PartialInputs& inputs) {

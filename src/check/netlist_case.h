@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "check/reference_case.h"
@@ -35,6 +36,11 @@ class NetlistCases {
     NetlistOutcome run(const SimulatorState* start, const PartialInputs& left, const PathStep& step,
                        const ReferenceOutcome& expected);
 
+    /// Opens inputs in a state, if none of the nets on which the future depends (the outputs aside)
+    /// comes to depend on them; nothing otherwise.
+    std::optional<SimulatorState> forget(const SimulatorState& state,
+                                         const std::vector<std::uint32_t>& inputs);
+
   private:
     void apply(const SimulatorState* start, const PartialInputs& left, const PathStep& step);
     void set_inputs(const PartialInputs& inputs);
@@ -54,6 +60,7 @@ class NetlistCases {
     std::vector<std::uint32_t> input_of_net_;  ///< per net: the input it carries, or none
     /// Nets on which the future depends: X, outputs, memories, feedback loops, operands of timers.
     std::vector<NetId> watched_;
+    std::vector<NetId> remembered_;  ///< the same without the outputs
 };
 
 }  // namespace grafwire

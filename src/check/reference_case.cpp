@@ -52,6 +52,20 @@ ReferenceOutcome ReferenceCases::run(const EvolutionState* start,
     return outcome;
 }
 
+std::vector<std::uint32_t> ReferenceCases::unread_inputs(const EvolutionState& state,
+                                                         const PartialInputs& inputs) const {
+    InputValues values(inputs.size());
+    std::vector<std::uint8_t> consulted(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
+    EvolutionState again = state;
+    evolution_.scan(again, {values, &consulted}, 0);
+    std::vector<std::uint32_t> unread;
+    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+        if (consulted[i] == 0 && inputs[i] != Logic::unknown) unread.push_back(i);
+    }
+    return unread;
+}
+
 /// Every scan up to the last of the instant, or until a state comes back.
 void ReferenceCases::run_scans(ReferenceOutcome& outcome, const EvolutionInputs& inputs) const {
     std::vector<EvolutionState> seen;

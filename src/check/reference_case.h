@@ -39,6 +39,11 @@ class ReferenceCases {
     ReferenceOutcome run(const EvolutionState* start, const std::vector<std::uint32_t>& ended,
                          const PartialInputs& inputs) const;
 
+    /// The inputs, among those not open, that a further instant with the same inputs does not look
+    /// at (nor does the GRAFCET while nothing else changes). Outputs do not count.
+    std::vector<std::uint32_t> unread_inputs(const EvolutionState& state,
+                                             const PartialInputs& inputs) const;
+
   private:
     void run_scans(ReferenceOutcome& outcome, const EvolutionInputs& inputs) const;
 

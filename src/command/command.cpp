@@ -49,6 +49,12 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
     return stimuli;
 }
 
+bool share_standard_input(const std::string& path, const std::string& stimuli) {
+    if (path != "-" || stimuli != "-") return false;
+    complain("GRAFCET and stimuli cannot both come from standard input: give a file for one");
+    return true;
+}
+
 void NetlistRequest::declare(CLI::App& app, bool style_is_required) {
     std::vector<std::string> styles;
     for (const StyleRow& row : style_table) styles.emplace_back(row.name);

@@ -48,6 +48,9 @@ std::optional<LoadedGrafcet> load_grafcet(const std::string& path);
 /// Stimuli for a GRAFCET, likewise.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);
 
+/// Whether both are to come from standard input, which can be read only once; shows it if so.
+bool share_standard_input(const std::string& path, const std::string& stimuli);
+
 /// The options that say which netlist to make; shared by several commands.
 struct NetlistRequest {
     std::string style;

@@ -19,8 +19,8 @@ class OutputFiles {
     /// "-" and the empty path stand for standard output.
     void add(std::string path, std::string text);
 
-    /// Writes every file beside its place under another name, then moves all of them there. Returns
-    /// what went wrong, or nothing.
+    /// Writes every file beside its place under another name, then moves all of them there; devices
+    /// and pipes, standard output among them, come last. Returns what went wrong, or nothing.
     std::optional<std::string> write();
 
   private:

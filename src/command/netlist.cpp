@@ -49,7 +49,10 @@ std::function<int()> declare_netlist(CLI::App& app, const Language&) {
         // Read the request.
         const Exporter* exporter = find_exporter(request->format);
         const auto period = parse_period(request->scan);
-        if (exporter == nullptr || !period) return static_cast<int>(bad_request);
+        if (exporter == nullptr || !period ||
+            share_standard_input(request->path, request->stimuli)) {
+            return static_cast<int>(bad_request);
+        }
         // Read the GRAFCET and make the netlist.
         const auto loaded = load_grafcet(request->path);
         if (!loaded) return static_cast<int>(bad_request);

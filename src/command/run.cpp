@@ -28,6 +28,9 @@ std::function<int()> declare_run(CLI::App& app, const Language& language) {
     request->output.declare(app);
     return [request, &language] {
         // Read the GRAFCET and the stimuli.
+        if (share_standard_input(request->path, request->stimuli)) {
+            return static_cast<int>(bad_request);
+        }
         const auto loaded = load_grafcet(request->path);
         if (!loaded) return static_cast<int>(bad_request);
         const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);

@@ -23,8 +23,7 @@ std::string verilog(const Netlist& netlist, const ExportOptions& options, Diagno
 }
 
 std::string spice(const Netlist& netlist, const ExportOptions& options, Diagnostics& diagnostics) {
-    return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(),
-                       options.scan_period, diagnostics);
+    return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(), diagnostics);
 }
 
 constexpr std::array<Exporter, 7> table{{

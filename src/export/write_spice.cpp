@@ -1,15 +1,20 @@
-// Gates are XSPICE digital models with an inertial delay of 1 ns (ngspice manual, "XSPICE: digital
-// models"). Cells without a model of their own are put together from others; what such a cell has
-// inside takes a picosecond, so that the whole still takes 1 ns.
+// Gates are XSPICE digital models with a delay of 1 ns (ngspice manual, "XSPICE: digital models"). Cells without a model of their own are put together from others; what is inside such a
+// cell takes a picosecond, so that the whole still takes 1 ns:
 //
 //     latch       q = s + /r.q
-//     pulse       a flip-flop set by the edge, reset by itself through a delay
+//     pulse       a flip-flop set by the edge, reset by its own output through a delay
 //     timer       a buffer with the two delays
 //
-// During the start (node `start` at 1) Init is 1, latches and nets with initial values are held at
-// these, and timers at theirs. Inputs are voltage sources behind analog-to-digital bridges, since a
-// digital source would need a second file. Outputs are sampled by flip-flops: thus `eprint` shows
-// them once an instant and not at every change of a gate.
+// During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held at
+// these, and timers at theirs.
+//
+// Inputs are made of delays, too: a buffer per moment of the stimuli, and an input is the exclusive or
+// of the moments at which it changes. A voltage source behind a bridge would change up to some
+// microseconds late, since the analogue solver chooses its own steps, and a digital source would need
+// a second file.
+//
+// Outputs are sampled by flip-flops: thus `eprint` shows them once an instant and not at every change
+// of a gate.
 
 #include "export/write_spice.h"
 
@@ -25,10 +30,14 @@ namespace grafwire {
 
 namespace {
 
-/// A time in seconds, exact to the picosecond.
-std::string seconds(Time time) {
-    return fmt::format("{}.{:012}", time / second, time % second);
-}
+/// In seconds, exact to the picosecond.
+std::string seconds(Time time) { return fmt::format("{}.{:012}", time / second, time % second); }
+
+/// A digital source that changes from time to time.
+struct Wave {
+    bool value = false;             ///< during the start
+    std::vector<std::size_t> ticks;  ///< the numbers of the moments at which it changes
+};
 
 class DeckWriter {
   public:
@@ -46,17 +55,6 @@ class DeckWriter {
     std::string write();
 
   private:
-    /// A source that changes from time to time.
-    struct Wave {
-        bool value = false;
-        std::string points;
-        void set(Time at, bool to) {
-            append(points, "\n+ ", seconds(at), ' ', value ? '1' : '0', ' ',
-                   seconds(at + nanosecond / 10), ' ', to ? '1' : '0');
-            value = to;
-        }
-    };
-
     void write_head();
     void write_cell(const Cell& cell);
     void write_gate(std::string_view model, const Cell& cell, std::string_view output);
@@ -64,13 +62,14 @@ class DeckWriter {
     void write_memory(const Cell& cell, std::string_view model, std::string_view output);
     void write_pulse(const Cell& cell, std::string_view output);
     void write_timer(const Cell& cell, std::string_view output);
-    std::string timer_model(const Timing& timing);
-    std::string pulse_model(Time width);
     void write_sources();
+    std::size_t tick(Time moment);
+    void write_ticks();
     void write_wave(std::string_view node, const Wave& wave);
     void write_sampling();
     void write_models();
-    void write_control(Time end);
+    void write_control();
+
     template <typename... Parts>
     void element(const Parts&... parts) {
         append(out_, 'a', ++element_count_, ' ', parts..., '\n');
@@ -78,17 +77,22 @@ class DeckWriter {
     std::string_view pin(const Cell& cell, std::size_t number) const {
         return nets_[netlist_.pins_of(cell)[number]];
     }
-    std::string inner() { return "_" + std::to_string(++inner_count_); }
+    std::string inner_node() {
+        std::string name = "__";
+        append(name, ++inner_count_);
+        return name;
+    }
 
     const Netlist& netlist_;
     const Bench& bench_;
     SpiceNames nets_;
     Time start_;
-    std::vector<Logic> initial_;
-    std::map<std::pair<Time, Time>, std::string> timer_models_;
-    std::map<Time, std::string> pulse_models_;
+    std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
+    std::map<std::pair<Time, Time>, std::size_t> timer_models_;
+    std::map<Time, std::size_t> pulse_models_;
     std::size_t element_count_ = 0;
     std::size_t inner_count_ = 0;
+    std::vector<Time> ticks_;  ///< the moments, counted from the end of the start
     Time end_ = 0;
     std::string out_;
 };
@@ -106,15 +110,14 @@ std::string DeckWriter::write() {
     write_sources();
     write_sampling();
     write_models();
-    write_control(end_);
+    write_control();
     return std::move(out_);
 }
 
 void DeckWriter::write_head() {
     // The first line of a deck is its title.
     append_comment(out_, netlist_.name);
-    append(out_, ": ", netlist_.cells.size(), " cells, for ngspice 39 or later: ngspice -b FILE\n");
-    out_ += "*\n* Nodes and what they are called in the GRAFCET:\n";
+    append(out_, ": ", netlist_.cells.size(), " cells, for ngspice 39 or later (ngspice -b FILE)\n");
     const auto list = [&](const std::vector<Port>& ports) {
         for (const Port& port : ports) {
             append(out_, "*   ", nets_[port.net], " = ");
@@ -122,14 +125,17 @@ void DeckWriter::write_head() {
             out_ += '\n';
         }
     };
+    out_ += "* Inputs:\n";
     list(netlist_.inputs);
+    out_ += "* Outputs; sampled once an instant as nodes with _ before their names:\n";
     list(netlist_.outputs);
     out_ += "* Inner nodes that are not called alike:\n";
+    std::vector<std::uint8_t> is_port(netlist_.net_count());
+    for (const Port& port : netlist_.outputs) is_port[index_of(port.net)] = 1;
     for (const Cell& cell : netlist_.cells) {
-        const std::string_view name = netlist_.names[cell.output];
-        if (!nets_.is_changed(cell.output)) continue;
+        if (!nets_.is_changed(cell.output) || is_port[index_of(cell.output)] != 0) continue;
         append(out_, "*   ", nets_[cell.output], " = ");
-        append_comment(out_, name);
+        append_comment(out_, netlist_.names[cell.output]);
         out_ += '\n';
     }
 }
@@ -139,84 +145,67 @@ void DeckWriter::write_gate(std::string_view model, const Cell& cell, std::strin
     std::string pins;
     std::size_t on_line = 0;
     for (const NetId net : netlist_.pins_of(cell)) {
-        append(pins, ++on_line % 16 == 0 ? "\n+ " : on_line == 1 ? "" : " ", nets_[net]);
+        append(pins, ++on_line % 16 == 0 ? "\n+ " : " ", nets_[net]);
     }
-    element('[', pins, "] ", output, ' ', model);
+    element('[', pins, " ] ", output, ' ', model);
 }
 
 void DeckWriter::write_latch(const Cell& cell, std::string_view output) {
-    const std::string not_reset = inner();
-    const std::string kept = inner();
+    const std::string not_reset = inner_node();
+    const std::string kept = inner_node();
     element(pin(cell, 1), ' ', not_reset, " fast_not");
-    if (cell.initial == Logic::one) {
-        element('[', not_reset, ' ', output, "] ", kept, " fast_and");
-        element('[', pin(cell, 0), ' ', kept, " start] ", output, " slow_or");
-        return;
-    }
-    element('[', not_reset, ' ', output, cell.initial == Logic::zero ? " running] " : "] ", kept,
-            " fast_and");
-    element('[', pin(cell, 0), ' ', kept, "] ", output, " slow_or");
+    const bool starts_at_0 = cell.initial == Logic::zero;
+    const bool starts_at_1 = cell.initial == Logic::one;
+    element("[ ", not_reset, ' ', output, starts_at_0 ? " __running ] " : " ] ", kept, " fast_and");
+    element("[ ", pin(cell, 0), ' ', kept, starts_at_1 ? " __start ] " : " ] ", output, " slow_or");
 }
 
 void DeckWriter::write_memory(const Cell& cell, std::string_view model, std::string_view output) {
-    const std::string_view initial = cell.initial == Logic::one    ? "_1"
-                                     : cell.initial == Logic::zero ? "_0"
-                                                                   : "_x";
-    element(pin(cell, 0), ' ', pin(cell, 1), " null null ", output, " null ", model, initial);
+    const char initial = cell.initial == Logic::one ? '1' : cell.initial == Logic::zero ? '0' : 'x';
+    element(pin(cell, 0), ' ', pin(cell, 1), " null null ", output, " null ", model, '_', initial);
 }
 
-std::string DeckWriter::pulse_model(Time width) {
-    const auto [found, is_new] = pulse_models_.try_emplace(width);
-    if (is_new) found->second = "pulse" + std::to_string(pulse_models_.size());
-    return found->second;
-}
-
-/// The flip-flop takes 1 ns to set and a picosecond to reset; the reset begins when the pulse has
-/// lasted its width but for that picosecond.
 void DeckWriter::write_pulse(const Cell& cell, std::string_view output) {
     std::string clock(pin(cell, 0));
     if (cell.type == CellType::fall_pulse) {
-        const std::string inverted = inner();
-        element(clock, ' ', inverted, " fast_not");
-        clock = inverted;
+        clock = inner_node();
+        element(pin(cell, 0), ' ', clock, " fast_not");
     }
-    const std::string reset = inner();
-    const std::string gated = inner();
-    element("[running ", clock, "] ", gated, " fast_and");
-    element("one ", gated, " null ", reset, ' ', output, " null one_shot");
-    element(output, ' ', reset, ' ', pulse_model(netlist_.timings[cell.timing].fall));
-}
-
-std::string DeckWriter::timer_model(const Timing& timing) {
-    const auto [found, is_new] = timer_models_.try_emplace({timing.rise, timing.fall});
-    if (is_new) found->second = "timer" + std::to_string(timer_models_.size());
-    return found->second;
+    const auto model = pulse_models_.try_emplace(netlist_.timings[cell.timing].fall, pulse_models_.size() + 1);
+    const std::string over = inner_node();
+    const std::string reset = inner_node();
+    element("__one ", clock, " null ", reset, ' ', output, " null ",
+            cell.type == CellType::fall_pulse ? "one_shot_fall" : "one_shot_rise");
+    element(output, ' ', over, " pulse", model.first->second);
+    element("[ ", over, " __start ] ", reset, " fast_or");
 }
 
 void DeckWriter::write_timer(const Cell& cell, std::string_view output) {
-    const std::string operand = inner();
-    if (cell.initial == Logic::one) {
-        element('[', pin(cell, 0), " start] ", operand, " fast_or");
-    } else {
-        element('[', pin(cell, 0), " running] ", operand, " fast_and");
-    }
-    element(operand, ' ', output, ' ', timer_model(netlist_.timings[cell.timing]));
+    const Timing& timing = netlist_.timings[cell.timing];
+    const auto model =
+        timer_models_.try_emplace({timing.rise, timing.fall}, timer_models_.size() + 1);
+    const std::string operand = inner_node();
+    const bool starts_at_1 = cell.initial == Logic::one;
+    element("[ ", pin(cell, 0), starts_at_1 ? " __start ] " : " __running ] ", operand,
+            starts_at_1 ? " fast_or" : " fast_and");
+    element(operand, ' ', output, " timer", model.first->second);
 }
 
 void DeckWriter::write_cell(const Cell& cell) {
     std::string output(nets_[cell.output]);
-    // A gate with an initial value drives an inner node, and the net follows that after the start.
+    // A gate with an initial value drives an inner node, which the net follows after the start.
     const Logic held = initial_[index_of(cell.output)];
     if (held != Logic::unknown) {
-        const std::string free = inner();
-        element('[', free, held == Logic::one ? " start] " : " running] ", output,
-                held == Logic::one ? " fast_or" : " fast_and");
+        const std::string free = inner_node();
+        const bool at_1 = held == Logic::one;
+        element("[ ", free, at_1 ? " __start ] " : " __running ] ", output,
+                at_1 ? " fast_or" : " fast_and");
         output = free;
     }
     const bool single = cell.pin_count == 1;
     switch (cell.type) {
-        case CellType::low: return element(output, " zero_source");
-        case CellType::high: return element(output, " one_source");
+        case CellType::low: return element(output, " zero");
+        case CellType::high: return element(output, " one");
         case CellType::buffer: return write_gate("slow_buffer", cell, output);
         case CellType::inverter: return write_gate("slow_not", cell, output);
         case CellType::and_gate: return write_gate(single ? "slow_buffer" : "slow_and", cell, output);
@@ -234,10 +223,147 @@ void DeckWriter::write_cell(const Cell& cell) {
     }
 }
 
+/// The number of a moment; moments come in order.
+std::size_t DeckWriter::tick(Time moment) {
+    if (ticks_.empty() || ticks_.back() != moment) ticks_.push_back(moment);
+    return ticks_.size() - 1;
+}
+
+void DeckWriter::write_ticks() {
+    out_ += "\n* The moments of the stimuli\n";
+    for (std::size_t i = 0; i < ticks_.size(); ++i) {
+        append(out_, ".model tick", i, " d_buffer(rise_delay=", seconds(std::max<Time>(1, ticks_[i])),
+               " fall_delay=1p)\n");
+        element("__running __tick", i, " tick", i);
+    }
+}
+
 void DeckWriter::write_wave(std::string_view node, const Wave& wave) {
-    append(out_, 'v', node, " v_", node, " 0 pwl(0 ", wave.points.empty() ? wave.value : !wave.value, "");
+    if (wave.ticks.empty()) return element(node, wave.value ? " one" : " zero");
+    if (wave.ticks.size() == 1) {
+        return element("__tick", wave.ticks[0], ' ', node, wave.value ? " fast_not" : " fast_buffer");
+    }
+    std::string pins;
+    std::size_t on_line = 0;
+    for (const std::size_t number : wave.ticks) {
+        append(pins, ++on_line % 16 == 0 ? "\n+ " : " ", "__tick", number);
+    }
+    element('[', pins, " ] ", node, wave.value ? " fast_xnor" : " fast_xor");
+}
+
+void DeckWriter::write_sources() {
+    std::vector<Wave> waves;
+    for (const bool value : starting_inputs(netlist_, bench_)) waves.push_back({value, {}});
+    std::size_t clock = 0;
+    while (clock < waves.size() && netlist_.inputs[clock].net != netlist_.clock) ++clock;
+    Wave sample;
+    end_ = bench_.settling;
+    for (const BenchEvent& event : bench_events(netlist_, bench_)) {
+        for (const Bench::Assignment& item : event.assignments) {
+            waves[item.input].ticks.push_back(tick(event.at));
+        }
+        if (event.row == BenchEvent::no_row) continue;
+        const Time delay = sampling_delay(bench_, event.row);
+        if (netlist_.is_clocked()) {
+            const Time half_period = delay / (2 * Time{bench_.clock_cycles} + 2);
+            for (std::uint32_t i = 1; i <= 2 * bench_.clock_cycles; ++i) {
+                waves[clock].ticks.push_back(tick(event.at + half_period * i));
+            }
+        }
+        const bool is_last = event.row + 1 == bench_.instants.size();
+        const Time rest = is_last ? bench_.settling : bench_.instants[event.row + 1] - event.at - delay;
+        sample.ticks.push_back(tick(event.at + delay));
+        sample.ticks.push_back(tick(event.at + delay + rest / 2));
+        end_ = event.at + delay + rest;
+    }
+    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 1 ", seconds(start_), " 1 ",
+           seconds(start_ + nanosecond), " 0)\n");
+    element("[ __v1 ] [ __start ] bridge");
+    element("__start __running fast_not");
+    element("__one one");
+    write_wave("sample__", sample);
+    out_ += "\n* Inputs\n";
+    for (std::size_t i = 0; i < waves.size(); ++i) write_wave(nets_[netlist_.inputs[i].net], waves[i]);
+    write_ticks();
+}
+
+void DeckWriter::write_sampling() {
+    std::vector<std::uint8_t> done(netlist_.net_count());
+    for (const Port& port : netlist_.outputs) {
+        if (done[index_of(port.net)]++ != 0) continue;
+        element(nets_[port.net], " sample__ null null _", nets_[port.net], " null sampler");
+    }
+}
+
+void DeckWriter::write_models() {
+    out_ += R"(
+.model slow_buffer d_buffer(rise_delay=1n fall_delay=1n)
+.model slow_not d_inverter(rise_delay=1n fall_delay=1n)
+.model slow_and d_and(rise_delay=1n fall_delay=1n)
+.model slow_or d_or(rise_delay=1n fall_delay=1n)
+.model slow_nand d_nand(rise_delay=1n fall_delay=1n)
+.model slow_nor d_nor(rise_delay=1n fall_delay=1n)
+.model slow_xor d_xor(rise_delay=1n fall_delay=1n)
+.model fast_buffer d_buffer(rise_delay=1p fall_delay=1p)
+.model fast_not d_inverter(rise_delay=1p fall_delay=1p)
+.model fast_and d_and(rise_delay=1p fall_delay=1p)
+.model fast_or d_or(rise_delay=1p fall_delay=1p)
+.model fast_xor d_xor(rise_delay=1p fall_delay=1p)
+.model fast_xnor d_xnor(rise_delay=1p fall_delay=1p)
+.model zero d_pulldown
+.model one d_pullup
+.model hold_0 d_dlatch(data_delay=1n enable_delay=1n ic=0)
+.model hold_1 d_dlatch(data_delay=1n enable_delay=1n ic=1)
+.model hold_x d_dlatch(data_delay=1n enable_delay=1n ic=2)
+.model flip_flop_0 d_dff(clk_delay=1n ic=0)
+.model flip_flop_1 d_dff(clk_delay=1n ic=1)
+.model flip_flop_x d_dff(clk_delay=1n ic=2)
+.model one_shot_rise d_dff(clk_delay=1n reset_delay=1p ic=0)
+.model one_shot_fall d_dff(clk_delay=0.999n reset_delay=1p ic=0)
+.model sampler d_dff(clk_delay=1p ic=2)
+.model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1p fall_delay=1p)
+)";
+    for (const auto& [width, number] : pulse_models_) {
+        // The gate that gathers the resets and the flip-flop take a picosecond each.
+        append(out_, ".model pulse", number, " d_buffer(rise_delay=", seconds(std::max<Time>(1, width - 2)),
+               " fall_delay=1p)\n");
+    }
+    for (const auto& [delays, number] : timer_models_) {
+        const auto delay = [](Time time) { return seconds(time == 0 ? nanosecond - 1 : time); };
+        append(out_, ".model timer", number, " d_buffer(rise_delay=", delay(delays.first),
+               " fall_delay=", delay(delays.second), ")\n");
+    }
+}
+
+void DeckWriter::write_control() {
+    const Time end = start_ + start_ + end_;  // the start may end late
+    append(out_, "\n.control\ntran ", seconds(end / 50 + 1), ' ', seconds(end), '\n');
+    constexpr std::size_t outputs_per_table = 90;  // eprint takes 93 nodes at most
+    std::vector<std::uint8_t> done(netlist_.net_count());
+    std::size_t in_table = 0;
+    for (const Port& port : netlist_.outputs) {
+        if (done[index_of(port.net)]++ != 0) continue;
+        if (in_table++ % outputs_per_table == 0) {
+            append(out_, in_table == 1 ? "" : "\n", "eprint sample__");
+        }
+        append(out_, " _", nets_[port.net]);
+    }
+    out_ += "\nquit\n.endc\n.end\n";
 }
 
 }  // namespace
+
+std::string write_spice(const Netlist& netlist, const Bench& bench, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
+        const CellId cell = netlist.cells.id_at(i);
+        if (netlist.cells[cell].type != CellType::scan_timer) continue;
+        diagnostics.error(Code::unsupported_by_style, netlist.origin_of(netlist.cells[cell]).where,
+                          fmt::format("{}: ngspice has no clocked timer; use an asynchronous style or "
+                                      "Verilog",
+                                      cell_description(netlist, cell)));
+        return {};
+    }
+    return DeckWriter(netlist, bench).write();
+}
 
 }  // namespace grafwire

@@ -1,0 +1,73 @@
+#include "command/request_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+namespace {
+
+bool is_option(const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+}
+
+std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view nearest = nearest_name(mistyped, views);
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& word) {
+    const std::string option = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
+        for (const CLI::Option* known : level->get_options()) {
+            for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+        }
+    }
+    return fmt::format("there is no option '{}'{}", option, suggestion(option, names));
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return fmt::format("there is no command '{}'{} (commands: {})", word, suggestion(word, names),
+                       fmt::join(names, ", "));
+}
+
+/// The words that nothing on the command line asked for, an unknown option before the rest: its
+/// value is among them.
+std::string first_unexpected(const CLI::App& app) {
+    const std::vector<std::string> words = app.remaining();
+    const auto option = std::find_if(words.begin(), words.end(), is_option);
+    if (option != words.end()) return *option;
+    return words.empty() ? "" : words.back();
+}
+
+std::string problem(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+    std::string word = first_unexpected(command);
+    if (word.empty()) word = first_unexpected(app);
+    if (word.empty()) return error.what();
+    if (is_option(word)) return unknown_option(command, word);
+    if (&command == &app) return unknown_command(app, word);
+    return fmt::format("'{}' is one word too many", word);
+}
+
+}  // namespace
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    return fmt::format("{}\n'grafwire{}{} --help' shows what there is.",
+                       problem(app, command, error), chosen.empty() ? "" : " ",
+                       chosen.empty() ? "" : command.get_name());
+}
+
+}  // namespace grafwire

@@ -1,0 +1,242 @@
+#include "check/check_equivalence.h"
+#include "netlist/netlists.h"
+#include "trace/stimuli.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+CheckResult check(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases = 0) {
+    CheckOptions options;
+    options.max_cases = max_cases;
+    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+}
+
+CheckResult check(const Grafcet& grafcet, Style style) {
+    return check(grafcet, netlist_of(grafcet, style));
+}
+
+const Witness::Value& value_of(const Witness& witness, const std::string& name) {
+    for (const Witness::Value& value : witness.values) {
+        if (value.name == name) return value;
+    }
+    FAIL("no value of " << name);
+    return witness.values[0];
+}
+
+std::string stimuli_of(const CheckResult& result, const Grafcet& grafcet) {
+    REQUIRE(result.witness);
+    return write_stimuli(result.witness->stimuli, grafcet);
+}
+
+const std::string two_steps = R"(
+input a, b
+graph G { initial 0 step 1
+  0 -> 1 : a
+  1 -> 0 : b }
+)";
+
+const std::string rule_5 = R"(
+input s, k
+graph G { step 1 initial 2
+  -> 1 : s
+  1 -> 2 : 1
+  2 -> : k }
+)";
+
+const std::string three_steps = R"(
+input m, a, b
+graph G { initial 0 step 1 step 2
+  0 -> 1 : m
+  1 -> 2 : a
+  2 -> 0 : b }
+)";
+
+}  // namespace
+
+TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
+    const Grafcet grafcet = grafcet_of(two_steps);
+    const CheckResult gates = check(grafcet, Style::gates);
+    CHECK(gates.verdict == Verdict::different);
+    REQUIRE(gates.witness);
+    CHECK(gates.witness->kind == DifferenceKind::oscillation);
+    CHECK(gates.witness->oscillating.size() >= 2);
+    CHECK(replay(grafcet, netlist_of(grafcet, Style::gates),
+                 unit_delays(netlist_of(grafcet, Style::gates)), gates.witness->stimuli));
+
+    const CheckResult nand = check(grafcet, Style::nand);
+    CHECK(nand.verdict == Verdict::equivalent);
+    CHECK(nand.complete);
+    CHECK_FALSE(nand.witness);
+}
+
+TEST_CASE("rule 5 is lost in NOR latches and kept in NAND latches and flip-flops") {
+    const Grafcet grafcet = grafcet_of(rule_5);
+    const CheckResult nor = check(grafcet, Style::nor);
+    CHECK(nor.verdict == Verdict::different);
+    REQUIRE(nor.witness);
+    CHECK(nor.witness->kind == DifferenceKind::situation);
+    CHECK(value_of(*nor.witness, "X1").expected == Logic::one);
+    CHECK(value_of(*nor.witness, "X1").got == Logic::zero);
+    CHECK(check(grafcet, Style::nand).verdict == Verdict::equivalent);
+    CHECK(check(grafcet, Style::clocked).verdict == Verdict::equivalent);
+}
+
+TEST_CASE("a plain sequence is equivalent in every style, and its circling is counted") {
+    const Grafcet grafcet = grafcet_of(three_steps);
+    for (const StyleRow& row : style_table) {
+        const CheckResult result = check(grafcet, row.style);
+        CHECK(result.verdict == Verdict::equivalent);
+        CHECK(result.complete);
+        // Each of the three steps, and none while AUdur is 1.
+        CHECK(result.coverage.situations == 4);
+        CHECK(result.coverage.waiting == 0);
+        // With m, a and b at 1 the token goes round for ever.
+        CHECK(result.coverage.unstable > 0);
+        CHECK(result.coverage.unstable < result.coverage.cases);
+        REQUIRE(result.first_unstable);
+        const std::vector<std::string> all{"X0", "X1", "X2"};
+        CHECK(result.first_unstable->changing == all);
+        CHECK(write_stimuli(result.first_unstable->stimuli, grafcet).find("m=1 a=1 b=1") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("a bound on the cases leaves the check undecided") {
+    const Grafcet grafcet = grafcet_of(three_steps);
+    const Netlist netlist = netlist_of(grafcet, Style::nand);
+    const CheckResult result = check(grafcet, netlist, 10);
+    CHECK(result.verdict == Verdict::undecided);
+    CHECK_FALSE(result.complete);
+    CHECK(result.coverage.cases == 10);
+    CHECK(result.coverage.waiting > 0);
+
+    // Whoever watches is asked every now and then.
+    const Grafcet large = grafcet_of(R"(
+input a, b, c, d, e, f
+graph G { initial 0 step 1
+  0 -> 1 : ↑a . ↑b
+  1 -> 0 : ↑c . ↑d . ↑e . ↑f }
+)");
+    const Netlist of_large = netlist_of(large, Style::clocked);
+    CheckOptions options;
+    std::size_t asked = 0;
+    options.keep_going = [&](const Coverage& coverage) {
+        ++asked;
+        return coverage.cases < 512;
+    };
+    const CheckResult stopped = check_equivalence(large, of_large, unit_delays(of_large), options);
+    CHECK(stopped.verdict == Verdict::undecided);
+    CHECK(asked == 2);
+    CHECK(stopped.coverage.cases == 512);
+}
+
+TEST_CASE("the shortest way to a difference, as stimuli") {
+    // The netlist takes b for a in the second transition.
+    const Grafcet grafcet = grafcet_of(three_steps);
+    const Grafcet other = grafcet_of(R"(
+input m, a, b
+graph G { initial 0 step 1 step 2
+  0 -> 1 : m
+  1 -> 2 : b
+  2 -> 0 : b }
+)");
+    const Netlist netlist = netlist_of(other, Style::nand, false);
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == Verdict::different);
+    CHECK(result.witness->kind == DifferenceKind::situation);
+    const auto stimuli = read_stimuli(stimuli_of(result, grafcet), grafcet);
+    REQUIRE(stimuli);
+    // From the start one instant is enough: m, and a or b with it.
+    CHECK(stimuli->changes.size() <= 2);
+    CHECK(stimuli->end <= 100 * millisecond);
+    CHECK(value_of(*result.witness, "X2").expected != value_of(*result.witness, "X2").got);
+}
+
+TEST_CASE("a difference that the plant rules out is none") {
+    const std::string chart = R"(
+graph G { initial 0 : lamp if a . b }
+)";
+    const std::string wrong_chart = R"(
+graph G { initial 0 : lamp if a . /a }
+)";
+    const std::string head = "input a, b output lamp ";
+    const Grafcet free = grafcet_of(head + chart);
+    const Grafcet bound = grafcet_of(head + "assume /(a . b)" + chart);
+    const Netlist wrong = netlist_of(grafcet_of(head + wrong_chart), Style::gates);
+    const CheckResult result = check(free, wrong);
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::output);
+    CHECK(stimuli_of(result, free).find("a=1 b=1") != std::string::npos);
+    const CheckResult within = check(bound, wrong);
+    CHECK(within.verdict == Verdict::equivalent);
+    CHECK(within.complete);
+}
+
+TEST_CASE("a netlist that reads an input where the GRAFCET does not is found out") {
+    const std::string head = "input a, b output lamp ";
+    const Grafcet grafcet = grafcet_of(head + "graph G { initial 0 : lamp step 1 0 -> 1 : a }");
+    SUBCASE("at once") {
+        const Grafcet other =
+            grafcet_of(head + "graph G { initial 0 : lamp if /b step 1 0 -> 1 : a }");
+        for (const StyleRow& row : style_table) {
+            const CheckResult result = check(grafcet, netlist_of(other, row.style));
+            CHECK(result.verdict == Verdict::different);
+            CHECK(result.witness->kind == DifferenceKind::output);
+            CHECK(stimuli_of(result, grafcet).find("b=1") != std::string::npos);
+        }
+    }
+    SUBCASE("after it has remembered it") {
+        // The lamp goes out for good once b has been 1 while a was 0.
+        const Grafcet other = grafcet_of(
+            head + "var v graph G { initial 0 : lamp if /v, set v on ↑b step 1 0 -> 1 : a }");
+        for (const Style style : {Style::gates, Style::nand}) {
+            const CheckResult result = check(grafcet, netlist_of(other, style));
+            CHECK(result.verdict == Verdict::different);
+            CHECK(result.witness->kind == DifferenceKind::output);
+            CHECK(stimuli_of(result, grafcet).find("b=1") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("a difference that needs delays in an impossible order leaves the check undecided") {
+    const std::string head = "input a output lamp graph G { initial 0 step 1 : lamp if ";
+    const std::string tail = " 0 -> 1 : a 1 -> 0 : /a }";
+    const auto with_dark_lamp = [&](const Grafcet& grafcet) {
+        Netlist netlist = netlist_of(grafcet, Style::clocked);
+        for (Cell& cell : netlist.cells) {
+            if (netlist.names[cell.output] != "lamp") continue;
+            cell.type = CellType::low;
+            cell.pin_count = 0;
+        }
+        REQUIRE(fault_of(netlist) == "");
+        return netlist;
+    };
+    SUBCASE("2 s over before 1 s: never") {
+        const Grafcet grafcet = grafcet_of(head + "2s/X1 . /(1s/X1)" + tail);
+        const CheckResult result = check(grafcet, with_dark_lamp(grafcet));
+        CHECK(result.verdict == Verdict::undecided);
+        CHECK(result.complete);
+        CHECK(result.impossible_timings > 0);
+        CHECK_FALSE(result.witness);
+    }
+    SUBCASE("1 s over before 2 s: always") {
+        const Grafcet grafcet = grafcet_of(head + "1s/X1 . /(2s/X1)" + tail);
+        const CheckResult result = check(grafcet, with_dark_lamp(grafcet));
+        CHECK(result.verdict == Verdict::different);
+        REQUIRE(result.witness);
+        CHECK(result.witness->kind == DifferenceKind::output);
+        // Step 1 from the start on, and nothing more until the second is over.
+        CHECK(stimuli_of(result, grafcet) == "0s : a=1\n1s : end\n");
+    }
+}
+
+TEST_CASE("without modes only the declared inputs are varied") {
+    const Grafcet grafcet = grafcet_of(three_steps);
+    const CheckResult result = check(grafcet, netlist_of(grafcet, Style::gates, false));
+    CHECK(result.verdict == Verdict::equivalent);
+    CHECK(result.coverage.situations == 3);
+}
+
+}  // namespace grafwire::testing

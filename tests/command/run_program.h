@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace grafwire::test {
+
+/// What a program left behind.
+struct Ran {
+    int status = -1;  ///< the exit status; 128 and the number of the signal where one ended it
+    std::string out;
+    std::string err;
+};
+
+/// Runs a program (found on the PATH where it has no slash) to its end, with LC_ALL=C unless
+/// `environment` (NAME=VALUE) says otherwise. A program that cannot be run is a test failure.
+Ran run_program(const std::vector<std::string>& command, const std::string& input = {},
+                const std::vector<std::string>& environment = {});
+
+/// Runs grafwire with these arguments.
+Ran grafwire_with(std::vector<std::string> arguments, const std::string& input = {},
+                  const std::vector<std::string>& environment = {});
+
+/// An empty folder that goes with the object.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    /// Makes a file and says where it stands.
+    std::string file(const std::string& name, const std::string& text) const;
+    /// The names of all that is in the folder, in order.
+    std::vector<std::string> names() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// The text of a file; one that cannot be read is a test failure.
+std::string text_of(const std::string& path);
+
+/// The path of a file of examples/, as `example("press.stim")`.
+std::string example(const std::string& name);
+
+/// The names of all examples, in order.
+std::vector<std::string> example_names();
+
+bool contains(const std::string& text, const std::string& part);
+
+}  // namespace grafwire::test

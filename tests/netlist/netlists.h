@@ -1,0 +1,31 @@
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <string>
+
+#include "netlist/netlist_from.h"
+#include "random/read_text.h"
+
+namespace grafwire::testing {
+
+/// The GRAFCET of a text without errors; the test fails otherwise.
+inline Grafcet grafcet_of(const std::string& text) {
+    std::string messages;
+    std::optional<Grafcet> grafcet = read_grafcet(text, &messages);
+    if (!grafcet) FAIL(messages);
+    return std::move(*grafcet);
+}
+
+/// Its netlist, with the form of CDX that the style takes by itself.
+inline Netlist netlist_of(const Grafcet& grafcet, Style style, bool modes = true) {
+    const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
+    Equations equations = equations_from(grafcet, {cdx, modes});
+    Diagnostics diagnostics;
+    std::optional<Netlist> netlist = netlist_from(equations, style, diagnostics);
+    if (!netlist) FAIL("refused: " << diagnostics.items()[0].message);
+    return std::move(*netlist);
+}
+
+}  // namespace grafwire::testing
