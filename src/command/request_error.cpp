@@ -42,22 +42,16 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
                        fmt::join(names, ", "));
 }
 
-/// The words that nothing on the command line asked for, an unknown option before the rest: its
-/// value is among them.
-std::string first_unexpected(const CLI::App& app) {
-    const std::vector<std::string> words = app.remaining();
-    const auto option = std::find_if(words.begin(), words.end(), is_option);
-    if (option != words.end()) return *option;
-    return words.empty() ? "" : words.back();
-}
-
 std::string problem(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
-    std::string word = first_unexpected(command);
-    if (word.empty()) word = first_unexpected(app);
-    if (word.empty()) return error.what();
-    if (is_option(word)) return unknown_option(command, word);
-    if (&command == &app) return unknown_command(app, word);
-    return fmt::format("'{}' is one word too many", word);
+    // The words that nothing asked for, in their order.
+    std::vector<std::string> words = command.remaining();
+    if (words.empty()) words = app.remaining();
+    if (words.empty()) return error.what();
+    if (&command == &app && !is_option(words.front())) return unknown_command(app, words.front());
+    // The value of an unknown option is among the words as well.
+    const auto option = std::find_if(words.begin(), words.end(), is_option);
+    if (option != words.end()) return unknown_option(command, *option);
+    return fmt::format("'{}' is one word too many", words.front());
 }
 
 }  // namespace

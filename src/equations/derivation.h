@@ -34,12 +34,19 @@ inline ExprId control_variable(Expressions& pool, ControlInput input) {
     return pool.variable({VariableKind::control, static_cast<std::uint32_t>(input)});
 }
 
-/// The expression without its control input: `e . /Init`; `e` as it is where there are no modes.
-inline ExprId and_not_control(Equations& equations, ExprId id, ControlInput input) {
-    if (!equations.options.modes) return id;
-    Expressions& pool = equations.expressions;
+/// The expression without its control input: `e . /Init`.
+inline ExprId and_not_control(Expressions& pool, ExprId id, ControlInput input) {
     return and_of(pool, {id, not_of(pool, control_variable(pool, input))});
 }
+
+/// Likewise; `e` as it is where there are no modes.
+inline ExprId and_not_control(Equations& equations, ExprId id, ControlInput input) {
+    return equations.options.modes ? and_not_control(equations.expressions, id, input) : id;
+}
+
+/// The parts of the equation of a step put together; they live in the pool given.
+ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool initial,
+                bool modes);
 
 inline ExprId translated(const Equations& equations, ExprId in_grafcet) {
     return equations.from_grafcet[static_cast<std::size_t>(in_grafcet)];

@@ -26,22 +26,24 @@ Equations equations_from(const Grafcet& grafcet, const EquationOptions& options)
     return equations;
 }
 
-ExprId step_expression(Equations& equations, StepId step) {
-    Expressions& pool = equations.expressions;
-    const StepEquation& parts = equations.steps[step];
-    const bool initial = equations.grafcet->steps[step].initial;
-    const bool modes = equations.options.modes;
-
+ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool initial,
+                bool modes) {
     const ExprId held = and_of(pool, {not_of(pool, parts.cdx), step_variable(pool, step)});
     ExprId x = or_of(pool, {parts.cax, held});
     if (modes && initial) x = or_of(pool, {x, control_variable(pool, ControlInput::init)});
-    if (!initial) x = and_not_control(equations, x, ControlInput::init);
+    if (modes && !initial) x = and_not_control(pool, x, ControlInput::init);
 
     if (parts.forced_off != no_expr) x = and_of(pool, {x, not_of(pool, parts.forced_off)});
     if (parts.forced_on != no_expr) x = or_of(pool, {x, parts.forced_on});
     if (parts.enclosing != no_expr) x = and_of(pool, {x, parts.enclosing});
     if (parts.link != no_expr) x = or_of(pool, {x, parts.link});
-    return and_not_control(equations, x, ControlInput::au_dur);
+    return modes ? and_not_control(pool, x, ControlInput::au_dur) : x;
+}
+
+ExprId step_expression(Equations& equations, StepId step) {
+    const StepEquation parts = equations.steps[step];
+    return combined(equations.expressions, parts, step, equations.grafcet->steps[step].initial,
+                    equations.options.modes);
 }
 
 namespace {

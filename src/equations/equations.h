@@ -30,9 +30,7 @@ struct StepEquation {
     /// Without Init; the constant 0 where nothing activates the step, 1 where a source transition
     /// with the receptivity 1 leads to it.
     ExprId cax = no_expr;
-    ExprId cdx = no_expr;        ///< without Init; the constant 0 where nothing deactivates it
-    ExprId table_cax = no_expr;  ///< CAX as tabulated: with Init where there are modes
-    ExprId table_cdx = no_expr;
+    ExprId cdx = no_expr;         ///< without Init; the constant 0 where nothing deactivates it
     ExprId forced_off = no_expr;  ///< OR of the X that force the step's graph
     ExprId forced_on = no_expr;   ///< OR of the X whose orders list the step
     ExprId enclosing = no_expr;   ///< X of the step that encloses the graph
@@ -106,6 +104,14 @@ struct Equations {
 };
 
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);
+
+/// CAX and CDX of a step as tabulated: with Init where there are modes. Built on request, like the
+/// whole equation.
+struct TableConditions {
+    ExprId cax = no_expr;
+    ExprId cdx = no_expr;
+};
+TableConditions table_conditions(Equations& equations, StepId step);
 
 /// The whole right-hand side of a step, built on request because it costs memory for every step:
 /// `(X2.b + /X1.X0 + Init)./AUdur`.

@@ -128,8 +128,8 @@ ExprId smaller_form(Expressions& pool, ExprId id) {
 
 SmallerForms smaller_forms(Equations& equations, StepId step) {
     Expressions& pool = equations.expressions;
-    return {smaller_form(pool, equations.steps[step].table_cax),
-            smaller_form(pool, equations.steps[step].table_cdx),
+    const TableConditions table = table_conditions(equations, step);
+    return {smaller_form(pool, table.cax), smaller_form(pool, table.cdx),
             smaller_form(pool, step_expression(equations, step))};
 }
 

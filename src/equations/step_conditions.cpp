@@ -77,18 +77,18 @@ void derive_step_conditions(Equations& equations) {
         StepEquation& step = equations.steps[id];
         step.cax = any_of(pool, transitions.into_step(id), equations.clearing);
         step.cdx = any_of(pool, transitions.out_of_step(id), deactivation);
-        step.table_cax = step.cax;
-        step.table_cdx = step.cdx;
-        if (!equations.options.modes) continue;
-        const ExprId init = control_variable(pool, ControlInput::init);
-        if (grafcet.steps[id].initial) {
-            step.table_cax = or_of(pool, {step.cax, init});
-            step.table_cdx = and_of(pool, {step.cdx, not_of(pool, init)});
-        } else {
-            step.table_cax = and_of(pool, {step.cax, not_of(pool, init)});
-            step.table_cdx = or_of(pool, {step.cdx, init});
-        }
     }
+}
+
+TableConditions table_conditions(Equations& equations, StepId step) {
+    Expressions& pool = equations.expressions;
+    const StepEquation& parts = equations.steps[step];
+    if (!equations.options.modes) return {parts.cax, parts.cdx};
+    const ExprId init = control_variable(pool, ControlInput::init);
+    const ExprId not_init = not_of(pool, init);
+    if (equations.grafcet->steps[step].initial)
+        return {or_of(pool, {parts.cax, init}), and_of(pool, {parts.cdx, not_init})};
+    return {and_of(pool, {parts.cax, not_init}), or_of(pool, {parts.cdx, init})};
 }
 
 }  // namespace grafwire

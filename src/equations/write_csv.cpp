@@ -35,9 +35,9 @@ std::string write_csv_report(Equations& equations) {
     for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
         const StepId id = grafcet.steps.id_at(i);
         const ExprId x = step_expression(equations, id);
-        const StepEquation& step = equations.steps[id];
+        const TableConditions step = table_conditions(equations, id);
         csv += field("X" + grafcet.steps[id].name);
-        for (const ExprId part : {step.table_cax, step.table_cdx, x})
+        for (const ExprId part : {step.cax, step.cdx, x})
             csv += "," + field(equation_text(equations, part));
         csv += '\n';
     }

@@ -69,12 +69,13 @@ class JsonReport {
     Json step(std::size_t index) {
         const StepId id = grafcet_.steps.id_at(index);
         const ExprId x = step_expression(equations_, id);
+        const TableConditions table = table_conditions(equations_, id);
         const StepEquation& step = equations_.steps[id];
         Json object;
         object["name"] = "X" + grafcet_.steps[id].name;
         object["initial"] = grafcet_.steps[id].initial;
-        object["cax"] = shown(step.table_cax);
-        object["cdx"] = shown(step.table_cdx);
+        object["cax"] = shown(table.cax);
+        object["cdx"] = shown(table.cdx);
         object["x"] = shown(x);
         add_if_present(object, "forcedOff", step.forced_off);
         add_if_present(object, "forcedOn", step.forced_on);

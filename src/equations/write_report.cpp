@@ -54,8 +54,8 @@ class Report {
         page_.heading(words_.conditions);
         page_.begin_table({Page::words(words_.step), Page::words("CAX"), Page::words("CDX")});
         for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
-            const StepEquation& step = equations_.steps[grafcet_.steps.id_at(i)];
-            page_.row({shown(step_of(i)), shown(step.table_cax), shown(step.table_cdx)});
+            const TableConditions step = table_conditions(equations_, grafcet_.steps.id_at(i));
+            page_.row({shown(step_of(i)), shown(step.cax), shown(step.cdx)});
         }
         page_.end_table();
     }

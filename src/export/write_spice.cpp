@@ -276,10 +276,11 @@ void DeckWriter::write_sources() {
         sample.ticks.push_back(tick(event.at + delay + rest / 2));
         end_ = event.at + delay + rest;
     }
-    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 1 ", seconds(start_), " 1 ",
-           seconds(start_ + nanosecond), " 0)\n");
-    element("[ __v1 ] [ __start ] bridge");
-    element("__start __running fast_not");
+    // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows better.
+    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", seconds(start_), " 0 ",
+           seconds(start_ + nanosecond), " 1)\n");
+    element("[ __v1 ] [ __go ] bridge");
+    element("__one __go null null __running __start flip_flop_0");
     element("__one one");
     write_wave("sample__", sample);
     out_ += "\n* Inputs\n";

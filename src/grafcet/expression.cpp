@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
 namespace grafwire {
 
@@ -18,6 +19,8 @@ std::uint64_t mix(std::uint64_t seed, std::uint64_t value) {
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31U);
 }
+
+constexpr std::size_t smallest_table = 64;
 
 std::uint64_t hash_of(const Sum& sum) {
     std::uint64_t hash = sum.size();
@@ -48,10 +51,9 @@ void Expressions::insert(const Slot& slot) {
 }
 
 ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
-    constexpr std::size_t smallest_table = 64;
     const auto id = static_cast<ExprId>(nodes_.size());
     nodes_.push_back(new_node);
-    if (2 * nodes_.size() > slots_.size()) {
+    if (2 * ++hashed_ > slots_.size()) {
         std::vector<Slot> old(std::max(2 * slots_.size(), smallest_table));
         old.swap(slots_);
         for (const Slot& slot : old)
@@ -61,13 +63,23 @@ ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
     return id;
 }
 
-ExprId Expressions::leaf(const Node& node) {
-    const std::uint64_t hash =
-        mix(mix(static_cast<std::uint64_t>(node.kind), node.detail), node.first);
-    const ExprId found = find(hash, [&](const Node& other) {
-        return other.kind == node.kind && other.detail == node.detail && other.first == node.first;
-    });
-    return found != no_expr ? found : add(node, hash);
+void Expressions::clear() {
+    for (const Node& node : nodes_) {
+        if (node.kind != ExprKind::variable) continue;
+        variables_[node.detail][node.first] = no_expr;
+    }
+    // A table that has grown is thrown away rather than wiped each time.
+    if (slots_.size() > smallest_table)
+        slots_.clear();
+    else
+        std::fill(slots_.begin(), slots_.end(), Slot());
+    hashed_ = 0;
+    nodes_.clear();
+    operands_.clear();
+    times_.clear();
+    comparisons_.clear();
+    edges_.clear();
+    time_condition_ids_.clear();
 }
 
 ExprId Expressions::with_operands(ExprKind kind, std::span<const ExprId> operands) {
@@ -83,18 +95,36 @@ ExprId Expressions::with_operands(ExprKind kind, std::span<const ExprId> operand
     node.kind = kind;
     node.first = static_cast<std::uint32_t>(operands_.size());
     node.count = static_cast<std::uint32_t>(operands.size());
-    // Through a copy: the operands may lie in operands_ itself, which grows here.
-    const std::vector<ExprId> copy(operands.begin(), operands.end());
-    operands_.insert(operands_.end(), copy.begin(), copy.end());
+    // The operands given may lie in operands_ itself, which moves as it grows.
+    const ExprId* const own = operands_.data();
+    const bool is_own = !std::less<>()(operands.data(), own) &&
+                        std::less<>()(operands.data(), own + operands_.size());
+    const std::ptrdiff_t place = is_own ? operands.data() - own : 0;
+    operands_.resize(operands_.size() + operands.size());
+    std::copy_n(is_own ? operands_.data() + place : operands.data(), operands.size(),
+                operands_.data() + node.first);
     return add(node, hash);
 }
 
 ExprId Expressions::constant(bool value) {
-    return leaf({ExprKind::constant, static_cast<std::uint8_t>(value ? 1 : 0), 0, 0});
+    const auto detail = static_cast<std::uint8_t>(value ? 1 : 0);
+    const std::uint64_t hash = mix(static_cast<std::uint64_t>(ExprKind::constant), detail);
+    const ExprId found = find(hash, [&](const Node& other) {
+        return other.kind == ExprKind::constant && other.detail == detail;
+    });
+    return found != no_expr ? found : add({ExprKind::constant, detail, 0, 0}, hash);
 }
 
 ExprId Expressions::variable(Variable variable) {
-    return leaf({ExprKind::variable, static_cast<std::uint8_t>(variable.kind), variable.index, 0});
+    std::vector<ExprId>& known = variables_[static_cast<std::size_t>(variable.kind)];
+    if (known.size() <= variable.index) known.resize(variable.index + std::size_t{1}, no_expr);
+    ExprId& id = known[variable.index];
+    if (id == no_expr) {
+        id = static_cast<ExprId>(nodes_.size());
+        nodes_.push_back(
+            {ExprKind::variable, static_cast<std::uint8_t>(variable.kind), variable.index, 0});
+    }
+    return id;
 }
 
 ExprId Expressions::negation(ExprId operand) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -35,6 +36,7 @@ enum class VariableKind : std::uint8_t {
     macro,    ///< the X variable of a macro-step
     graph,    ///< the X variable of a graph
 };
+inline constexpr std::size_t variable_kind_count = 8;
 
 /// The inputs that every GRAFCET has without declaring them; the numbers are their order in ports
 /// and traces.
@@ -97,6 +99,8 @@ class Expressions {
     ExprId comparison(const Comparison& comparison);
 
     std::size_t size() const { return nodes_.size(); }
+    /// Drops all nodes; costs no more than they did.
+    void clear();
     ExprKind kind(ExprId id) const { return node(id).kind; }
     /// Expects a constant.
     bool constant_value(ExprId id) const { return node(id).detail != 0; }
@@ -135,7 +139,6 @@ class Expressions {
     template <typename Same>
     ExprId find(std::uint64_t hash, const Same& same) const;
     ExprId add(const Node& new_node, std::uint64_t hash);
-    ExprId leaf(const Node& node);
     ExprId with_operands(ExprKind kind, std::span<const ExprId> operands);
 
     std::vector<Node> nodes_;
@@ -150,7 +153,10 @@ class Expressions {
         ExprId id = no_expr;  ///< no_expr: free
     };
     std::vector<Slot> slots_;
+    std::size_t hashed_ = 0;  ///< slots in use
     void insert(const Slot& slot);
+    /// Variables are not hashed: per kind, their ids by index (no_expr: none yet).
+    std::array<std::vector<ExprId>, variable_kind_count> variables_;
 };
 
 }  // namespace grafwire

@@ -10,8 +10,6 @@
 // shorter and the memory would not hold by itself, any longer and the pulse would still be there
 // when the next step becomes active, and clear the transition after it as well.
 
-#include "netlist/asynchronous.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 
 #include "equations/logic.h"
 #include "equations/write_equations.h"
+#include "netlist/asynchronous_frame.h"
 
 namespace grafwire {
 
@@ -66,21 +65,6 @@ NetId AsynchronousBuild::clearing_net(TransitionId transition) {
     return net;
 }
 
-namespace {
-
-/// Notes which stored outputs and vars an expression reads now (not through an edge or a delay).
-void mark_read(const Expressions& pool, ExprId id, std::vector<std::uint8_t>& outputs,
-               std::vector<std::uint8_t>& vars) {
-    if (id == no_expr) return;
-    if (pool.kind(id) == ExprKind::variable) {
-        const Variable variable = pool.variable_of(id);
-        if (variable.kind == VariableKind::output) outputs[variable.index] = 1;
-        if (variable.kind == VariableKind::var) vars[variable.index] = 1;
-    }
-    if (pool.kind(id) == ExprKind::rise || pool.kind(id) == ExprKind::fall) return;
-    for (const ExprId operand : pool.operands(id)) mark_read(pool, operand, outputs, vars);
-}
-
 std::vector<std::uint8_t> writing_steps(const Equations& equations) {
     const Grafcet& grafcet = *equations.grafcet;
     std::vector<std::uint8_t> writing(grafcet.steps.size());
@@ -98,61 +82,7 @@ std::vector<std::uint8_t> writing_steps(const Equations& equations) {
     return writing;
 }
 
-/// Builds one netlist; the members are what its parts share.
-class Frame {
-  public:
-    Frame(Equations& equations, PhaseMaker make_phase, unsigned set_depth)
-        : equations_(equations),
-          grafcet_(*equations.grafcet),
-          builder_(grafcet_),
-          logic_(equations, builder_),
-          build_{equations,
-                 builder_,
-                 logic_,
-                 transitions_by_step(grafcet_),
-                 std::vector<NetId>(grafcet_.transitions.size(), no_net),
-                 writing_steps(equations)},
-          make_phase_(make_phase) {
-        logic_.pulse_width = set_depth * nanosecond;
-    }
-
-    Netlist make() {
-        make_ports();
-        make_steps();
-        make_outputs();
-        make_stored();
-        Netlist& netlist = builder_.netlist();
-        netlist.has_modes = equations_.options.modes;
-        netlist.step_count = grafcet_.steps.size();
-        return builder_.finish();
-    }
-
-  private:
-    void make_ports();
-    void make_steps();
-    PhaseSignals phase_of(StepId step);
-    std::vector<std::vector<NetId>> cdx_of(StepId step);
-    void make_outputs();
-    void make_stored();
-    void make_latch(const StoredEquation& stored);
-    void make_hold(const StoredEquation& stored);
-    NetId trigger_net(const StoredWrite& write);
-    NetId stored_net(Variable target) const;
-
-    Equations& equations_;
-    const Grafcet& grafcet_;
-    NetlistBuilder builder_;
-    LogicBuilder logic_;
-    AsynchronousBuild build_;
-    PhaseMaker make_phase_;
-    NetId init_ = no_net;
-    NetId au_dur_ = no_net;
-    NetId au_doux_ = no_net;
-    std::vector<NetId> held_outputs_;
-    std::vector<NetId> held_vars_;
-};
-
-void Frame::make_ports() {
+void AsynchronousFrame::make_ports() {
     Netlist& netlist = builder_.netlist();
     for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
         if (i >= grafcet_.inputs.size() && !equations_.options.modes) {
@@ -189,7 +119,7 @@ void Frame::make_ports() {
     if (au_dur_ != no_net) builder_.inverted(au_dur_);
 }
 
-std::vector<std::vector<NetId>> Frame::cdx_of(StepId step) {
+std::vector<std::vector<NetId>> AsynchronousFrame::cdx_of(StepId step) {
     std::vector<std::vector<NetId>> products;
     const ExprId cdx = equations_.steps[step].cdx;
     const Expressions& pool = equations_.expressions;
@@ -209,7 +139,7 @@ std::vector<std::vector<NetId>> Frame::cdx_of(StepId step) {
     return products;
 }
 
-PhaseSignals Frame::phase_of(StepId step) {
+PhaseSignals AsynchronousFrame::phase_of(StepId step) {
     const StepEquation& equation = equations_.steps[step];
     PhaseSignals phase;
     phase.step = step;
@@ -230,7 +160,7 @@ PhaseSignals Frame::phase_of(StepId step) {
     return phase;
 }
 
-void Frame::make_steps() {
+void AsynchronousFrame::make_steps() {
     for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
         const StepId step = grafcet_.steps.id_at(i);
         const std::string name = "X" + grafcet_.steps[step].name;
@@ -247,7 +177,7 @@ void Frame::make_steps() {
     }
 }
 
-void Frame::make_outputs() {
+void AsynchronousFrame::make_outputs() {
     for (const OutputEquation& equation : equations_.outputs) {
         const Output& output = grafcet_.outputs[equation.output];
         const NetId net = logic_.outputs[index_of(equation.output)];
@@ -275,122 +205,8 @@ void Frame::make_outputs() {
     }
 }
 
-NetId Frame::stored_net(Variable target) const {
-    return target.kind == VariableKind::output ? logic_.outputs[target.index]
-                                               : logic_.vars[target.index];
-}
-
-NetId Frame::trigger_net(const StoredWrite& write) {
-    return logic_.net(write.trigger);
-}
-
-/// A stored variable that is read by the right-hand side of a write is read through a hold latch
-/// that closes while a write to it is under way: right-hand sides see variables as they were.
-void Frame::make_hold(const StoredEquation& stored) {
-    std::vector<NetId> triggers;
-    for (const StoredWrite& write : stored.writes) triggers.push_back(trigger_net(write));
-    const NetId source = stored_net(stored.target);
-    const std::string name(builder_.netlist().names[source]);
-    const NetId idle = builder_.gate(CellType::nor_gate, triggers, name, "idle");
-    const NetId held = builder_.add_net(name, "held");
-    const NetId pins[] = {source, idle};
-    builder_.add_memory(CellType::hold_latch, held, pins, Logic::zero);
-    auto& table = stored.target.kind == VariableKind::output ? held_outputs_ : held_vars_;
-    table[stored.target.index] = held;
-}
-
-void Frame::make_latch(const StoredEquation& stored) {
-    // set = OR of trigger . value . /(later triggers), reset likewise with /value.
-    const Expressions& pool = equations_.expressions;
-    std::vector<NetId> later;
-    std::vector<NetId> sets;
-    std::vector<NetId> resets;
-    const std::string name(builder_.netlist().names[stored_net(stored.target)]);
-    for (std::size_t i = stored.writes.size(); i-- != 0;) {
-        const StoredWrite& write = stored.writes[i];
-        const NetId trigger = trigger_net(write);
-        std::vector<NetId> base{trigger};
-        for (const NetId other : later) {
-            if (other != trigger) base.push_back(builder_.inverted(other));
-        }
-        const bool hidden = std::find(later.begin(), later.end(), trigger) != later.end();
-        later.push_back(trigger);
-        if (hidden || is_constant(pool, write.trigger, false)) continue;
-        const bool constant = pool.kind(write.value) == ExprKind::constant;
-        const NetId value =
-            constant ? no_net : logic_.held_signal(write.value, held_outputs_, held_vars_).net;
-        for (const bool wanted : {true, false}) {
-            if (constant && pool.constant_value(write.value) != wanted) continue;
-            std::vector<NetId> pins = base;
-            if (!constant) pins.push_back(wanted ? value : builder_.inverted(value));
-            const NetId product =
-                pins.size() == 1 ? pins[0]
-                                 : builder_.gate(CellType::and_gate, pins, name,
-                                                 fmt::format("{}{}", wanted ? "set" : "reset", i));
-            (wanted ? sets : resets).push_back(product);
-        }
-    }
-    const auto sum = [&](std::vector<NetId>& terms, std::string_view role) {
-        std::reverse(terms.begin(), terms.end());
-        if (terms.empty()) return builder_.low();
-        return terms.size() == 1 ? terms[0] : builder_.gate(CellType::or_gate, terms, name, role);
-    };
-    const NetId set = sum(sets, "set");
-    const NetId reset = sum(resets, "reset");
-    const NetId pins[] = {set, reset};
-    builder_.add_memory(CellType::latch, stored_net(stored.target), pins, Logic::zero);
-}
-
-void Frame::make_stored() {
-    held_outputs_.assign(grafcet_.outputs.size(), no_net);
-    held_vars_.assign(grafcet_.vars.size(), no_net);
-    const auto work_on = [&](const StoredEquation& stored) {
-        const bool is_output = stored.target.kind == VariableKind::output;
-        const std::string name(builder_.netlist().names[stored_net(stored.target)]);
-        const Location where = is_output ? grafcet_.outputs[OutputId{stored.target.index}].where
-                                         : grafcet_.vars[VarId{stored.target.index}].where;
-        const std::string comment =
-            fmt::format("{}: set {} reset {}", name, equation_text(equations_, stored.set),
-                        equation_text(equations_, stored.reset));
-        const auto origin =
-            builder_.add_origin(is_output ? Origin::Kind::output : Origin::Kind::var, name, where);
-        builder_.work_on(builder_.add_module(name, comment), origin);
-        logic_.owner = name;
-    };
-    std::vector<std::uint8_t> output_read(grafcet_.outputs.size());
-    std::vector<std::uint8_t> var_read(grafcet_.vars.size());
-    for (const StoredEquation& stored : equations_.stored) {
-        for (const StoredWrite& write : stored.writes) {
-            mark_read(equations_.expressions, write.value, output_read, var_read);
-        }
-    }
-    std::vector<std::uint8_t> driven(grafcet_.vars.size());
-    for (const StoredEquation& stored : equations_.stored) {
-        const bool is_output = stored.target.kind == VariableKind::output;
-        if (stored.writes.empty()) continue;
-        if ((is_output ? output_read : var_read)[stored.target.index] == 0) continue;
-        work_on(stored);
-        make_hold(stored);
-    }
-    for (const StoredEquation& stored : equations_.stored) {
-        if (stored.writes.empty()) continue;
-        if (stored.target.kind == VariableKind::var) driven[stored.target.index] = 1;
-        work_on(stored);
-        make_latch(stored);
-    }
-    for (std::size_t i = 0; i < driven.size(); ++i) {
-        if (driven[i] != 0) continue;
-        const Var& var = grafcet_.vars[grafcet_.vars.id_at(i)];
-        builder_.work_on(builder_.add_module(var.name, var.name + " = 0"),
-                         builder_.add_origin(Origin::Kind::var, var.name, var.where));
-        builder_.add_cell(CellType::low, logic_.vars[i], {});
-    }
-}
-
-}  // namespace
-
 Netlist make_asynchronous(Equations& equations, PhaseMaker make_phase, unsigned set_depth) {
-    return Frame(equations, make_phase, set_depth).make();
+    return AsynchronousFrame(equations, make_phase, set_depth).make();
 }
 
 }  // namespace grafwire

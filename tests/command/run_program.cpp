@@ -57,9 +57,8 @@ Ran run_program(const std::vector<std::string>& command, const std::string& inpu
     std::vector<std::string> arguments = command;
     std::vector<std::string> variables = environment_with(environment);
     pid_t child = 0;
-    const int problem =
-        posix_spawnp(&child, arguments.front().c_str(), &actions, nullptr,
-                     pointers_to(arguments).data(), pointers_to(variables).data());
+    const int problem = posix_spawnp(&child, arguments.front().c_str(), &actions, nullptr,
+                                     pointers_to(arguments).data(), pointers_to(variables).data());
     posix_spawn_file_actions_destroy(&actions);
     if (problem != 0) {
         FAIL("cannot run '" << command.front() << "' (is it installed?): " << strerror(problem));

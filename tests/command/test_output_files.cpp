@@ -59,9 +59,9 @@ TEST_CASE("a device is written to, never replaced") {
     const std::string pipe = folder.path("pipe");
     const std::string copy = folder.path("copy");
     const Ran ran = run_program({"sh", "-c",
-                                 "mkfifo " + pipe + " && { cat " + pipe + " >" + copy + " & } && '" +
-                                     GRAFWIRE_PROGRAM + "' run " + chart + " " + stim + " -o " +
-                                     pipe + " && wait"});
+                                 "mkfifo " + pipe + " && { cat " + pipe + " >" + copy +
+                                     " & } && '" + GRAFWIRE_PROGRAM + "' run " + chart + " " +
+                                     stim + " -o " + pipe + " && wait"});
     CHECK(ran.status == 0);
     CHECK(std::filesystem::is_fifo(pipe));
     CHECK(text_of(copy) == grafwire_with({"run", chart, stim}).out);
@@ -107,8 +107,9 @@ TEST_CASE("a place that cannot be written to") {
     }
     CHECK(folder.names() == Names{"file"});
     CHECK(grafwire_with({"run", chart, stim, "-o", "/dev/full"}).status == 2);
-    const Ran to_full = run_program({"sh", "-c", "'" + std::string(GRAFWIRE_PROGRAM) + "' run " +
-                                                     chart + " " + stim + " >/dev/full"});
+    const Ran to_full = run_program(
+        {"sh", "-c",
+         "'" + std::string(GRAFWIRE_PROGRAM) + "' run " + chart + " " + stim + " >/dev/full"});
     CHECK(to_full.status == 2);
     CHECK(contains(to_full.err, "standard output"));
 }

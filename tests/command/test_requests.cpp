@@ -45,9 +45,9 @@ TEST_CASE("the example that help shows can be run as it stands") {
         std::string line = help.substr(begin, help.find('\n', begin) - begin);
         INFO("example: " << line);
         const ScratchFolder folder;
-        const Ran ran = run_program({"sh", "-c", "cd '" + folder.path("") + "' && ln -s '" +
-                                                     example("") + "' examples && '" +
-                                                     GRAFWIRE_PROGRAM + "' " + line});
+        const Ran ran = run_program({"sh", "-c",
+                                     "cd '" + folder.path("") + "' && ln -s '" + example("") +
+                                         "' examples && '" + GRAFWIRE_PROGRAM + "' " + line});
         CHECK(ran.status == 0);
         CHECK(ran.err.empty());
     }
@@ -93,9 +93,9 @@ TEST_CASE("unknown values are refused with those there are") {
     CHECK(contains(refusal({"run", file, stim, "--scan", "0ms"}), "'0ms' is no period"));
     CHECK(contains(refusal({"simulate", file, stim, "--style", "nand", "--scan", "10ms"}),
                    "clocked"));
-    CHECK(contains(refusal({"netlist", file, "--style", "clocked", "--cdx", "successor", "--to",
-                            "blif"}),
-                   "transition form"));
+    CHECK(contains(
+        refusal({"netlist", file, "--style", "clocked", "--cdx", "successor", "--to", "blif"}),
+        "transition form"));
 }
 
 TEST_CASE("what is missing is named") {
@@ -152,8 +152,7 @@ TEST_CASE("counters are too much for a style without registers") {
 TEST_CASE("- is standard input, but only once") {
     const std::string chart = text_of(example("rule-5.grafcet"));
     const std::string stim = text_of(example("rule-5.stim"));
-    const Ran expected =
-        grafwire_with({"run", example("rule-5.grafcet"), example("rule-5.stim")});
+    const Ran expected = grafwire_with({"run", example("rule-5.grafcet"), example("rule-5.stim")});
     CHECK(grafwire_with({"run", "-", example("rule-5.stim")}, chart).out == expected.out);
     CHECK(grafwire_with({"run", example("rule-5.grafcet"), "-"}, stim).out == expected.out);
     CHECK(grafwire_with({"info", "-"}, chart).out ==

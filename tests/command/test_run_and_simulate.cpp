@@ -1,1 +1,191 @@
+// Traces and waveforms of the reference evolution and of the gates.
+
 #include <doctest/doctest.h>
+
+#include "command/csv.h"
+#include "command/run_program.h"
+
+namespace grafwire::test {
+
+namespace {
+
+const std::string axis = example("positioning-axis.grafcet");
+const std::string scan_stim = example("positioning-axis-scan.stim");
+
+/// A value change dump as far as anybody must be able to read it: declarations, then moments that
+/// only grow, with values of signals that were declared.
+void check_vcd(const std::string& text) {
+    CHECK(contains(text, "$timescale "));
+    CHECK(contains(text, "$scope module "));
+    const std::size_t body = text.find("$enddefinitions $end\n");
+    REQUIRE(body != std::string::npos);
+    long long last = -1;
+    std::size_t at = body + 21;
+    std::size_t changes = 0;
+    while (at < text.size()) {
+        const std::string line = text.substr(at, text.find('\n', at) - at);
+        at += line.size() + 1;
+        if (line.empty() || line[0] == '$') continue;
+        if (line[0] == '#') {
+            CHECK(std::stoll(line.substr(1)) > last);
+            last = std::stoll(line.substr(1));
+            continue;
+        }
+        const std::size_t blank = line.find(' ');
+        const std::string signal = line.substr(blank == std::string::npos ? 1 : blank + 1);
+        CHECK(text.find(" " + signal + " ") < body);
+        ++changes;
+    }
+    CHECK(last > 0);
+    CHECK(changes > 0);
+}
+
+}  // namespace
+
+TEST_CASE("the columns and rows of a trace") {
+    const ScratchFolder folder;
+    const std::string chart = folder.file("c.grafcet", R"(grafcet c
+input a, "b c"
+output "V+"
+var v
+counter n : -1..3
+graph G {
+  initial 0 : "V+" if "b c"
+  step 1 : set v, n := n + 1
+  0 -> 1 : ↑a
+  1 -> 0 : 1.5ms/X1
+}
+)");
+    const std::string stim = folder.file("c.stim", R"(0ms : "b c"=1
+1ms : a=1
++2.25ms : a=0
+10ms : end
+)");
+    const Ran ran = grafwire_with({"run", chart, stim});
+    CHECK(ran.status == 0);
+    CHECK(ran.err.empty());
+    CHECK(ran.out ==
+          "time_ms,a,b c,Init,AUdur,AUdoux,X0,X1,V+,v,n\n"
+          "0,0,1,0,0,0,1,0,1,0,-1\n"
+          "1,1,1,0,0,0,0,1,0,1,0\n"
+          "2.5,1,1,0,0,0,1,0,1,1,0\n"
+          "3.25,0,1,0,0,0,1,0,1,1,0\n"
+          "10,0,1,0,0,0,1,0,1,1,0\n");
+    CHECK(grafwire_with({"simulate", chart, stim, "--style", "clocked"}).out == ran.out);
+    CHECK(grafwire_with({"run", chart, stim, "--scan", "2.5ms"}).out ==
+          "time_ms,a,b c,Init,AUdur,AUdoux,X0,X1,V+,v,n\n"
+          "0,0,1,0,0,0,1,0,1,0,-1\n"
+          "2.5,1,1,0,0,0,0,1,0,1,0\n"
+          "5,0,1,0,0,0,0,1,0,1,0\n"
+          "7.5,0,1,0,0,0,1,0,1,1,0\n"
+          "10,0,1,0,0,0,1,0,1,1,0\n");
+}
+
+TEST_CASE("run and simulate agree, byte for byte, where the wiring is sound") {
+    for (const std::string name :
+         {"single-sequence", "selection-divergence", "selection-convergence", "parallel-divergence",
+          "parallel-convergence", "nine-steps", "rule-5", "manipulator"}) {
+        INFO("example: " << name);
+        const std::string chart = example(name + ".grafcet");
+        const std::string stim = example(name + ".stim");
+        const std::string expected = grafwire_with({"run", chart, stim}).out;
+        CHECK(read_csv(expected).size() > 20);
+        const Ran ran = grafwire_with({"simulate", chart, stim, "--style", "nand"});
+        CHECK(ran.status == 0);
+        CHECK(ran.out == expected);
+    }
+}
+
+TEST_CASE("scan by scan, reference and clocked netlist agree") {
+    const Ran run = grafwire_with({"run", axis, scan_stim, "--scan", "10ms"});
+    CHECK(run.status == 0);
+    CHECK(read_csv(run.out).size() == 152);
+    const Ran gates =
+        grafwire_with({"simulate", axis, scan_stim, "--style", "clocked", "--scan", "10ms"});
+    CHECK(gates.status == 0);
+    CHECK(gates.out == run.out);
+}
+
+TEST_CASE("no stable situation: status 1, and the trace up to there") {
+    const ScratchFolder folder;
+    const std::string csv = folder.path("out.csv");
+    const std::string vcd = folder.path("out.vcd");
+    const Ran ran = grafwire_with({"run", axis, scan_stim, "-o", csv, "--vcd", vcd});
+    CHECK(ran.status == 1);
+    CHECK(ran.err ==
+          "grafwire: error: no stable situation at 100 ms; these keep changing: X0, X1, X2\n");
+    const auto rows = read_csv(text_of(csv));
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1][0] == "0");
+    CHECK(contains(text_of(vcd), "$enddefinitions"));
+}
+
+TEST_CASE("a netlist that does not settle: status 1, and the trace up to there") {
+    const ScratchFolder folder;
+    // Two steps that are each other's follower, both receptivities at 1 from 5 ms on.
+    const std::string chart =
+        folder.file("loop.grafcet",
+                    "input a\ngraph G {\n  initial 0\n  step 1\n  0 -> 1 : a\n  1 -> 0 : a\n}\n");
+    const std::string stim = folder.file("loop.stim", "5ms : a=1\n9ms : end\n");
+    const std::string csv = folder.path("out.csv");
+    const Ran run = grafwire_with({"run", chart, stim});
+    CHECK(run.status == 1);
+    CHECK(read_csv(run.out).size() == 2);
+    const Ran ran = grafwire_with({"simulate", chart, stim, "--style", "clocked", "-o", csv});
+    CHECK(ran.status == 1);
+    CHECK(contains(ran.err, "the netlist does not settle at 5 ms; these keep changing: "));
+    CHECK(text_of(csv) == run.out);
+}
+
+TEST_CASE("waveforms") {
+    const ScratchFolder folder;
+    const std::string chart = example("manipulator.grafcet");
+    const std::string stim = example("manipulator.stim");
+    const Ran run = grafwire_with({"run", chart, stim, "--vcd", folder.path("run.vcd")});
+    CHECK(run.status == 0);
+    CHECK(run.out == grafwire_with({"run", chart, stim}).out);
+    check_vcd(text_of(folder.path("run.vcd")));
+    for (const std::string style : {"gates", "nand", "clocked"}) {
+        INFO("style: " << style);
+        const std::string vcd = folder.path(style + ".vcd");
+        CHECK(grafwire_with({"simulate", chart, stim, "--style", style, "--vcd", vcd}).status == 0);
+        check_vcd(text_of(vcd));
+        const std::string again = folder.path("again.vcd");
+        grafwire_with({"simulate", chart, stim, "--style", style, "--vcd", again});
+        CHECK(text_of(again) == text_of(vcd));
+    }
+}
+
+TEST_CASE("stimuli that break an assumption are worth a warning") {
+    const ScratchFolder folder;
+    const std::string chart = example("nine-steps.grafcet");
+    const std::string stim = folder.file("s.stim", "0ms : m=1\n7ms : d1=1 d2=1\n9ms : end\n");
+    for (const std::vector<std::string>& request : std::vector<std::vector<std::string>>{
+             {"run", chart, stim}, {"simulate", chart, stim, "--style", "nand"}}) {
+        const Ran ran = grafwire_with(request);
+        CHECK(ran.status == 0);
+        CHECK(read_csv(ran.out).size() == 4);
+        CHECK(ran.err ==
+              "grafwire: warning: at 7 ms the stimuli break what the GRAFCET assumes: "
+              "/(d1.d2)\n");
+    }
+}
+
+TEST_CASE("--modes off: the netlist starts in the initial situation and has no Init") {
+    const std::string chart = example("manipulator.grafcet");
+    const std::string blif =
+        grafwire_with({"netlist", chart, "--style", "nand", "--modes", "off", "--to", "blif"}).out;
+    CHECK(!contains(blif, " Init"));
+    CHECK(!contains(blif, "AUd"));
+    const ScratchFolder folder;
+    const std::string stim = folder.file("s.stim", "0ms : v0=1 h0=1\n10ms : dcy=1\n20ms : end\n");
+    for (const std::string style : {"gates", "nand", "clocked"}) {
+        INFO("style: " << style);
+        const Ran ran =
+            grafwire_with({"simulate", chart, stim, "--style", style, "--modes", "off"});
+        CHECK(ran.status == 0);
+        CHECK(ran.out == grafwire_with({"run", chart, stim}).out);
+    }
+}
+
+}  // namespace grafwire::test
