@@ -90,7 +90,8 @@ std::string Story::transition_text(TransitionId id) const {
         for (const StepId step : steps) list.push_back(grafcet_.steps[step].name);
         return fmt::format("{}", fmt::join(list, ", "));
     };
-    return fmt::format("({}) {} -> {}", transition.name, names(grafcet_.preceding(transition)),
+    const std::string before = names(grafcet_.preceding(transition));
+    return fmt::format("({}) {}{}-> {}", transition.name, before, before.empty() ? "" : " ",
                        names(grafcet_.following(transition)));
 }
 

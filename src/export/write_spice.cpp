@@ -1,9 +1,14 @@
-// Gates are XSPICE digital models with a delay of 1 ns (ngspice manual, "XSPICE: digital models"). Cells without a model of their own are put together from others; what is inside such a
-// cell takes a picosecond, so that the whole still takes 1 ns:
+// Gates are XSPICE digital models with a delay of 1 ns (ngspice manual, "XSPICE: digital models").
+// Cells without a model of their own are put together from others; what is inside such a cell takes
+// a picosecond, and the rest so much less, so that the whole takes 1 ns on every way through it:
 //
 //     latch       q = s + /r.q
 //     pulse       a flip-flop set by the edge, reset by its own output through a delay
 //     timer       a buffer with the two delays
+//
+// The delays of XSPICE are not inertial: the shortest spike passes. Two changes that reach a gate
+// together must therefore do so at exactly the same moment, and sums of decimal fractions of a second
+// do not. So the deck counts in picoseconds, as whole numbers: what ngspice takes for a second is one.
 //
 // During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held at
 // these, and timers at theirs.
@@ -29,9 +34,6 @@
 namespace grafwire {
 
 namespace {
-
-/// In seconds, exact to the picosecond.
-std::string seconds(Time time) { return fmt::format("{}.{:012}", time / second, time % second); }
 
 /// A digital source that changes from time to time.
 struct Wave {
@@ -140,24 +142,63 @@ void DeckWriter::write_head() {
     }
 }
 
-void DeckWriter::write_gate(std::string_view model, const Cell& cell, std::string_view output) {
-    if (cell.pin_count == 1) return element(pin(cell, 0), ' ', output, ' ', model);
-    std::string pins;
-    std::size_t on_line = 0;
-    for (const NetId net : netlist_.pins_of(cell)) {
-        append(pins, ++on_line % 16 == 0 ? "\n+ " : " ", nets_[net]);
+struct GateModel {
+    std::string_view name;    ///< of any number of inputs
+    std::string_view single;  ///< of one
+    std::string_view part;    ///< gathers some of many inputs
+};
+
+GateModel model_of(CellType type) {
+    switch (type) {
+        case CellType::and_gate: return {"and", "buffer", "and"};
+        case CellType::or_gate: return {"or", "buffer", "or"};
+        case CellType::nand_gate: return {"nand", "not", "and"};
+        case CellType::nor_gate: return {"nor", "not", "or"};
+        case CellType::xor_gate: return {"xor", "buffer", "xor"};
+        case CellType::inverter: return {"not", "not", ""};
+        default: return {"buffer", "buffer", ""};
     }
-    element('[', pins, " ] ", output, ' ', model);
+}
+
+/// A list of nodes in brackets, over as many lines as it takes.
+std::string bracketed(std::span<const std::string_view> nodes) {
+    std::string text = "[";
+    std::size_t on_line = 0;
+    for (const std::string_view node : nodes) append(text, ++on_line % 16 == 0 ? "\n+ " : " ", node);
+    return text + " ]";
+}
+
+/// ngspice has no room for very long lists, so quick gates gather the inputs of wide ones first.
+void DeckWriter::write_gate(std::string_view speed, CellType type, std::vector<std::string_view> pins,
+                            std::string_view output) {
+    const GateModel model = model_of(type);
+    while (pins.size() > widest) {
+        std::vector<std::string_view> gathered;
+        for (std::size_t first = 0; first < pins.size(); first += widest) {
+            const auto part = std::span(pins).subspan(first, std::min(widest, pins.size() - first));
+            const std::string& node = *kept_names_.insert(inner_node()).first;
+            element(bracketed(part), ' ', node, " fast_", part.size() == 1 ? "buffer" : model.part);
+            gathered.push_back(node);
+        }
+        pins = std::move(gathered);
+    }
+    if (pins.size() == 1) return element(pins[0], ' ', output, ' ', speed, model.single);
+    element(bracketed(pins), ' ', output, ' ', speed, model.name);
 }
 
 void DeckWriter::write_latch(const Cell& cell, std::string_view output) {
+    // Both inputs pass two quick elements before the last.
     const std::string not_reset = inner_node();
     const std::string kept = inner_node();
-    element(pin(cell, 1), ' ', not_reset, " fast_not");
+    const std::string set = inner_node();
+    const std::string late_set = inner_node();
     const bool starts_at_0 = cell.initial == Logic::zero;
     const bool starts_at_1 = cell.initial == Logic::one;
+    element(pin(cell, 1), ' ', not_reset, " fast_not");
     element("[ ", not_reset, ' ', output, starts_at_0 ? " __running ] " : " ] ", kept, " fast_and");
-    element("[ ", pin(cell, 0), ' ', kept, starts_at_1 ? " __start ] " : " ] ", output, " slow_or");
+    element(pin(cell, 0), ' ', set, " fast_buffer");
+    element(set, ' ', late_set, " fast_buffer");
+    element("[ ", late_set, ' ', kept, starts_at_1 ? " __start ] " : " ] ", output, " late_or");
 }
 
 void DeckWriter::write_memory(const Cell& cell, std::string_view model, std::string_view output) {
@@ -202,17 +243,9 @@ void DeckWriter::write_cell(const Cell& cell) {
                 at_1 ? " fast_or" : " fast_and");
         output = free;
     }
-    const bool single = cell.pin_count == 1;
     switch (cell.type) {
         case CellType::low: return element(output, " zero");
         case CellType::high: return element(output, " one");
-        case CellType::buffer: return write_gate("slow_buffer", cell, output);
-        case CellType::inverter: return write_gate("slow_not", cell, output);
-        case CellType::and_gate: return write_gate(single ? "slow_buffer" : "slow_and", cell, output);
-        case CellType::or_gate: return write_gate(single ? "slow_buffer" : "slow_or", cell, output);
-        case CellType::xor_gate: return write_gate(single ? "slow_buffer" : "slow_xor", cell, output);
-        case CellType::nand_gate: return write_gate(single ? "slow_not" : "slow_nand", cell, output);
-        case CellType::nor_gate: return write_gate(single ? "slow_not" : "slow_nor", cell, output);
         case CellType::latch: return write_latch(cell, output);
         case CellType::hold_latch: return write_memory(cell, "hold", output);
         case CellType::flip_flop: return write_memory(cell, "flip_flop", output);
@@ -220,7 +253,11 @@ void DeckWriter::write_cell(const Cell& cell) {
         case CellType::fall_pulse: return write_pulse(cell, output);
         case CellType::timer: return write_timer(cell, output);
         case CellType::scan_timer: return;  // refused before
+        default: break;
     }
+    std::vector<std::string_view> pins;
+    for (const NetId net : netlist_.pins_of(cell)) pins.push_back(nets_[net]);
+    write_gate(held != Logic::unknown ? "held_" : "slow_", cell.type, std::move(pins), output);
 }
 
 /// The number of a moment; moments come in order.
@@ -232,8 +269,8 @@ std::size_t DeckWriter::tick(Time moment) {
 void DeckWriter::write_ticks() {
     out_ += "\n* The moments of the stimuli\n";
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
-        append(out_, ".model tick", i, " d_buffer(rise_delay=", seconds(std::max<Time>(1, ticks_[i])),
-               " fall_delay=1p)\n");
+        append(out_, ".model tick", i, " d_buffer(rise_delay=", std::max<Time>(1, ticks_[i]),
+               " fall_delay=1)\n");
         element("__running __tick", i, " tick", i);
     }
 }
@@ -277,8 +314,8 @@ void DeckWriter::write_sources() {
         end_ = event.at + delay + rest;
     }
     // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows better.
-    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", seconds(start_), " 0 ",
-           seconds(start_ + nanosecond), " 1)\n");
+    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", start_, " 0 ", start_ + nanosecond,
+           " 1)\n");
     element("[ __v1 ] [ __go ] bridge");
     element("__one __go null null __running __start flip_flop_0");
     element("__one one");
@@ -297,40 +334,37 @@ void DeckWriter::write_sampling() {
 }
 
 void DeckWriter::write_models() {
-    out_ += R"(
-.model slow_buffer d_buffer(rise_delay=1n fall_delay=1n)
-.model slow_not d_inverter(rise_delay=1n fall_delay=1n)
-.model slow_and d_and(rise_delay=1n fall_delay=1n)
-.model slow_or d_or(rise_delay=1n fall_delay=1n)
-.model slow_nand d_nand(rise_delay=1n fall_delay=1n)
-.model slow_nor d_nor(rise_delay=1n fall_delay=1n)
-.model slow_xor d_xor(rise_delay=1n fall_delay=1n)
-.model fast_buffer d_buffer(rise_delay=1p fall_delay=1p)
-.model fast_not d_inverter(rise_delay=1p fall_delay=1p)
-.model fast_and d_and(rise_delay=1p fall_delay=1p)
-.model fast_or d_or(rise_delay=1p fall_delay=1p)
-.model fast_xor d_xor(rise_delay=1p fall_delay=1p)
-.model fast_xnor d_xnor(rise_delay=1p fall_delay=1p)
+    constexpr std::pair<std::string_view, std::string_view> gates[] = {
+        {"buffer", "d_buffer"}, {"not", "d_inverter"}, {"and", "d_and"}, {"or", "d_or"},
+        {"nand", "d_nand"},     {"nor", "d_nor"},      {"xor", "d_xor"}, {"xnor", "d_xnor"}};
+    out_ += '\n';
+    for (const auto& [name, model] : gates) {
+        for (const auto& [speed, delay] : {std::pair("slow", 1000), std::pair("held", 999), std::pair("fast", 1)}) {
+            append(out_, ".model ", speed, '_', name, ' ', model, "(rise_delay=", delay,
+                   " fall_delay=", delay, ")\n");
+        }
+    }
+    out_ += R"(.model late_or d_or(rise_delay=998 fall_delay=998)
 .model zero d_pulldown
 .model one d_pullup
-.model hold_0 d_dlatch(data_delay=1n enable_delay=1n ic=0)
-.model hold_1 d_dlatch(data_delay=1n enable_delay=1n ic=1)
-.model hold_x d_dlatch(data_delay=1n enable_delay=1n ic=2)
-.model flip_flop_0 d_dff(clk_delay=1n ic=0)
-.model flip_flop_1 d_dff(clk_delay=1n ic=1)
-.model flip_flop_x d_dff(clk_delay=1n ic=2)
-.model one_shot_rise d_dff(clk_delay=1n reset_delay=1p ic=0)
-.model one_shot_fall d_dff(clk_delay=0.999n reset_delay=1p ic=0)
-.model sampler d_dff(clk_delay=1p ic=2)
-.model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1p fall_delay=1p)
+.model hold_0 d_dlatch(data_delay=1000 enable_delay=1000 ic=0)
+.model hold_1 d_dlatch(data_delay=1000 enable_delay=1000 ic=1)
+.model hold_x d_dlatch(data_delay=1000 enable_delay=1000 ic=2)
+.model flip_flop_0 d_dff(clk_delay=1000 ic=0)
+.model flip_flop_1 d_dff(clk_delay=1000 ic=1)
+.model flip_flop_x d_dff(clk_delay=1000 ic=2)
+.model one_shot_rise d_dff(clk_delay=1000 reset_delay=1 ic=0)
+.model one_shot_fall d_dff(clk_delay=999 reset_delay=1 ic=0)
+.model sampler d_dff(clk_delay=1 ic=2)
+.model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1 fall_delay=1)
 )";
     for (const auto& [width, number] : pulse_models_) {
         // The gate that gathers the resets and the flip-flop take a picosecond each.
-        append(out_, ".model pulse", number, " d_buffer(rise_delay=", seconds(std::max<Time>(1, width - 2)),
-               " fall_delay=1p)\n");
+        append(out_, ".model pulse", number, " d_buffer(rise_delay=", std::max<Time>(1, width - 2),
+               " fall_delay=1)\n");
     }
     for (const auto& [delays, number] : timer_models_) {
-        const auto delay = [](Time time) { return seconds(time == 0 ? nanosecond - 1 : time); };
+        const auto delay = [](Time time) { return time == 0 ? nanosecond - 1 : time - 1; };
         append(out_, ".model timer", number, " d_buffer(rise_delay=", delay(delays.first),
                " fall_delay=", delay(delays.second), ")\n");
     }
@@ -338,7 +372,7 @@ void DeckWriter::write_models() {
 
 void DeckWriter::write_control() {
     const Time end = start_ + start_ + end_;  // the start may end late
-    append(out_, "\n.control\ntran ", seconds(end / 50 + 1), ' ', seconds(end), '\n');
+    append(out_, "\n.control\ntran ", end / 50 + 1, ' ', end, '\n');
     constexpr std::size_t outputs_per_table = 90;  // eprint takes 93 nodes at most
     std::vector<std::uint8_t> done(netlist_.net_count());
     std::size_t in_table = 0;

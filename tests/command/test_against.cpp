@@ -1,1 +1,147 @@
+// `check --against`: netlists from elsewhere.
+
 #include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command/run_program.h"
+
+namespace grafwire::test {
+
+namespace {
+
+const std::string chart = example("single-sequence.grafcet");
+
+std::string netlist(const std::string& format, const std::string& style) {
+    const Ran ran = grafwire_with({"netlist", chart, "--style", style, "--to", format});
+    CHECK(ran.status == 0);
+    return ran.out;
+}
+
+Ran check_against(const std::string& file) {
+    return grafwire_with({"check", chart, "--against", file});
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    REQUIRE(contains(text, from));
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+        text.replace(at, from.size(), to);
+    }
+    return text;
+}
+
+/// A student's wiring of the three steps: phase modules by hand, with the modes. `cdx2` is what
+/// resets step 2.
+std::string students_wiring(const std::string& cdx2) {
+    return ".model student\n"
+           ".inputs m a b Init AUdur AUdoux\n"
+           ".outputs X0 X1 X2\n"
+           ".names X2 b X1 X0 Init AUdur X0\n"
+           "11---0 1\n--01-0 1\n----10 1\n"
+           ".names X0 m X2 X1 Init AUdur X1\n"
+           "11--00 1\n--0100 1\n"
+           ".names X1 a " +
+           cdx2 +
+           " X2 Init AUdur X2\n"
+           "11--00 1\n--0100 1\n"
+           ".end\n";
+}
+
+}  // namespace
+
+TEST_CASE("the netlist that was written, read back") {
+    const ScratchFolder folder;
+    for (const std::string format : {"blif", "json"}) {
+        for (const std::string style : {"gates", "nand", "nor", "clocked"}) {
+            INFO("format: " << format << ", style: " << style);
+            const std::string file = folder.file("n." + format, netlist(format, style));
+            const Ran ran = check_against(file);
+            CHECK(ran.status == 0);
+            CHECK(ran.err.empty());
+            CHECK(contains(ran.out, ": equivalent (style " + file));
+        }
+    }
+}
+
+TEST_CASE("a wiring by hand: a good one, and one with a slip") {
+    const ScratchFolder folder;
+    const Ran good = check_against(folder.file("good.blif", students_wiring("X0")));
+    CHECK(good.status == 0);
+    CHECK(good.err.empty());
+    // Step 2 reset by step 1, which is still up when step 2 begins.
+    const std::string slip = folder.file("slip.blif", students_wiring("X1"));
+    const Ran wrong = check_against(slip);
+    CHECK(wrong.status == 1);
+    CHECK(contains(wrong.out, ": different (style " + slip));
+    CHECK(contains(wrong.out, "\nWitness:\n"));
+    // Its witness replays on the same netlist.
+    const Ran with_files =
+        grafwire_with({"check", chart, "--against", slip, "--witness", folder.path("w")});
+    CHECK(with_files.status == 1);
+    const std::string stim = folder.path("w/witness.stim");
+    const Ran run = grafwire_with({"run", chart, stim});
+    const Ran gates = grafwire_with({"simulate", chart, stim, "--against", slip});
+    CHECK(run.status == 0);
+    CHECK(run.out != gates.out);
+    CHECK(text_of(folder.path("w/got.csv")) == gates.out);
+}
+
+TEST_CASE("a wrong gate in a JSON netlist") {
+    const ScratchFolder folder;
+    auto json = nlohmann::ordered_json::parse(netlist("json", "nand"));
+    // The first NAND becomes an AND.
+    bool done = false;
+    for (auto& cell : json["modules"].begin().value()["cells"]) {
+        if (!done && cell["type"] == "$_NAND_") {
+            cell["type"] = "$_AND_";
+            done = true;
+        }
+    }
+    REQUIRE(done);
+    const Ran ran = check_against(folder.file("wrong.json", json.dump()));
+    CHECK(ran.status == 1);
+    CHECK(contains(ran.out, ": different ("));
+}
+
+TEST_CASE("ports that do not fit: a table and status 2") {
+    const ScratchFolder folder;
+    const std::string good = students_wiring("X0");
+    const std::string file =
+        folder.file("ports.blif", replaced(replaced(good, "X2", "Y2"), " m", " go"));
+    const Ran ran = check_against(file);
+    CHECK(ran.status == 2);
+    CHECK(ran.out.empty());
+    CHECK(contains(ran.err, file + ": the ports do not fit " + chart + ":\n"));
+    CHECK(contains(ran.err, "X2\n"));
+    CHECK(contains(ran.err, "Y2\n"));
+    CHECK(contains(ran.err, " m\n"));
+    CHECK(contains(ran.err, " go\n"));
+    CHECK(contains(grafwire_with({"check", chart, "--against", file, "--lang", "fr"}).err,
+                   "manquante"));
+    const std::string json = replaced(netlist("json", "nand"), "\"X1\"", "\"Z1\"");
+    const Ran in_json = check_against(folder.file("ports.json", json));
+    CHECK(in_json.status == 2);
+    CHECK(contains(in_json.err, "X1\n"));
+    CHECK(contains(in_json.err, "Z1\n"));
+}
+
+TEST_CASE("a file that is no netlist") {
+    const ScratchFolder folder;
+    const Ran kind = check_against(folder.file("n.v", "module x; endmodule\n"));
+    CHECK(kind.status == 2);
+    CHECK(contains(kind.err, ".blif"));
+    const std::string broken =
+        folder.file("broken.blif", replaced(students_wiring("X0"), "----10 1", "----10 7"));
+    const Ran blif = check_against(broken);
+    CHECK(blif.status == 2);
+    CHECK(contains(blif.err, broken + ":7:"));
+    const Ran json = check_against(folder.file("broken.json", "{ \"modules\": "));
+    CHECK(json.status == 2);
+    CHECK(contains(json.err, "broken.json:1:"));
+    const Ran missing = check_against(folder.path("none.blif"));
+    CHECK(missing.status == 2);
+    CHECK(contains(missing.err, "cannot read the file"));
+    CHECK((kind.out + blif.out + json.out + missing.out).empty());
+}
+
+}  // namespace grafwire::test
