@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "grafcet/describe_grafcet.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
+#include "text/language.h"
 
 namespace grafwire {
 

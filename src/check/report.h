@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "check/check_equivalence.h"
-#include "grafcet/describe_grafcet.h"
+#include "text/language.h"
 
 namespace grafwire {
 

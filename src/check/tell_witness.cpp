@@ -39,6 +39,9 @@ class Story {
     std::string_view choose(std::string_view english, std::string_view french) const {
         return french_ ? french : english;
     }
+    std::string describe(CellId cell) const {
+        return cell_description(netlist_, cell, french_ ? Language::french : Language::english);
+    }
     void tell_changes();
     void tell_reference();
     void tell_scans(const Evolution& evolution, EvolutionState state, const InputValues& inputs,
@@ -68,7 +71,7 @@ void Story::tell_changes() {
         }
     }
     text_ += set.empty() ? std::string(choose(", no input changes", ", aucune entrée ne change"))
-                         : fmt::format(": {}", fmt::join(set, " "));
+                         : fmt::format("{} {}", choose(":", " :"), fmt::join(set, " "));
     text_ += ".\n";
 }
 
@@ -98,7 +101,7 @@ std::string Story::transition_text(TransitionId id) const {
 void Story::tell_scans(const Evolution& evolution, EvolutionState state, const InputValues& inputs,
                        Time at) {
     const EvolutionInputs read{inputs};
-    text_ += fmt::format("  {}: {}\n", choose("before", "avant"), situation_text(state.situation));
+    text_ += fmt::format("  {}: {}\n", choose("before", "avant "), situation_text(state.situation));
     for (std::size_t scan = 1; scan <= most_scans; ++scan) {
         const auto cleared = evolution.cleared_by_scan(state, read, at);
         const EvolutionState before = state;
@@ -106,11 +109,12 @@ void Story::tell_scans(const Evolution& evolution, EvolutionState state, const I
         if (before.situation != state.situation || !cleared.empty()) {
             std::vector<std::string> names;
             for (const TransitionId id : cleared) names.push_back(transition_text(id));
-            text_ += fmt::format("  {} {}: {}{} -> {}\n", choose("scan", "cycle"), scan,
-                                 names.empty() ? "" : choose("clears ", "franchit "),
-                                 names.empty() ? std::string(choose("orders", "ordres"))
-                                               : fmt::format("{}", fmt::join(names, "; ")),
-                                 situation_text(state.situation));
+            text_ +=
+                fmt::format("  {} {}{} {}{} -> {}\n", choose("scan", "cycle"), scan,
+                            choose(":", " :"), names.empty() ? "" : choose("clears ", "franchit "),
+                            names.empty() ? std::string(choose("orders", "ordres"))
+                                          : fmt::format("{}", fmt::join(names, "; ")),
+                            situation_text(state.situation));
         }
         if (Evolution::is_settled(before, state)) return;
     }
@@ -167,7 +171,7 @@ void Story::tell_gates() {
                                           ? choose("falls", "descend")
                                           : choose("is undefined", "est indéterminée");
         text_ += fmt::format("  +{} ns  {} {}\n", (change.at - last) / nanosecond,
-                             cell_description(netlist_, drivers[change.net]), verb);
+                             describe(drivers[change.net]), verb);
     }
     if (shown == 0) text_ += choose("  no gate changes\n", "  aucune porte ne change\n");
 }
@@ -177,7 +181,8 @@ void Story::tell_difference() {
         text_ += choose("The netlist does not settle. These keep changing:\n",
                         "Le câblage ne se stabilise pas. Changent sans cesse :\n");
         std::size_t shown = 0;
-        for (const std::string& cell : witness_.oscillating) {
+        for (const CellId id : witness_.oscillating) {
+            const std::string cell = describe(id);
             text_ += shown++ == most_gates ? "  …\n" : fmt::format("  {}\n", cell);
             if (shown > most_gates) break;
         }

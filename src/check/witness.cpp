@@ -88,7 +88,7 @@ std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& n
     const Table<NetId, CellId> drivers = drivers_of(netlist);
     for (const NetId net : got.oscillating) {
         if (drivers[net] == no_cell) continue;
-        witness.oscillating.push_back(cell_description(netlist, drivers[net]));
+        witness.oscillating.push_back(drivers[net]);
     }
     return witness;
 }

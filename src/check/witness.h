@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "check/partial_inputs.h"
-#include "grafcet/describe_grafcet.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"
+#include "text/language.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -40,8 +40,8 @@ struct Witness {
         Logic expected = Logic::unknown;
         Logic got = Logic::unknown;
     };
-    std::vector<Value> values;             ///< X of every step, then the outputs
-    std::vector<std::string> oscillating;  ///< descriptions of the cells that keep changing
+    std::vector<Value> values;        ///< X of every step, then the outputs
+    std::vector<CellId> oscillating;  ///< the cells that keep changing
 };
 
 /// Finds moments and full input values for a path, so that exactly the delays that are to end do

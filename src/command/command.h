@@ -7,9 +7,9 @@
 
 #include "command/files.h"
 #include "equations/equations.h"
-#include "grafcet/describe_grafcet.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist_from.h"
+#include "text/language.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {

@@ -1,4 +1,5 @@
 #include "command/command.h"
+#include "grafcet/describe_grafcet.h"
 
 namespace grafwire {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "grafcet/describe_grafcet.h"
+#include "text/language.h"
 
 namespace grafwire {
 

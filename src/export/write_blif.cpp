@@ -65,7 +65,7 @@ class BlifWriter {
 };
 
 std::string BlifWriter::write() {
-    out_.reserve(netlist_.cells.size() * 40);
+    out_.reserve(netlist_.cells.size() * 64);
     out_ += "# ";
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(), " cells.\n");

@@ -26,7 +26,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
+#include <span>
 
 #include "export/append.h"
 #include "export/spice_names.h"
@@ -40,6 +42,8 @@ struct Wave {
     bool value = false;             ///< during the start
     std::vector<std::size_t> ticks;  ///< the numbers of the moments at which it changes
 };
+
+constexpr std::size_t widest = 48;  ///< nodes in one list
 
 class DeckWriter {
   public:
@@ -59,7 +63,10 @@ class DeckWriter {
   private:
     void write_head();
     void write_cell(const Cell& cell);
-    void write_gate(std::string_view model, const Cell& cell, std::string_view output);
+    std::vector<std::string_view> gather(std::span<const std::string_view> nodes,
+                                         std::string_view model);
+    void write_gate(std::string_view speed, CellType type, std::vector<std::string_view> pins,
+                    std::string_view output);
     void write_latch(const Cell& cell, std::string_view output);
     void write_memory(const Cell& cell, std::string_view model, std::string_view output);
     void write_pulse(const Cell& cell, std::string_view output);
@@ -67,7 +74,7 @@ class DeckWriter {
     void write_sources();
     std::size_t tick(Time moment);
     void write_ticks();
-    void write_wave(std::string_view node, const Wave& wave);
+    void write_wave(std::string_view node, const Wave& wave, std::size_t levels);
     void write_sampling();
     void write_models();
     void write_control();
@@ -94,6 +101,7 @@ class DeckWriter {
     std::map<Time, std::size_t> pulse_models_;
     std::size_t element_count_ = 0;
     std::size_t inner_count_ = 0;
+    std::deque<std::string> own_names_;  ///< of inner nodes, to be referred to
     std::vector<Time> ticks_;  ///< the moments, counted from the end of the start
     Time end_ = 0;
     std::string out_;
@@ -168,20 +176,28 @@ std::string bracketed(std::span<const std::string_view> nodes) {
     return text + " ]";
 }
 
-/// ngspice has no room for very long lists, so quick gates gather the inputs of wide ones first.
+/// Quick gates for groups of the nodes, and the nodes they drive: ngspice has no room for very long
+/// lists.
+std::vector<std::string_view> DeckWriter::gather(std::span<const std::string_view> nodes,
+                                                 std::string_view model) {
+    std::vector<std::string_view> gathered;
+    for (std::size_t first = 0; first < nodes.size(); first += widest) {
+        const auto part = nodes.subspan(first, std::min(widest, nodes.size() - first));
+        const std::string& node = own_names_.emplace_back(inner_node());
+        if (part.size() == 1) {
+            element(part[0], ' ', node, " fast_buffer");
+        } else {
+            element(bracketed(part), ' ', node, " fast_", model);
+        }
+        gathered.push_back(node);
+    }
+    return gathered;
+}
+
 void DeckWriter::write_gate(std::string_view speed, CellType type, std::vector<std::string_view> pins,
                             std::string_view output) {
     const GateModel model = model_of(type);
-    while (pins.size() > widest) {
-        std::vector<std::string_view> gathered;
-        for (std::size_t first = 0; first < pins.size(); first += widest) {
-            const auto part = std::span(pins).subspan(first, std::min(widest, pins.size() - first));
-            const std::string& node = *kept_names_.insert(inner_node()).first;
-            element(bracketed(part), ' ', node, " fast_", part.size() == 1 ? "buffer" : model.part);
-            gathered.push_back(node);
-        }
-        pins = std::move(gathered);
-    }
+    while (pins.size() > widest) pins = gather(pins, model.part);
     if (pins.size() == 1) return element(pins[0], ' ', output, ' ', speed, model.single);
     element(bracketed(pins), ' ', output, ' ', speed, model.name);
 }
@@ -275,17 +291,20 @@ void DeckWriter::write_ticks() {
     }
 }
 
-void DeckWriter::write_wave(std::string_view node, const Wave& wave) {
+/// All inputs go through the same number of levels, lest some change later than others.
+void DeckWriter::write_wave(std::string_view node, const Wave& wave, std::size_t levels) {
     if (wave.ticks.empty()) return element(node, wave.value ? " one" : " zero");
-    if (wave.ticks.size() == 1) {
-        return element("__tick", wave.ticks[0], ' ', node, wave.value ? " fast_not" : " fast_buffer");
-    }
-    std::string pins;
-    std::size_t on_line = 0;
+    std::vector<std::string_view> nodes;
     for (const std::size_t number : wave.ticks) {
-        append(pins, ++on_line % 16 == 0 ? "\n+ " : " ", "__tick", number);
+        std::string& name = own_names_.emplace_back("__tick");
+        append(name, number);
+        nodes.push_back(name);
     }
-    element('[', pins, " ] ", node, wave.value ? " fast_xnor" : " fast_xor");
+    for (std::size_t level = 0; level < levels; ++level) nodes = gather(nodes, "xor");
+    if (nodes.size() == 1) {
+        return element(nodes[0], ' ', node, wave.value ? " fast_not" : " fast_buffer");
+    }
+    element(bracketed(nodes), ' ', node, wave.value ? " fast_xnor" : " fast_xor");
 }
 
 void DeckWriter::write_sources() {
@@ -319,9 +338,13 @@ void DeckWriter::write_sources() {
     element("[ __v1 ] [ __go ] bridge");
     element("__one __go null null __running __start flip_flop_0");
     element("__one one");
-    write_wave("sample__", sample);
+    std::size_t levels = 0;
+    for (std::size_t reach = widest; reach < ticks_.size(); reach *= widest) ++levels;
+    write_wave("sample__", sample, levels);
     out_ += "\n* Inputs\n";
-    for (std::size_t i = 0; i < waves.size(); ++i) write_wave(nets_[netlist_.inputs[i].net], waves[i]);
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        write_wave(nets_[netlist_.inputs[i].net], waves[i], levels);
+    }
     write_ticks();
 }
 

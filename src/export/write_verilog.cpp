@@ -92,7 +92,7 @@ std::string VerilogWriter::write() {
     for (const Cell& cell : netlist_.cells) {
         has_scan_timer_ |= cell.type == CellType::scan_timer;
     }
-    out_.reserve(netlist_.cells.size() * 48);
+    out_.reserve(netlist_.cells.size() * 100);
     write_head();
     if (netlist_.modules.size() <= modules_per_block) {
         write_flat();

@@ -36,12 +36,6 @@ void append_json_text(std::string& out, std::string_view text) {
     }
 }
 
-void append_int_parameter(std::string& out, std::uint32_t value) {
-    out += '"';
-    for (int bit = 31; bit >= 0; --bit) out += (value >> bit & 1U) != 0 ? '1' : '0';
-    out += '"';
-}
-
 struct CellForm {
     std::string_view gate;  ///< of two inputs (of one, for types of one pin)
     std::string_view word;  ///< of any number
@@ -106,12 +100,11 @@ class JsonWriter {
 };
 
 std::string JsonWriter::write() {
-    out_.reserve(netlist_.cells.size() * 200);
+    out_.reserve(netlist_.cells.size() * 400);
     out_ += "{\n  \"creator\": \"grafwire\",\n  \"modules\": {\n    \"";
     spell_json(out_, netlist_.name);
     out_ += "\": {\n      \"attributes\": { \"top\": ";
-    append_int_parameter(out_, 1);
-    out_ += " },\n";
+    out_ += "1 },\n";
     write_ports();
     write_cells();
     write_net_names();
@@ -171,7 +164,7 @@ void JsonWriter::write_attributes(const Cell& cell) {
         append(out_, ", \"FALL\": \"", format_duration(timing.fall), '"');
         if (timing.ordinal != Timing::no_ordinal) {
             out_ += ", \"ORDINAL\": ";
-            append_int_parameter(out_, timing.ordinal);
+            append(out_, timing.ordinal);
         }
     }
     if (row.has_memory && form_of(cell.type).gate.empty() && cell.initial != Logic::unknown) {
@@ -183,17 +176,17 @@ void JsonWriter::write_attributes(const Cell& cell) {
 void JsonWriter::write_word(const Cell& cell) {
     const bool is_comparison = cell.type == CellType::nand_gate;
     append(out_, form_of(cell.type).word, "\", \"parameters\": { \"A_SIGNED\": ");
-    append_int_parameter(out_, 0);
+    append(out_, 0);
     out_ += ", \"A_WIDTH\": ";
-    append_int_parameter(out_, cell.pin_count);
+    append(out_, cell.pin_count);
     if (is_comparison) {
         out_ += ", \"B_SIGNED\": ";
-        append_int_parameter(out_, 0);
+        append(out_, 0);
         out_ += ", \"B_WIDTH\": ";
-        append_int_parameter(out_, cell.pin_count);
+        append(out_, cell.pin_count);
     }
     out_ += ", \"Y_WIDTH\": ";
-    append_int_parameter(out_, 1);
+    append(out_, 1);
     out_ += " }";
     write_attributes(cell);
     out_ += ", \"port_directions\": { \"A\": \"input\", ";
@@ -291,7 +284,7 @@ void JsonWriter::write_net_names() {
 
 void JsonWriter::write_black_box_module(const CellTypeRow& row) {
     append(out_, ",\n    \"", prefix_, row.name, "\": {\n      \"attributes\": { \"blackbox\": ");
-    append_int_parameter(out_, 1);
+    append(out_, 1);
     out_ += " },\n      \"ports\": {\n";
     std::uint32_t bit = 2;
     for (std::uint32_t pin = 0; pin < row.min_pins; ++pin) {

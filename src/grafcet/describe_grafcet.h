@@ -3,10 +3,9 @@
 #include <string>
 
 #include "grafcet/grafcet.h"
+#include "text/language.h"
 
 namespace grafwire {
-
-enum class Language { english, french };
 
 /// What `grafwire info` prints: name and title, sizes, the graphs with their steps and transitions,
 /// macro-steps, enclosures, and the forcing hierarchy as an indented tree.

@@ -104,43 +104,41 @@ std::string fault_of(const Netlist& netlist) {
 
 namespace {
 
-std::string_view word_for(Origin::Kind kind) {
-    switch (kind) {
-        case Origin::Kind::other:
-            return "";
-        case Origin::Kind::input:
-            return "input";
-        case Origin::Kind::step:
-            return "step";
-        case Origin::Kind::transition:
-            return "transition";
-        case Origin::Kind::output:
-            return "output";
-        case Origin::Kind::var:
-            return "var";
-        case Origin::Kind::counter:
-            return "counter";
-        case Origin::Kind::graph:
-            return "graph";
-        case Origin::Kind::edge:
-            return "edge";
-        case Origin::Kind::time_condition:
-            return "time condition";
+/// " of step 7" in the language of the report.
+std::string origin_text(const Origin& origin, Language language) {
+    struct Words {
+        std::string_view english;
+        std::string_view french;
+    };
+    // In the order of Origin::Kind.
+    constexpr Words words[] = {
+        {"", ""},
+        {"input ", "l'entrée "},
+        {"step ", "l'étape "},
+        {"transition ", "la transition "},
+        {"output ", "la sortie "},
+        {"var ", "la variable "},
+        {"counter ", "le compteur "},
+        {"graph ", "le graphe "},
+        {"edge ", "le front "},
+        {"time condition ", "la condition de temps "},
+    };
+    if (origin.kind == Origin::Kind::other) return {};
+    const Words& word = words[static_cast<std::size_t>(origin.kind)];
+    if (language == Language::english) return fmt::format(" of {}{}", word.english, origin.name);
+    if (word.french.starts_with("le ")) {
+        return fmt::format(" du {}{}", word.french.substr(3), origin.name);
     }
-    return "";
+    return fmt::format(" de {}{}", word.french, origin.name);
 }
 
 }  // namespace
 
-std::string cell_description(const Netlist& netlist, CellId id) {
+std::string cell_description(const Netlist& netlist, CellId id, Language language) {
     const Cell& cell = netlist.cells[id];
-    const Origin& origin = netlist.origin_of(cell);
-    std::string text =
-        fmt::format("{} {}", row_of(cell.type).description, netlist.names[cell.output]);
-    if (origin.kind != Origin::Kind::other) {
-        text += fmt::format(" of {} {}", word_for(origin.kind), origin.name);
-    }
-    return text;
+    const CellTypeRow& row = row_of(cell.type);
+    return fmt::format("{} {}{}", language == Language::french ? row.french : row.description,
+                       netlist.names[cell.output], origin_text(netlist.origin_of(cell), language));
 }
 
 std::string write_netlist_text(const Netlist& netlist) {

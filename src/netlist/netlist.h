@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "netlist/cell_types.h"
+#include "text/language.h"
 #include "text/location.h"
 #include "text/table.h"
 #include "text/time.h"
@@ -132,8 +133,9 @@ Table<NetId, CellId> drivers_of(const Netlist& netlist);
 /// cell table says, modules without gaps, names unique. Empty if so, else the first fault in words.
 std::string fault_of(const Netlist& netlist);
 
-/// "NAND gate X7$set of step 7": a cell as messages name it.
-std::string cell_description(const Netlist& netlist, CellId cell);
+/// "NAND gate X7$set of step 7", "porte NON-ET X7$set de l'étape 7": a cell as messages name it.
+std::string cell_description(const Netlist& netlist, CellId cell,
+                             Language language = Language::english);
 
 /// The netlist as plain text, one cell a line, for tests and people.
 std::string write_netlist_text(const Netlist& netlist);

@@ -211,7 +211,7 @@ graph G {
   "1&" -> "<0>" : b
 }
 )");
-    const std::string failed = junit({chart, "--style", "nand"}, 1);
+    const std::string failed = junit({chart, "--style", "gates"}, 1);
     CHECK(contains(failed, "a &amp; &lt;b&gt;.grafcet"));
     CHECK(contains(failed, "A'&amp;&lt;"));
 }

@@ -32,7 +32,8 @@ bool has_counters(const std::string& name) {
 }
 
 bool has_times(const std::string& name) {
-    return name == "manipulator" || name == "level-crossing" || name == "press";
+    const std::string info = grafwire_with({"info", example(name + ".grafcet")}).out;
+    return !contains(info, " 0 time conditions\n");
 }
 
 /// The formats as the help of `netlist` lists them.

@@ -220,3 +220,24 @@ TEST_CASE("building an expression twice gives the same node") {
     const ExprId sum = pool.disjunction(ab);
     CHECK(pool.exclusive_or(pool.operands(sum)) == pool.exclusive_or(ab));
 }
+
+TEST_CASE("an emptied pool is as good as a new one") {
+    Expressions pool;
+    for (const std::uint32_t variables : {3U, 500U, 3U}) {
+        std::vector<ExprId> all;
+        for (std::uint32_t i = 0; i < variables; ++i) {
+            const ExprId variable = pool.variable({VariableKind::input, variables - i});
+            CHECK(static_cast<std::size_t>(variable) == 2 * i);
+            all.push_back(pool.negation(variable));
+        }
+        const ExprId sum = pool.disjunction(all);
+        pool.time_condition({second, pool.rise(sum), 0});
+        CHECK(pool.size() == 2 * variables + 3);
+        CHECK(pool.disjunction(all) == sum);
+        CHECK(pool.edges().size() == 1);
+        CHECK(pool.time_conditions().size() == 1);
+        pool.clear();
+        CHECK(pool.size() == 0);
+        CHECK(pool.edges().empty());
+    }
+}

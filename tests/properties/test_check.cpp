@@ -101,7 +101,7 @@ TEST_CASE("asynchronous netlists of plain charts: every witness replays") {
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);
         };
-        check_property(property, features, 1'100'000, 150, 1);
+        check_property(property, features, 1'100'000, 300, 1);
         MESSAGE(style_table[static_cast<std::size_t>(style)].name
                 << ": " << tally.equivalent << " equivalent, " << tally.different << " different, "
                 << tally.undecided << " undecided");
@@ -117,7 +117,7 @@ TEST_CASE("asynchronous netlists of any charts: every witness replays") {
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);
         };
-        check_property(property, features, 1'200'000, 150, 1);
+        check_property(property, features, 1'200'000, 300, 1);
         MESSAGE(style_table[static_cast<std::size_t>(style)].name
                 << ": " << tally.equivalent << " equivalent, " << tally.different << " different, "
                 << tally.undecided << " undecided");

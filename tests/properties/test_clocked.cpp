@@ -72,11 +72,11 @@ std::string clocked_until_stable(const RandomCase& item) {
 TEST_CASE("the clocked netlist is the reference scan by scan") {
     Features features;
     features.nested_times = false;
-    check_property(clocked_scans, features, 500'000, 1200, 15);
+    check_property(clocked_scans, features, 500'000, 4000, 15);
 }
 
 TEST_CASE("the clocked netlist is the reference until stable") {
-    check_property(clocked_until_stable, Features(), 600'000, 1500, 15);
+    check_property(clocked_until_stable, Features(), 600'000, 5000, 15);
 }
 
 }  // namespace grafwire::testing

@@ -68,7 +68,7 @@ std::string fault_of_reading(bool has_result, const Diagnostics& diagnostics,
 }  // namespace
 
 TEST_CASE("damaged texts are read without harm") {
-    const std::size_t count = case_count(3000);
+    const std::size_t count = case_count(8000);
     std::size_t refused = 0;
     for (std::uint64_t seed = 700'000; seed < 700'000 + count; ++seed) {
         RandomSource random(seed);

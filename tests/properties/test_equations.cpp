@@ -101,11 +101,11 @@ TEST_CASE("the equations in transition form are one scan") {
     Features features;
     features.orders = false;
     features.enclosures = false;
-    check_property(transition_form_is_a_scan, features, 800'000, 2000, 20);
+    check_property(transition_form_is_a_scan, features, 800'000, 6000, 20);
 }
 
 TEST_CASE("the equations in successor form settle where the reference does, for plain charts") {
-    check_property(successor_form_settles, Features::plain_chart(), 900'000, 2000, 20);
+    check_property(successor_form_settles, Features::plain_chart(), 900'000, 6000, 20);
 }
 
 }  // namespace grafwire::testing

@@ -55,7 +55,7 @@ std::string stimuli_round_trip(const RandomCase& item) {
 }  // namespace
 
 TEST_CASE("a random GRAFCET that is written and read back is the same") {
-    check_property(round_trip, Features(), 0, 2500, 1);
+    check_property(round_trip, Features(), 0, 5000, 1);
     Features large;
     large.steps = 60;
     large.graphs = 8;

@@ -27,8 +27,7 @@ graph G {
         return 2;
     }
     grafwire::Equations equations = grafwire::equations_from(*grafcet, {});
-    const auto netlist =
-        grafwire::netlist_from(equations, grafwire::Style::nand, diagnostics);
+    const auto netlist = grafwire::netlist_from(equations, grafwire::Style::nand, diagnostics);
     if (!netlist) return 2;
     const grafwire::CheckResult result = grafwire::check_equivalence(
         *grafcet, *netlist, grafwire::unit_delays(*netlist), grafwire::CheckOptions{});

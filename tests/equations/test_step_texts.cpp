@@ -1,0 +1,54 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "equations/parsed.h"
+#include "equations/step_texts.h"
+
+namespace grafwire {
+
+TEST_CASE("the text of a step is that of its whole expression, and leaves the equations alone") {
+    int charts = 0;
+    for (const auto& file : std::filesystem::directory_iterator(GRAFWIRE_ROOT "/examples")) {
+        if (file.path().extension() != ".grafcet") continue;
+        ++charts;
+        CAPTURE(file.path().string());
+        std::stringstream text;
+        text << std::ifstream(file.path()).rdbuf();
+        const Grafcet grafcet = parsed(text.str());
+        for (const CdxForm cdx : {CdxForm::successor, CdxForm::transition}) {
+            for (const bool modes : {true, false}) {
+                const Equations equations = equations_from(grafcet, {cdx, modes});
+                const std::size_t size = equations.expressions.size();
+                Equations growing = equations;
+                StepTexts texts(equations);
+                for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
+                    const StepId step = grafcet.steps.id_at(i);
+                    CHECK(texts.text(step) ==
+                          equation_text(growing, step_expression(growing, step)));
+                }
+                CHECK(equations.expressions.size() == size);
+            }
+        }
+    }
+    CHECK(charts > 5);
+}
+
+TEST_CASE("an equation too long to be read has no text, and the next one has") {
+    std::string steps = "initial 0 ";
+    std::string names;
+    for (int i = 1; i <= 300; ++i) {
+        steps += "step " + std::to_string(i) + " ";
+        names += (i == 1 ? "" : ", ") + std::to_string(i);
+    }
+    const Grafcet grafcet = parsed("input a graph G { " + steps + "step 301 " + names +
+                                   " -> 301 : a  0 -> " + names + " : a  301 -> 0 : 1 }");
+    const Equations equations = equations_from(grafcet, without_modes);
+    StepTexts texts(equations);
+    CHECK(texts.text(StepId{301}).empty());
+    CHECK(texts.text(StepId{1}) == "X0.a + /X301.X1");
+    CHECK(texts.text(StepId{0}).empty());
+    CHECK(texts.text(StepId{2}) == "X0.a + /X301.X2");
+}
+
+}  // namespace grafwire

@@ -1,0 +1,105 @@
+// The decks of the examples in ngspice, in batch.
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "command/run_program.h"
+#include "examples/example.h"
+#include "export/bench.h"
+#include "export/write_spice.h"
+
+namespace grafwire::test {
+
+namespace {
+
+/// Which node of the deck carries which name: the head says so, as `*   x1 = X1`.
+std::map<std::string, std::string> nodes_of(const std::string& deck) {
+    std::map<std::string, std::string> nodes;
+    std::istringstream lines(deck);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t equals = line.find(" = ");
+        if (line.rfind("*   ", 0) != 0 || equals == std::string::npos) continue;
+        nodes[line.substr(equals + 3)] = line.substr(4, equals - 4);
+    }
+    return nodes;
+}
+
+/// The values of the sampled nodes, instant after instant: those in the rows of a table of `eprint`
+/// in which the first node, the one that samples, has come back to 0.
+using Samples = std::vector<std::map<std::string, std::string>>;
+Samples samples_in(const std::string& output) {
+    Samples samples;
+    std::vector<std::string> names;
+    std::size_t sample = 0;
+    bool in_head = false;
+    bool was_up = false;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        if (line == "Time or Step") {
+            in_head = true;
+            was_up = false;
+            sample = 0;
+            names.clear();
+        } else if (in_head) {
+            in_head = !line.empty();
+            if (in_head) names.push_back(line);
+        } else if (!names.empty() && !line.empty() && line[0] >= '0' && line[0] <= '9') {
+            std::istringstream words(line);
+            std::string moment;
+            words >> moment;
+            std::map<std::string, std::string> row;
+            for (const std::string& name : names) words >> row[name];
+            const bool is_up = row[names[0]] == "1s";
+            if (was_up && !is_up) {
+                if (sample == samples.size()) samples.emplace_back();
+                samples[sample++].insert(row.begin(), row.end());
+            }
+            was_up = is_up;
+        }
+    }
+    return samples;
+}
+
+void check_in_ngspice(const AgreeingNetlist& item) {
+    const Trace& trace = item.example->reference.trace;
+    const Bench bench = bench_from(item.netlist, item.example->stimuli, trace.times);
+    Diagnostics diagnostics;
+    const std::string deck = write_spice(item.netlist, bench, diagnostics);
+    REQUIRE(!diagnostics.has_errors());
+    const ScratchFolder folder;
+    const Ran ran = run_program({"ngspice", "-b", folder.file("deck.cir", deck)});
+    INFO("standard error: " << ran.err);
+    CHECK(ran.status == 0);
+    auto nodes = nodes_of(deck);
+    Samples samples = samples_in(ran.out);
+    REQUIRE(samples.size() == trace.row_count());
+    for (std::size_t row = 0; row < samples.size(); ++row) {
+        INFO("at " << format_milliseconds(trace.times[row]) << " ms");
+        std::string ones;
+        for (const Port& port : item.netlist.outputs) {
+            const std::string value = samples[row]["_" + nodes[port.name]];
+            CHECK((value == "0s" || value == "1s"));
+            if (value == "1s") ones += port.name + ' ';
+        }
+        CHECK(ones == ones_of(*item.example, row));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("ngspice gives the reference's situations and outputs for every asynchronous example") {
+    std::size_t count = 0;
+    for (const AgreeingNetlist& item : agreeing_netlists()) {
+        if (item.netlist.is_clocked()) continue;
+        INFO("netlist: " << item.name());
+        check_in_ngspice(item);
+        ++count;
+        if (is_slow_build && count == 4) break;
+    }
+    CHECK(count >= (is_slow_build ? 4U : 25U));
+}
+
+}  // namespace grafwire::test

@@ -1,0 +1,64 @@
+// The Verilog of the examples in Icarus Verilog, under the generated test bench.
+
+#include <doctest/doctest.h>
+
+#include "command/csv.h"
+#include "command/run_program.h"
+#include "examples/example.h"
+#include "export/bench.h"
+#include "export/write_verilog.h"
+#include "text/time.h"
+
+namespace grafwire::test {
+
+namespace {
+
+/// More clock cycles than any instant of the examples takes scans.
+constexpr std::uint32_t enough_cycles = 12;
+
+std::vector<CsvRow> icarus_rows(const AgreeingNetlist& item, const Bench& bench) {
+    const ScratchFolder folder;
+    const std::string bench_file =
+        folder.file("bench.v", write_verilog_testbench(item.netlist, bench));
+    const std::string netlist_file = folder.file("netlist.v", write_verilog(item.netlist));
+    const std::string program = folder.path("run");
+    const Ran compiled = run_program(
+        {"iverilog", "-Wall", "-Wno-timescale", "-o", program, bench_file, netlist_file});
+    REQUIRE_MESSAGE(compiled.status == 0, compiled.err);
+    CHECK(compiled.err == "");
+    const Ran ran = run_program({"vvp", "-n", program});
+    CHECK(ran.status == 0);
+    CHECK(ran.err == "");
+    return read_csv(ran.out);
+}
+
+}  // namespace
+
+TEST_CASE("Icarus Verilog gives the reference's rows for every example") {
+    std::size_t count = 0;
+    for (const AgreeingNetlist& item : agreeing_netlists()) {
+        INFO("netlist: " << item.name());
+        const Trace& trace = item.example->reference.trace;
+        Bench bench = bench_from(item.netlist, item.example->stimuli, trace.times);
+        bench.clock_cycles = enough_cycles;
+        const std::vector<CsvRow> rows = icarus_rows(item, bench);
+        REQUIRE(rows.size() == trace.row_count() + 1);
+        for (std::size_t row = 0; row < trace.row_count(); ++row) {
+            const CsvRow& got = rows[row + 1];
+            REQUIRE(got.size() == rows[0].size());
+            CHECK(got[0] == format_milliseconds(trace.times[row]));
+            std::string ones;
+            for (std::size_t i = 1; i < got.size(); ++i) {
+                CHECK((got[i] == "0" || got[i] == "1"));
+                if (got[i] == "1") ones += rows[0][i] + ' ';
+            }
+            INFO("at " << got[0] << " ms");
+            CHECK(ones == ones_of(*item.example, row));
+        }
+        ++count;
+        if (is_slow_build && count == 6) break;
+    }
+    CHECK(count >= (is_slow_build ? 6U : 35U));
+}
+
+}  // namespace grafwire::test
