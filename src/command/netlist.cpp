@@ -26,9 +26,13 @@ const Exporter* find_exporter(const std::string& name) {
     return nullptr;
 }
 
-/// The bench that applies the stimuli; it looks at the outputs at the instants of the reference.
-Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli) {
-    return bench_from(netlist, stimuli, run_until_stable(grafcet, stimuli).trace.times);
+/// The bench that applies the stimuli; it looks at the outputs at the instants of the reference, or
+/// at its scans where there is a clock.
+Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
+                Time period) {
+    const RunResult run = netlist.is_clocked() ? run_scans(grafcet, stimuli, period)
+                                               : run_until_stable(grafcet, stimuli);
+    return bench_from(netlist, stimuli, run.trace.times);
 }
 
 }  // namespace
@@ -63,7 +67,7 @@ std::function<int()> declare_netlist(CLI::App& app, const Language&) {
         if (!request->stimuli.empty()) {
             const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
             if (!stimuli) return static_cast<int>(bad_request);
-            bench = bench_for(loaded->grafcet, *netlist, *stimuli);
+            bench = bench_for(loaded->grafcet, *netlist, *stimuli, *period);
             options.bench = &bench;
         }
         // Write it.

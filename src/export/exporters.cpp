@@ -23,7 +23,8 @@ std::string verilog(const Netlist& netlist, const ExportOptions& options, Diagno
 }
 
 std::string spice(const Netlist& netlist, const ExportOptions& options, Diagnostics& diagnostics) {
-    return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(), diagnostics);
+    return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(),
+                       diagnostics);
 }
 
 constexpr std::array<Exporter, 7> table{{
@@ -38,7 +39,9 @@ constexpr std::array<Exporter, 7> table{{
 
 }  // namespace
 
-std::span<const Exporter> exporters() { return table; }
+std::span<const Exporter> exporters() {
+    return table;
+}
 
 const Exporter* exporter_named(std::string_view name) {
     for (const Exporter& exporter : table) {

@@ -11,10 +11,14 @@ namespace grafwire {
 /// the output is `q`.
 constexpr std::string_view helper_pin_name(CellType type, std::uint32_t pin) {
     switch (type) {
-        case CellType::latch: return pin == 0 ? "s" : "r";
-        case CellType::hold_latch: return pin == 0 ? "d" : "e";
-        case CellType::flip_flop: return pin == 0 ? "d" : "c";
-        default: return pin == 0 ? "a" : "c";
+        case CellType::latch:
+            return pin == 0 ? "s" : "r";
+        case CellType::hold_latch:
+            return pin == 0 ? "d" : "e";
+        case CellType::flip_flop:
+            return pin == 0 ? "d" : "c";
+        default:
+            return pin == 0 ? "a" : "c";
     }
 }
 

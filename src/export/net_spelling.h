@@ -37,8 +37,8 @@ constexpr bool is_control_or_blank(char c) {
     return static_cast<unsigned char>(c) <= 0x20 || c == 0x7f;
 }
 
-/// A suffix (`$g`, `$gg`, …) that no net name ends with: names of cells are made with it, where nets
-/// and cells share one name space.
+/// A suffix (`$g`, `$gg`, …) that no net name ends with: names of cells are made with it, where
+/// nets and cells share one name space.
 std::string cell_suffix(const Netlist& netlist);
 
 }  // namespace grafwire

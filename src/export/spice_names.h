@@ -8,9 +8,9 @@
 
 namespace grafwire {
 
-/// SPICE knows no difference between capital and small letters, and only letters, digits and `_` are
-/// safe. A net keeps its name in small letters where that is free, with `_` for what is not safe and
-/// a number where that is taken. No name begins with `_` or a digit.
+/// SPICE knows no difference between capital and small letters, and only letters, digits and `_`
+/// are safe. A net keeps its name in small letters where that is free, with `_` for what is not
+/// safe and a number where that is taken. No name begins with `_` or a digit.
 class SpiceNames {
   public:
     explicit SpiceNames(const Netlist& netlist);

@@ -19,7 +19,8 @@ std::vector<VerilogBlock> cut_into_blocks(const Netlist& netlist, std::size_t mo
         });
         blocks.push_back(std::move(block));
     }
-    // Block after block, so the last block that was found to read a net is all there is to remember.
+    // Block after block, so the last block that was found to read a net is all there is to
+    // remember.
     std::vector<std::uint32_t> reader(netlist.net_count(), no_block);
     std::vector<std::uint8_t> leaves(netlist.net_count());
     for (std::uint32_t number = 0; number < blocks.size(); ++number) {

@@ -2,9 +2,9 @@
 // like the gates do, and a gate delay stands behind each.
 //
 // Delays count from a moment that a test bench can set: GRAFWIRE_START, before which the netlist is
-// being initialised, and GRAFWIRE_INSTANT, the moment of the last change of the inputs. A delay then
-// ends exactly at the moment the reference evolution gives for it, not the few nanoseconds later that
-// the gates before the timer have taken.
+// being initialised, and GRAFWIRE_INSTANT, the moment of the last change of the inputs. A delay
+// then ends exactly at the moment the reference evolution gives for it, not the few nanoseconds
+// later that the gates before the timer have taken.
 
 #include "export/verilog_helpers.h"
 

@@ -11,6 +11,7 @@ namespace grafwire {
 namespace {
 
 // In the order of bytes, for binary search.
+// clang-format off
 constexpr std::string_view keywords[] = {
     "accept_on", "alias", "always", "always_comb", "always_ff", "always_latch", "and", "assert",
     "assign", "assume", "automatic", "before", "begin", "bind", "bins", "binsof", "bit", "break",
@@ -41,9 +42,13 @@ constexpr std::string_view keywords[] = {
     "trior", "trireg", "type", "typedef", "union", "unique", "unique0", "unsigned", "until",
     "until_with", "untyped", "use", "uwire", "var", "vectored", "virtual", "void", "wait",
     "wait_order", "wand", "weak", "weak0", "weak1", "while", "wildcard", "wire", "with", "within",
-    "wor", "xnor", "xor"};
+    "wor", "xnor", "xor"
+};
+// clang-format on
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+constexpr bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
 
 bool is_simple(std::string_view name) {
     if (name.empty() || !is_letter(name.front())) return false;
@@ -69,7 +74,8 @@ void spell_verilog(std::string& out, std::string_view name) {
     out.push_back(' ');
 }
 
-void append_verilog_with_suffix(std::string& out, std::string_view spelled, std::string_view suffix) {
+void append_verilog_with_suffix(std::string& out, std::string_view spelled,
+                                std::string_view suffix) {
     if (spelled.back() == ' ') {
         append(out, spelled.substr(0, spelled.size() - 1), suffix, ' ');
     } else {

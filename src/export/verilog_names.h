@@ -13,7 +13,8 @@ namespace grafwire {
 void spell_verilog(std::string& out, std::string_view name);
 
 /// An identifier with something added to its name.
-void append_verilog_with_suffix(std::string& out, std::string_view spelled, std::string_view suffix);
+void append_verilog_with_suffix(std::string& out, std::string_view spelled,
+                                std::string_view suffix);
 
 /// Writes `name` as the contents of a Verilog string for $display.
 void append_verilog_text(std::string& out, std::string_view text);

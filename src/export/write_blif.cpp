@@ -1,6 +1,6 @@
 // BLIF after "Berkeley Logic Interchange Format (BLIF)", University of California, Berkeley, 1992,
-// with the `.blackbox` and `.attr` lines of Yosys. (`.param` would say better what the figures are, but
-// Yosys wants parameters declared, and BLIF cannot.)
+// with the `.blackbox` and `.attr` lines of Yosys. (`.param` would say better what the figures are,
+// but Yosys wants parameters declared, and BLIF cannot.)
 //
 // Every gate but the exclusive or is a single cube: an OR is written by the one case in which it is
 // 0. So a gate of 200 inputs takes 200 characters and not 40 000, and can be told from its cover.
@@ -27,9 +27,12 @@ void spell_blif(std::string& out, std::string_view name) {
 
 char initial_digit(Logic value) {
     switch (value) {
-        case Logic::zero: return '0';
-        case Logic::one: return '1';
-        case Logic::unknown: break;
+        case Logic::zero:
+            return '0';
+        case Logic::one:
+            return '1';
+        case Logic::unknown:
+            break;
     }
     return '3';
 }
@@ -69,7 +72,9 @@ std::string BlifWriter::write() {
     out_ += "# ";
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(), " cells.\n");
-    out_ += "# In names, white space and # = \" \\ are written %20 %23 %3D %22 %5C, and % itself %25.\n";
+    out_ +=
+        "# In names, white space and # = \" \\ are written %20 %23 %3D %22 %5C, and % itself "
+        "%25.\n";
     out_ += ".model ";
     spell_blif(out_, netlist_.name);
     out_ += '\n';
@@ -204,20 +209,30 @@ void BlifWriter::write_cell(const Cell& cell) {
             write_names(cell);
             out_ += cell.type == CellType::low ? "0\n" : "1\n";
             return;
-        case CellType::buffer: return write_cube(cell, '1', '1');
-        case CellType::inverter: return write_cube(cell, '0', '1');
-        case CellType::and_gate: return write_cube(cell, '1', '1');
-        case CellType::or_gate: return write_cube(cell, '0', '0');
-        case CellType::nand_gate: return write_cube(cell, '1', '0');
-        case CellType::nor_gate: return write_cube(cell, '0', '1');
-        case CellType::xor_gate: return write_parity(cell);
-        case CellType::hold_latch: return write_latch(cell, "ah");
-        case CellType::flip_flop: return write_latch(cell, "re");
+        case CellType::buffer:
+            return write_cube(cell, '1', '1');
+        case CellType::inverter:
+            return write_cube(cell, '0', '1');
+        case CellType::and_gate:
+            return write_cube(cell, '1', '1');
+        case CellType::or_gate:
+            return write_cube(cell, '0', '0');
+        case CellType::nand_gate:
+            return write_cube(cell, '1', '0');
+        case CellType::nor_gate:
+            return write_cube(cell, '0', '1');
+        case CellType::xor_gate:
+            return write_parity(cell);
+        case CellType::hold_latch:
+            return write_latch(cell, "ah");
+        case CellType::flip_flop:
+            return write_latch(cell, "re");
         case CellType::latch:
         case CellType::rise_pulse:
         case CellType::fall_pulse:
         case CellType::timer:
-        case CellType::scan_timer: return write_black_box(cell);
+        case CellType::scan_timer:
+            return write_black_box(cell);
     }
 }
 
@@ -234,6 +249,8 @@ void BlifWriter::write_models() {
 
 }  // namespace
 
-std::string write_blif(const Netlist& netlist) { return BlifWriter(netlist).write(); }
+std::string write_blif(const Netlist& netlist) {
+    return BlifWriter(netlist).write();
+}
 
 }  // namespace grafwire

@@ -15,14 +15,22 @@ void append_quoted(std::string& out, std::string_view text) {
 
 std::string_view kind_word(Origin::Kind kind) {
     switch (kind) {
-        case Origin::Kind::step: return "step ";
-        case Origin::Kind::transition: return "transition ";
-        case Origin::Kind::output: return "output ";
-        case Origin::Kind::input: return "input ";
-        case Origin::Kind::var: return "var ";
-        case Origin::Kind::counter: return "counter ";
-        case Origin::Kind::graph: return "graph ";
-        default: return "";
+        case Origin::Kind::step:
+            return "step ";
+        case Origin::Kind::transition:
+            return "transition ";
+        case Origin::Kind::output:
+            return "output ";
+        case Origin::Kind::input:
+            return "input ";
+        case Origin::Kind::var:
+            return "var ";
+        case Origin::Kind::counter:
+            return "counter ";
+        case Origin::Kind::graph:
+            return "graph ";
+        default:
+            return "";
     }
 }
 
@@ -121,6 +129,8 @@ void DotWriter::write_edges() {
 
 }  // namespace
 
-std::string write_dot(const Netlist& netlist) { return DotWriter(netlist).write(); }
+std::string write_dot(const Netlist& netlist) {
+    return DotWriter(netlist).write();
+}
 
 }  // namespace grafwire

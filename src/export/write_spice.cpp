@@ -7,19 +7,20 @@
 //     timer       a buffer with the two delays
 //
 // The delays of XSPICE are not inertial: the shortest spike passes. Two changes that reach a gate
-// together must therefore do so at exactly the same moment, and sums of decimal fractions of a second
-// do not. So the deck counts in picoseconds, as whole numbers: what ngspice takes for a second is one.
+// together must therefore do so at exactly the same moment, and sums of decimal fractions of a
+// second do not. So the deck counts in picoseconds, as whole numbers: what ngspice takes for a
+// second is one.
 //
-// During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held at
-// these, and timers at theirs.
+// During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held
+// at these, and timers at theirs.
 //
-// Inputs are made of delays, too: a buffer per moment of the stimuli, and an input is the exclusive or
-// of the moments at which it changes. A voltage source behind a bridge would change up to some
-// microseconds late, since the analogue solver chooses its own steps, and a digital source would need
-// a second file.
+// Inputs are made of delays, too: a buffer per moment of the stimuli, and an input is the exclusive
+// or of the moments at which it changes. A voltage source behind a bridge would change up to some
+// microseconds late, since the analogue solver chooses its own steps, and a digital source would
+// need a second file.
 //
-// Outputs are sampled by flip-flops: thus `eprint` shows them once an instant and not at every change
-// of a gate.
+// Outputs are sampled by flip-flops: thus `eprint` shows them once an instant and not at every
+// change of a gate.
 
 #include "export/write_spice.h"
 
@@ -27,10 +28,10 @@
 
 #include <algorithm>
 #include <deque>
-#include <map>
 #include <span>
 
 #include "export/append.h"
+#include "export/spice_models.h"
 #include "export/spice_names.h"
 
 namespace grafwire {
@@ -39,7 +40,7 @@ namespace {
 
 /// A digital source that changes from time to time.
 struct Wave {
-    bool value = false;             ///< during the start
+    bool value = false;              ///< during the start
     std::vector<std::size_t> ticks;  ///< the numbers of the moments at which it changes
 };
 
@@ -76,7 +77,6 @@ class DeckWriter {
     void write_ticks();
     void write_wave(std::string_view node, const Wave& wave, std::size_t levels);
     void write_sampling();
-    void write_models();
     void write_control();
 
     template <typename... Parts>
@@ -97,12 +97,11 @@ class DeckWriter {
     SpiceNames nets_;
     Time start_;
     std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
-    std::map<std::pair<Time, Time>, std::size_t> timer_models_;
-    std::map<Time, std::size_t> pulse_models_;
+    SpiceModels models_;
     std::size_t element_count_ = 0;
     std::size_t inner_count_ = 0;
     std::deque<std::string> own_names_;  ///< of inner nodes, to be referred to
-    std::vector<Time> ticks_;  ///< the moments, counted from the end of the start
+    std::vector<Time> ticks_;            ///< the moments, counted from the end of the start
     Time end_ = 0;
     std::string out_;
 };
@@ -119,7 +118,7 @@ std::string DeckWriter::write() {
     }
     write_sources();
     write_sampling();
-    write_models();
+    append_spice_models(out_, models_);
     write_control();
     return std::move(out_);
 }
@@ -127,7 +126,8 @@ std::string DeckWriter::write() {
 void DeckWriter::write_head() {
     // The first line of a deck is its title.
     append_comment(out_, netlist_.name);
-    append(out_, ": ", netlist_.cells.size(), " cells, for ngspice 39 or later (ngspice -b FILE)\n");
+    append(out_, ": ", netlist_.cells.size(),
+           " cells, for ngspice 39 or later (ngspice -b FILE)\n");
     const auto list = [&](const std::vector<Port>& ports) {
         for (const Port& port : ports) {
             append(out_, "*   ", nets_[port.net], " = ");
@@ -158,13 +158,20 @@ struct GateModel {
 
 GateModel model_of(CellType type) {
     switch (type) {
-        case CellType::and_gate: return {"and", "buffer", "and"};
-        case CellType::or_gate: return {"or", "buffer", "or"};
-        case CellType::nand_gate: return {"nand", "not", "and"};
-        case CellType::nor_gate: return {"nor", "not", "or"};
-        case CellType::xor_gate: return {"xor", "buffer", "xor"};
-        case CellType::inverter: return {"not", "not", ""};
-        default: return {"buffer", "buffer", ""};
+        case CellType::and_gate:
+            return {"and", "buffer", "and"};
+        case CellType::or_gate:
+            return {"or", "buffer", "or"};
+        case CellType::nand_gate:
+            return {"nand", "not", "and"};
+        case CellType::nor_gate:
+            return {"nor", "not", "or"};
+        case CellType::xor_gate:
+            return {"xor", "buffer", "xor"};
+        case CellType::inverter:
+            return {"not", "not", ""};
+        default:
+            return {"buffer", "buffer", ""};
     }
 }
 
@@ -172,7 +179,8 @@ GateModel model_of(CellType type) {
 std::string bracketed(std::span<const std::string_view> nodes) {
     std::string text = "[";
     std::size_t on_line = 0;
-    for (const std::string_view node : nodes) append(text, ++on_line % 16 == 0 ? "\n+ " : " ", node);
+    for (const std::string_view node : nodes)
+        append(text, ++on_line % 16 == 0 ? "\n+ " : " ", node);
     return text + " ]";
 }
 
@@ -194,8 +202,8 @@ std::vector<std::string_view> DeckWriter::gather(std::span<const std::string_vie
     return gathered;
 }
 
-void DeckWriter::write_gate(std::string_view speed, CellType type, std::vector<std::string_view> pins,
-                            std::string_view output) {
+void DeckWriter::write_gate(std::string_view speed, CellType type,
+                            std::vector<std::string_view> pins, std::string_view output) {
     const GateModel model = model_of(type);
     while (pins.size() > widest) pins = gather(pins, model.part);
     if (pins.size() == 1) return element(pins[0], ' ', output, ' ', speed, model.single);
@@ -228,7 +236,8 @@ void DeckWriter::write_pulse(const Cell& cell, std::string_view output) {
         clock = inner_node();
         element(pin(cell, 0), ' ', clock, " fast_not");
     }
-    const auto model = pulse_models_.try_emplace(netlist_.timings[cell.timing].fall, pulse_models_.size() + 1);
+    const auto model =
+        models_.pulses.try_emplace(netlist_.timings[cell.timing].fall, models_.pulses.size() + 1);
     const std::string over = inner_node();
     const std::string reset = inner_node();
     element("__one ", clock, " null ", reset, ' ', output, " null ",
@@ -240,7 +249,7 @@ void DeckWriter::write_pulse(const Cell& cell, std::string_view output) {
 void DeckWriter::write_timer(const Cell& cell, std::string_view output) {
     const Timing& timing = netlist_.timings[cell.timing];
     const auto model =
-        timer_models_.try_emplace({timing.rise, timing.fall}, timer_models_.size() + 1);
+        models_.timers.try_emplace({timing.rise, timing.fall}, models_.timers.size() + 1);
     const std::string operand = inner_node();
     const bool starts_at_1 = cell.initial == Logic::one;
     element("[ ", pin(cell, 0), starts_at_1 ? " __start ] " : " __running ] ", operand,
@@ -260,16 +269,25 @@ void DeckWriter::write_cell(const Cell& cell) {
         output = free;
     }
     switch (cell.type) {
-        case CellType::low: return element(output, " zero");
-        case CellType::high: return element(output, " one");
-        case CellType::latch: return write_latch(cell, output);
-        case CellType::hold_latch: return write_memory(cell, "hold", output);
-        case CellType::flip_flop: return write_memory(cell, "flip_flop", output);
+        case CellType::low:
+            return element(output, " zero");
+        case CellType::high:
+            return element(output, " one");
+        case CellType::latch:
+            return write_latch(cell, output);
+        case CellType::hold_latch:
+            return write_memory(cell, "hold", output);
+        case CellType::flip_flop:
+            return write_memory(cell, "flip_flop", output);
         case CellType::rise_pulse:
-        case CellType::fall_pulse: return write_pulse(cell, output);
-        case CellType::timer: return write_timer(cell, output);
-        case CellType::scan_timer: return;  // refused before
-        default: break;
+        case CellType::fall_pulse:
+            return write_pulse(cell, output);
+        case CellType::timer:
+            return write_timer(cell, output);
+        case CellType::scan_timer:
+            return;  // refused before
+        default:
+            break;
     }
     std::vector<std::string_view> pins;
     for (const NetId net : netlist_.pins_of(cell)) pins.push_back(nets_[net]);
@@ -327,14 +345,16 @@ void DeckWriter::write_sources() {
             }
         }
         const bool is_last = event.row + 1 == bench_.instants.size();
-        const Time rest = is_last ? bench_.settling : bench_.instants[event.row + 1] - event.at - delay;
+        const Time rest =
+            is_last ? bench_.settling : bench_.instants[event.row + 1] - event.at - delay;
         sample.ticks.push_back(tick(event.at + delay));
         sample.ticks.push_back(tick(event.at + delay + rest / 2));
         end_ = event.at + delay + rest;
     }
-    // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows better.
-    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", start_, " 0 ", start_ + nanosecond,
-           " 1)\n");
+    // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows
+    // better.
+    append(out_, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", start_, " 0 ",
+           start_ + nanosecond, " 1)\n");
     element("[ __v1 ] [ __go ] bridge");
     element("__one __go null null __running __start flip_flop_0");
     element("__one one");
@@ -353,43 +373,6 @@ void DeckWriter::write_sampling() {
     for (const Port& port : netlist_.outputs) {
         if (done[index_of(port.net)]++ != 0) continue;
         element(nets_[port.net], " sample__ null null _", nets_[port.net], " null sampler");
-    }
-}
-
-void DeckWriter::write_models() {
-    constexpr std::pair<std::string_view, std::string_view> gates[] = {
-        {"buffer", "d_buffer"}, {"not", "d_inverter"}, {"and", "d_and"}, {"or", "d_or"},
-        {"nand", "d_nand"},     {"nor", "d_nor"},      {"xor", "d_xor"}, {"xnor", "d_xnor"}};
-    out_ += '\n';
-    for (const auto& [name, model] : gates) {
-        for (const auto& [speed, delay] : {std::pair("slow", 1000), std::pair("held", 999), std::pair("fast", 1)}) {
-            append(out_, ".model ", speed, '_', name, ' ', model, "(rise_delay=", delay,
-                   " fall_delay=", delay, ")\n");
-        }
-    }
-    out_ += R"(.model late_or d_or(rise_delay=998 fall_delay=998)
-.model zero d_pulldown
-.model one d_pullup
-.model hold_0 d_dlatch(data_delay=1000 enable_delay=1000 ic=0)
-.model hold_1 d_dlatch(data_delay=1000 enable_delay=1000 ic=1)
-.model hold_x d_dlatch(data_delay=1000 enable_delay=1000 ic=2)
-.model flip_flop_0 d_dff(clk_delay=1000 ic=0)
-.model flip_flop_1 d_dff(clk_delay=1000 ic=1)
-.model flip_flop_x d_dff(clk_delay=1000 ic=2)
-.model one_shot_rise d_dff(clk_delay=1000 reset_delay=1 ic=0)
-.model one_shot_fall d_dff(clk_delay=999 reset_delay=1 ic=0)
-.model sampler d_dff(clk_delay=1 ic=2)
-.model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1 fall_delay=1)
-)";
-    for (const auto& [width, number] : pulse_models_) {
-        // The gate that gathers the resets and the flip-flop take a picosecond each.
-        append(out_, ".model pulse", number, " d_buffer(rise_delay=", std::max<Time>(1, width - 2),
-               " fall_delay=1)\n");
-    }
-    for (const auto& [delays, number] : timer_models_) {
-        const auto delay = [](Time time) { return time == 0 ? nanosecond - 1 : time - 1; };
-        append(out_, ".model timer", number, " d_buffer(rise_delay=", delay(delays.first),
-               " fall_delay=", delay(delays.second), ")\n");
     }
 }
 
@@ -415,10 +398,11 @@ std::string write_spice(const Netlist& netlist, const Bench& bench, Diagnostics&
     for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
         const CellId cell = netlist.cells.id_at(i);
         if (netlist.cells[cell].type != CellType::scan_timer) continue;
-        diagnostics.error(Code::unsupported_by_style, netlist.origin_of(netlist.cells[cell]).where,
-                          fmt::format("{}: ngspice has no clocked timer; use an asynchronous style or "
-                                      "Verilog",
-                                      cell_description(netlist, cell)));
+        diagnostics.error(
+            Code::unsupported_by_style, netlist.origin_of(netlist.cells[cell]).where,
+            fmt::format("{}: ngspice has no clocked timer; use an asynchronous style or "
+                        "Verilog",
+                        cell_description(netlist, cell)));
         return {};
     }
     return DeckWriter(netlist, bench).write();

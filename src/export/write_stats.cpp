@@ -43,10 +43,10 @@ class Stats {
 
     const Netlist& netlist_;
     NetlistGraph graph_;
-    std::vector<std::uint32_t> component_;        ///< per cell
-    std::vector<std::uint32_t> first_member_;     ///< per component: ranges of `members_`
+    std::vector<std::uint32_t> component_;     ///< per cell
+    std::vector<std::uint32_t> first_member_;  ///< per component: ranges of `members_`
     std::vector<std::uint32_t> members_;
-    std::vector<std::uint8_t> is_loop_;           ///< per component
+    std::vector<std::uint8_t> is_loop_;  ///< per component
     std::string out_;
 };
 
@@ -68,7 +68,8 @@ void Stats::write_cells() {
     out_ += "\ncells by type\n";
     for (const CellTypeRow& row : cell_table) {
         const std::size_t count = counts[static_cast<std::size_t>(row.type)];
-        if (count != 0) fmt::format_to(std::back_inserter(out_), "{:10} {}\n", count, row.description);
+        if (count != 0)
+            fmt::format_to(std::back_inserter(out_), "{:10} {}\n", count, row.description);
     }
 }
 
@@ -181,6 +182,8 @@ void Stats::write_depth() {
 
 }  // namespace
 
-std::string write_stats(const Netlist& netlist) { return Stats(netlist).write(); }
+std::string write_stats(const Netlist& netlist) {
+    return Stats(netlist).write();
+}
 
 }  // namespace grafwire

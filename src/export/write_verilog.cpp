@@ -1,10 +1,11 @@
 // Structural Verilog: Verilog's own gate primitives, one a cell, and helper modules for what has a
 // memory or knows of time.
 //
-// Up to 200 modules of the netlist stand in one Verilog module, to be read. Beyond that they are cut
-// into blocks, a Verilog module each, since Icarus Verilog takes time that grows with the square of
-// the number of signals in one scope: 20 000 phase modules compile in two seconds instead of twenty.
-// (A Verilog module for each phase module within the blocks was tried: twice the text, no gain.)
+// Up to 200 modules of the netlist stand in one Verilog module, to be read. Beyond that they are
+// cut into blocks, a Verilog module each, since Icarus Verilog takes time that grows with the
+// square of the number of signals in one scope: 20 000 phase modules compile in two seconds instead
+// of twenty. (A Verilog module for each phase module within the blocks was tried: twice the text,
+// no gain.)
 
 #include "export/write_verilog.h"
 
@@ -25,9 +26,12 @@ constexpr std::size_t modules_per_block = 200;
 
 constexpr std::string_view bit_of(Logic value) {
     switch (value) {
-        case Logic::zero: return "1'b0";
-        case Logic::one: return "1'b1";
-        case Logic::unknown: break;
+        case Logic::zero:
+            return "1'b0";
+        case Logic::one:
+            return "1'b1";
+        case Logic::unknown:
+            break;
     }
     return "1'bx";
 }
@@ -53,6 +57,7 @@ class VerilogWriter {
 
   private:
     void write_head();
+    void write_changed_names();
     void write_port_list();
     void write_aliases();
     void write_flat();
@@ -107,8 +112,26 @@ void VerilogWriter::write_head() {
     out_ += "// ";
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(), " cells.\n");
+    write_changed_names();
     out_ += "`timescale 1ns/1ps\n";
     if (needs_verilog_start(netlist_)) append_verilog_start(out_);
+}
+
+/// Lists the ports that even an escaped identifier cannot spell as they are.
+void VerilogWriter::write_changed_names() {
+    std::string spelled;
+    const auto list = [&](const std::vector<Port>& ports) {
+        for (const Port& port : ports) {
+            spelled.clear();
+            spell_verilog(spelled, port.name);
+            if (spelled.find('%') == std::string::npos) continue;
+            append(out_, "//   ", spelled, "= ");
+            append_comment(out_, port.name);
+            out_ += '\n';
+        }
+    };
+    list(netlist_.inputs);
+    list(netlist_.outputs);
 }
 
 void VerilogWriter::write_scan_parameter(bool with_value) {
@@ -181,20 +204,28 @@ void VerilogWriter::write_cell(const Cell& cell) {
             append(out_, "  assign ", nets_[cell.output],
                    cell.type == CellType::low ? " = 1'b0;\n" : " = 1'b1;\n");
             return;
-        case CellType::buffer: return write_gate("buf", cell);
-        case CellType::inverter: return write_gate("not", cell);
-        case CellType::and_gate: return write_gate(single ? "buf" : "and", cell);
-        case CellType::or_gate: return write_gate(single ? "buf" : "or", cell);
-        case CellType::xor_gate: return write_gate(single ? "buf" : "xor", cell);
-        case CellType::nand_gate: return write_gate(single ? "not" : "nand", cell);
-        case CellType::nor_gate: return write_gate(single ? "not" : "nor", cell);
+        case CellType::buffer:
+            return write_gate("buf", cell);
+        case CellType::inverter:
+            return write_gate("not", cell);
+        case CellType::and_gate:
+            return write_gate(single ? "buf" : "and", cell);
+        case CellType::or_gate:
+            return write_gate(single ? "buf" : "or", cell);
+        case CellType::xor_gate:
+            return write_gate(single ? "buf" : "xor", cell);
+        case CellType::nand_gate:
+            return write_gate(single ? "not" : "nand", cell);
+        case CellType::nor_gate:
+            return write_gate(single ? "not" : "nor", cell);
         case CellType::latch:
         case CellType::hold_latch:
         case CellType::rise_pulse:
         case CellType::fall_pulse:
         case CellType::timer:
         case CellType::flip_flop:
-        case CellType::scan_timer: return write_helper(cell);
+        case CellType::scan_timer:
+            return write_helper(cell);
     }
 }
 
@@ -204,13 +235,15 @@ void VerilogWriter::write_parameters(const Cell& cell) {
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
         if (row.has_memory) {
-            append(out_, separator, ".RISE_PS(64'd", timing.rise, "), .FALL_PS(64'd", timing.fall, ")");
+            append(out_, separator, ".RISE_PS(64'd", timing.rise, "), .FALL_PS(64'd", timing.fall,
+                   ")");
         } else {
             append(out_, separator, ".WIDTH_PS(64'd", timing.fall, ")");
         }
         separator = ", ";
     }
-    if (cell.type == CellType::scan_timer) append(out_, separator, ".SCAN_PS(", scan_parameter_, ")");
+    if (cell.type == CellType::scan_timer)
+        append(out_, separator, ".SCAN_PS(", scan_parameter_, ")");
     if (row.has_memory) append(out_, separator, ".INIT(", bit_of(cell.initial), ")");
     out_ += ") ";
 }
@@ -228,7 +261,8 @@ void VerilogWriter::write_helper(const Cell& cell) {
     if (cell.type == CellType::hold_latch) pin_name = hold_pins;
     if (cell.type == CellType::flip_flop) pin_name = flip_flop_pins;
     out_ += " (";
-    for (const NetId pin : netlist_.pins_of(cell)) append(out_, ".", *pin_name++, "(", nets_[pin], "), ");
+    for (const NetId pin : netlist_.pins_of(cell))
+        append(out_, ".", *pin_name++, "(", nets_[pin], "), ");
     append(out_, ".q(", nets_[cell.output], "));");
     if (row_of(cell.type).has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];

@@ -1,6 +1,6 @@
-// The test bench counts in picoseconds. Before the moments of the stimuli lies the start: Init at 1,
-// the other inputs as at instant 0, until a gate delay for every cell has passed; that is more than
-// any netlist without oscillation takes.
+// The test bench counts in picoseconds. Before the moments of the stimuli lies the start: Init at
+// 1, the other inputs as at instant 0, until a gate delay for every cell has passed; that is more
+// than any netlist without oscillation takes.
 
 #include <algorithm>
 
@@ -141,8 +141,8 @@ void BenchWriter::wait_until(Time moment) {
 }
 
 void BenchWriter::write_cycles(Time half_period) {
-    append(out_, "    repeat (", bench_.clock_cycles, ") begin #(64'd", half_period, ") in[", clock_,
-           "] = 1; #(64'd", half_period, ") in[", clock_, "] = 0; end\n");
+    append(out_, "    repeat (", bench_.clock_cycles, ") begin #(64'd", half_period, ") in[",
+           clock_, "] = 1; #(64'd", half_period, ") in[", clock_, "] = 0; end\n");
     now_ += half_period * 2 * bench_.clock_cycles;
 }
 

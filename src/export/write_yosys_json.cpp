@@ -45,16 +45,26 @@ constexpr CellForm form_of(CellType type) {
     switch (type) {
         case CellType::low:
         case CellType::high:
-        case CellType::buffer: return {"$_BUF_", ""};
-        case CellType::inverter: return {"$_NOT_", ""};
-        case CellType::and_gate: return {"$_AND_", "$reduce_and"};
-        case CellType::or_gate: return {"$_OR_", "$reduce_or"};
-        case CellType::nand_gate: return {"$_NAND_", "$ne"};
-        case CellType::nor_gate: return {"$_NOR_", "$logic_not"};
-        case CellType::xor_gate: return {"$_XOR_", "$reduce_xor"};
-        case CellType::hold_latch: return {"$_DLATCH_P_", ""};
-        case CellType::flip_flop: return {"$_DFF_P_", ""};
-        default: return {"", ""};
+        case CellType::buffer:
+            return {"$_BUF_", ""};
+        case CellType::inverter:
+            return {"$_NOT_", ""};
+        case CellType::and_gate:
+            return {"$_AND_", "$reduce_and"};
+        case CellType::or_gate:
+            return {"$_OR_", "$reduce_or"};
+        case CellType::nand_gate:
+            return {"$_NAND_", "$ne"};
+        case CellType::nor_gate:
+            return {"$_NOR_", "$logic_not"};
+        case CellType::xor_gate:
+            return {"$_XOR_", "$reduce_xor"};
+        case CellType::hold_latch:
+            return {"$_DLATCH_P_", ""};
+        case CellType::flip_flop:
+            return {"$_DFF_P_", ""};
+        default:
+            return {"", ""};
     }
 }
 
@@ -72,7 +82,8 @@ class JsonWriter {
         for (const Cell& cell : netlist.cells) {
             const bool is_box = form_of(cell.type).gate.empty();
             if (is_box) used_boxes_[static_cast<std::size_t>(cell.type)] = true;
-            if (row_of(cell.type).has_memory && !is_box) initial_[index_of(cell.output)] = cell.initial;
+            if (row_of(cell.type).has_memory && !is_box)
+                initial_[index_of(cell.output)] = cell.initial;
         }
     }
 
@@ -87,7 +98,9 @@ class JsonWriter {
     void write_net_names();
     void write_black_box_module(const CellTypeRow& row);
     void write_attributes(const Cell& cell);
-    void write_bit(NetId net) { append(out_, index_of(net) + 2); }  // 0 and 1 are kept for constants
+    void write_bit(NetId net) {
+        append(out_, index_of(net) + 2);
+    }  // 0 and 1 are kept for constants
 
     const Netlist& netlist_;
     NetSpelling nets_;
@@ -141,7 +154,8 @@ void JsonWriter::write_cells() {
         module_ = module.name;
         for (std::uint32_t i = 0; i < module.cell_count; ++i) {
             const Cell& cell = netlist_.cells.items()[module.first_cell + i];
-            append(out_, separator, "        \"", nets_[cell.output], suffix_, "\": { \"type\": \"");
+            append(out_, separator, "        \"", nets_[cell.output], suffix_,
+                   "\": { \"type\": \"");
             write_gate(cell);
             out_ += " } }";
             separator = ",\n";
@@ -150,7 +164,8 @@ void JsonWriter::write_cells() {
     out_ += "\n      },\n";
 }
 
-/// What a black box has for parameters stands here: those Yosys wants declared, which its JSON cannot.
+/// What a black box has for parameters stands here: those Yosys wants declared, which its JSON
+/// cannot.
 void JsonWriter::write_attributes(const Cell& cell) {
     const CellTypeRow& row = row_of(cell.type);
     out_ += ", \"attributes\": { \"module\": \"";
@@ -163,8 +178,7 @@ void JsonWriter::write_attributes(const Cell& cell) {
         if (row.has_memory) append(out_, ", \"RISE\": \"", format_duration(timing.rise), '"');
         append(out_, ", \"FALL\": \"", format_duration(timing.fall), '"');
         if (timing.ordinal != Timing::no_ordinal) {
-            out_ += ", \"ORDINAL\": ";
-            append(out_, timing.ordinal);
+            append(out_, ", \"ORDINAL\": ", timing.ordinal);
         }
     }
     if (row.has_memory && form_of(cell.type).gate.empty() && cell.initial != Logic::unknown) {
@@ -175,19 +189,10 @@ void JsonWriter::write_attributes(const Cell& cell) {
 
 void JsonWriter::write_word(const Cell& cell) {
     const bool is_comparison = cell.type == CellType::nand_gate;
-    append(out_, form_of(cell.type).word, "\", \"parameters\": { \"A_SIGNED\": ");
-    append(out_, 0);
-    out_ += ", \"A_WIDTH\": ";
-    append(out_, cell.pin_count);
-    if (is_comparison) {
-        out_ += ", \"B_SIGNED\": ";
-        append(out_, 0);
-        out_ += ", \"B_WIDTH\": ";
-        append(out_, cell.pin_count);
-    }
-    out_ += ", \"Y_WIDTH\": ";
-    append(out_, 1);
-    out_ += " }";
+    append(out_, form_of(cell.type).word,
+           "\", \"parameters\": { \"A_SIGNED\": 0, \"A_WIDTH\": ", cell.pin_count);
+    if (is_comparison) append(out_, ", \"B_SIGNED\": 0, \"B_WIDTH\": ", cell.pin_count);
+    out_ += ", \"Y_WIDTH\": 1 }";
     write_attributes(cell);
     out_ += ", \"port_directions\": { \"A\": \"input\", ";
     if (is_comparison) out_ += "\"B\": \"input\", ";
@@ -283,9 +288,8 @@ void JsonWriter::write_net_names() {
 }
 
 void JsonWriter::write_black_box_module(const CellTypeRow& row) {
-    append(out_, ",\n    \"", prefix_, row.name, "\": {\n      \"attributes\": { \"blackbox\": ");
-    append(out_, 1);
-    out_ += " },\n      \"ports\": {\n";
+    append(out_, ",\n    \"", prefix_, row.name,
+           "\": {\n      \"attributes\": { \"blackbox\": 1 },\n      \"ports\": {\n");
     std::uint32_t bit = 2;
     for (std::uint32_t pin = 0; pin < row.min_pins; ++pin) {
         append(out_, "        \"", helper_pin_name(row.type, pin),
@@ -297,6 +301,8 @@ void JsonWriter::write_black_box_module(const CellTypeRow& row) {
 
 }  // namespace
 
-std::string write_yosys_json(const Netlist& netlist) { return JsonWriter(netlist).write(); }
+std::string write_yosys_json(const Netlist& netlist) {
+    return JsonWriter(netlist).write();
+}
 
 }  // namespace grafwire

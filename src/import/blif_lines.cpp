@@ -4,7 +4,9 @@ namespace grafwire {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
 
 }  // namespace
 
@@ -13,7 +15,8 @@ void BlifLines::advance() {
     if (byte == '\n') {
         ++where_.line;
         where_.column = 1;
-    } else if (position_ == text_.size() || (static_cast<unsigned char>(text_[position_]) & 0xc0U) != 0x80U) {
+    } else if (position_ == text_.size() ||
+               (static_cast<unsigned char>(text_[position_]) & 0xc0U) != 0x80U) {
         ++where_.column;  // the next byte begins a character
     }
 }
@@ -56,7 +59,8 @@ bool BlifLines::next(std::vector<BlifWord>& words) {
             advance();
             if (!words.empty()) return true;
         } else if (here() == '#') {
-            const bool is_ours = words.empty() && position_ + 1 < text_.size() && text_[position_ + 1] == '@';
+            const bool is_ours =
+                words.empty() && position_ + 1 < text_.size() && text_[position_ + 1] == '@';
             if (is_ours) {
                 words.push_back(take_word());
             } else {

@@ -18,8 +18,8 @@ class BlifLines {
   public:
     explicit BlifLines(std::string_view text) : text_(text) {}
 
-    /// The next line that is not empty; false at the end. A comment that begins with `#@` counts as a
-    /// line whose first word is `#@…`.
+    /// The next line that is not empty; false at the end. A comment that begins with `#@` counts as
+    /// a line whose first word is `#@…`.
     bool next(std::vector<BlifWord>& words);
 
   private:

@@ -47,7 +47,8 @@ CellType gate_of(CellType type, std::size_t pin_count) {
 }
 
 bool all_inverted(const std::vector<Literal>& literals) {
-    return std::all_of(literals.begin(), literals.end(), [](Literal item) { return item.inverted; });
+    return std::all_of(literals.begin(), literals.end(),
+                       [](Literal item) { return item.inverted; });
 }
 
 void CoverGates::drive(CellType type, const std::vector<NetId>& pins) {
@@ -70,14 +71,16 @@ std::vector<NetId> plain_nets_of(const std::vector<Literal>& literals) {
 
 void CoverGates::add_product(const std::vector<Literal>& literals, bool complemented) {
     if (all_inverted(literals)) {
-        return drive(complemented ? CellType::or_gate : CellType::nor_gate, plain_nets_of(literals));
+        return drive(complemented ? CellType::or_gate : CellType::nor_gate,
+                     plain_nets_of(literals));
     }
     drive(complemented ? CellType::nand_gate : CellType::and_gate, nets_of(literals));
 }
 
 void CoverGates::add_sum(const std::vector<Literal>& literals, bool complemented) {
     if (all_inverted(literals)) {
-        return drive(complemented ? CellType::and_gate : CellType::nand_gate, plain_nets_of(literals));
+        return drive(complemented ? CellType::and_gate : CellType::nand_gate,
+                     plain_nets_of(literals));
     }
     drive(complemented ? CellType::nor_gate : CellType::or_gate, nets_of(literals));
 }
@@ -125,9 +128,8 @@ void CoverGates::add(const Cover& cover) {
     std::vector<NetId> terms;
     for (const std::vector<Literal>& product : products) {
         const std::vector<NetId> nets = nets_of(product);
-        terms.push_back(nets.size() == 1
-                            ? nets[0]
-                            : assembly_.gate(CellType::and_gate, nets, output_, where_));
+        terms.push_back(
+            nets.size() == 1 ? nets[0] : assembly_.gate(CellType::and_gate, nets, output_, where_));
     }
     drive(cover.value ? CellType::or_gate : CellType::nor_gate, terms);
 }

@@ -1,11 +1,12 @@
 // The parser is that of nlohmann/json, as a stream of events. Its own tree either sorts the members
-// of objects or takes time that grows with the square of their number; a netlist is one large object
-// whose order matters.
+// of objects or takes time that grows with the square of their number; a netlist is one large
+// object whose order matters.
 
 #include "import/json_tree.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace grafwire {
@@ -34,7 +35,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool number_float(double, const std::string& written) override {
         return add(JsonValue::Kind::number, written);
     }
-    bool string(std::string& value) override { return add(JsonValue::Kind::string, std::move(value)); }
+    bool string(std::string& value) override {
+        return add(JsonValue::Kind::string, std::move(value));
+    }
     bool binary(nlohmann::json::binary_t&) override { return false; }
     bool key(std::string& name) override {
         key_ = std::move(name);
@@ -93,7 +96,8 @@ Location location_of(std::string_view text, std::size_t position) {
         if (byte == '\n') {
             ++where.line;
             where.column = 1;
-        } else if (i + 1 == text.size() || (static_cast<unsigned char>(text[i + 1]) & 0xc0U) != 0x80U) {
+        } else if (i + 1 == text.size() ||
+                   (static_cast<unsigned char>(text[i + 1]) & 0xc0U) != 0x80U) {
             ++where.column;
         }
     }
@@ -124,8 +128,9 @@ std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnost
     TreeBuilder builder;
     if (nlohmann::json::sax_parse(text, &builder)) return std::move(builder.root);
     if (builder.too_deep) {
-        diagnostics.error(Code::nested_too_deep, {},
-                          fmt::format("values are nested more than {} deep: not a netlist", deepest));
+        diagnostics.error(
+            Code::nested_too_deep, {},
+            fmt::format("values are nested more than {} deep: not a netlist", deepest));
     } else {
         diagnostics.error(Code::bad_netlist, location_of(text, builder.error_position),
                           "not JSON: " + reason_in(builder.error_message));

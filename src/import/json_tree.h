@@ -23,8 +23,8 @@ struct JsonValue {
     const JsonValue* find(std::string_view name) const;
 };
 
-/// Reads a JSON text (RFC 8259). Errors go into `diagnostics` with their place; values nested deeper
-/// than a netlist can be (20) are one.
+/// Reads a JSON text (RFC 8259). Errors go into `diagnostics` with their place; values nested
+/// deeper than a netlist can be (20) are one.
 std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace grafwire

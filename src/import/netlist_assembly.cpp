@@ -24,7 +24,9 @@ NetId NetlistAssembly::inner_net(NetId owner) {
     return static_cast<NetId>(nets_.size() - 1);
 }
 
-std::string_view NetlistAssembly::name_of(NetId net) const { return nets_[index_of(net)].name; }
+std::string_view NetlistAssembly::name_of(NetId net) const {
+    return nets_[index_of(net)].name;
+}
 
 void NetlistAssembly::drive(NetId id, Location where) {
     Net& net = nets_[index_of(id)];
@@ -45,7 +47,8 @@ void NetlistAssembly::add_input(std::string_view name, NetId net, Location where
 
 void NetlistAssembly::add_output(std::string_view name, NetId net, Location where) {
     if (!output_names_.insert(std::string(name)).second) {
-        diagnostics_.error(Code::bad_netlist, where, fmt::format("output '{}' is listed twice", name));
+        diagnostics_.error(Code::bad_netlist, where,
+                           fmt::format("output '{}' is listed twice", name));
         return;
     }
     netlist_.outputs.push_back({std::string(name), net});
@@ -59,10 +62,11 @@ bool NetlistAssembly::is_input(std::string_view name) const {
 void NetlistAssembly::add_cell(CellType type, NetId output, std::span<const NetId> pins,
                                Location where, const Details& details) {
     drive(output, where);
-    if ((type == CellType::rise_pulse || type == CellType::fall_pulse) && details.timing.fall == 0) {
+    if ((type == CellType::rise_pulse || type == CellType::fall_pulse) &&
+        details.timing.fall == 0) {
         diagnostics_.error(Code::bad_netlist, where,
-                           fmt::format("the pulse of {} '{}' has no width", row_of(type).description,
-                                       name_of(output)));
+                           fmt::format("the pulse of {} '{}' has no width",
+                                       row_of(type).description, name_of(output)));
     }
     Cell cell;
     cell.type = type;
@@ -79,7 +83,8 @@ void NetlistAssembly::add_cell(CellType type, NetId output, std::span<const NetI
     cell_places_.push_back(where);
 }
 
-NetId NetlistAssembly::gate(CellType type, std::span<const NetId> pins, NetId owner, Location where) {
+NetId NetlistAssembly::gate(CellType type, std::span<const NetId> pins, NetId owner,
+                            Location where) {
     const NetId output = inner_net(owner);
     add_cell(type, output, pins, where);
     return output;
@@ -114,7 +119,8 @@ void NetlistAssembly::name_inner_nets() {
         if (!net.name.empty()) continue;
         // Owners stand before the nets named after them.
         const std::string owner = net.owner == no_net ? "net" : nets_[index_of(net.owner)].name;
-        std::uint32_t& number = next_number[net.owner == no_net ? nets_.size() : index_of(net.owner)];
+        std::uint32_t& number =
+            next_number[net.owner == no_net ? nets_.size() : index_of(net.owner)];
         do {
             net.name = fmt::format("{}${}", owner, ++number);
         } while (!by_name_.try_emplace(net.name, static_cast<NetId>(i)).second);
@@ -124,10 +130,11 @@ void NetlistAssembly::name_inner_nets() {
 void NetlistAssembly::check_drivers() {
     for (const Net& net : nets_) {
         if (net.is_driven) continue;
-        diagnostics_.error(Code::bad_netlist, net.where,
-                           fmt::format("net '{}' has no driver: it is neither an input nor the output "
-                                       "of a cell",
-                                       net.name));
+        diagnostics_.error(
+            Code::bad_netlist, net.where,
+            fmt::format("net '{}' has no driver: it is neither an input nor the output "
+                        "of a cell",
+                        net.name));
     }
 }
 
@@ -139,8 +146,8 @@ void NetlistAssembly::find_clock() {
         const std::string_view description = row_of(cell.type).description;
         if (!nets_[index_of(clock)].is_input) {
             diagnostics_.error(Code::bad_netlist, cell_places_[i],
-                               fmt::format("the clock '{}' of {} '{}' is not an input", name_of(clock),
-                                           description, name_of(cell.output)));
+                               fmt::format("the clock '{}' of {} '{}' is not an input",
+                                           name_of(clock), description, name_of(cell.output)));
             return;
         }
         if (netlist_.clock != no_net && netlist_.clock != clock) {
@@ -186,9 +193,9 @@ std::string decoded_name(std::string_view name) {
             const int low = digit(name[i + 2]);
             const int code = high * 16 + low;
             constexpr std::string_view special = "%#=\\\"`\x7f";
-            const bool is_ours = high >= 0 && low >= 0 &&
-                                 (code <= 0x20 || special.find(static_cast<char>(code)) !=
-                                                      std::string_view::npos);
+            const bool is_ours =
+                high >= 0 && low >= 0 &&
+                (code <= 0x20 || special.find(static_cast<char>(code)) != std::string_view::npos);
             if (is_ours) {
                 decoded += static_cast<char>(code);
                 i += 2;
@@ -217,11 +224,16 @@ std::span<const std::string_view> helper_pin_names(CellType type) {
     static constexpr std::string_view flip_flop[] = {"d", "c"};
     static constexpr std::string_view timer[] = {"a", "c"};
     switch (type) {
-        case CellType::latch: return latch;
-        case CellType::hold_latch: return hold;
-        case CellType::flip_flop: return flip_flop;
-        case CellType::scan_timer: return timer;
-        default: return {timer, 1};
+        case CellType::latch:
+            return latch;
+        case CellType::hold_latch:
+            return hold;
+        case CellType::flip_flop:
+            return flip_flop;
+        case CellType::scan_timer:
+            return timer;
+        default:
+            return {timer, 1};
     }
 }
 

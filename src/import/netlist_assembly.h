@@ -21,9 +21,9 @@ class NetlistAssembly {
 
     /// The net of that name; `where` is kept as the place of its first mention.
     NetId net(std::string_view name, Location where);
-    /// A further net, for a gate that a cell of the file has been taken apart into or for one that the
-    /// file gives no name. It is named after `owner` (which may be no_net) once all names of the file
-    /// are known.
+    /// A further net, for a gate that a cell of the file has been taken apart into or for one that
+    /// the file gives no name. It is named after `owner` (which may be no_net) once all names of
+    /// the file are known.
     NetId inner_net(NetId owner);
 
     void add_input(std::string_view name, NetId net, Location where);
@@ -51,9 +51,9 @@ class NetlistAssembly {
     void set_initial(NetId net, bool value);
     std::string_view name_of(NetId net) const;
 
-    /// The netlist: one module, the clock found by the flip-flops. What keeps it from being one (a net
-    /// without driver or with two, flip-flops on different clocks) is reported, and the result is
-    /// empty then.
+    /// The netlist: one module, the clock found by the flip-flops. What keeps it from being one (a
+    /// net without driver or with two, flip-flops on different clocks) is reported, and the result
+    /// is empty then.
     std::optional<Netlist> finish();
 
   private:

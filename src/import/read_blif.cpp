@@ -45,7 +45,8 @@ class BlifReader {
     void read_names(const Words& words);
     void read_row(const Words& words);
     void read_latch(const Words& words);
-    void add_latch(const Words& words, std::string_view kind, const BlifWord* control, Logic initial);
+    void add_latch(const Words& words, std::string_view kind, const BlifWord* control,
+                   Logic initial);
     void read_black_box(const Words& words);
     void read_parameter(const Words& words);
     void read_initial_value(const Words& words);
@@ -106,7 +107,8 @@ void BlifReader::read_line(const Words& words) {
         if (in_names_) return read_row(words);
         return refuse(words[0].where, fmt::format("'{}' is no BLIF command", first));
     }
-    const bool is_cell = first == ".names" || first == ".latch" || first == ".subckt" || first == ".gate";
+    const bool is_cell =
+        first == ".names" || first == ".latch" || first == ".subckt" || first == ".gate";
     if (is_cell && !complained_of_models_) {
         complained_of_models_ = true;
         refuse(words[0].where, "a second model with cells of its own; flatten the netlist first");
@@ -171,7 +173,8 @@ void BlifReader::read_row(const Words& words) {
     const std::size_t width = cover_.inputs.size();
     const std::string_view plane = width == 0 ? std::string_view() : words[0].text;
     const std::string_view value = words.back().text;
-    const bool is_plane = plane.size() == width && plane.find_first_not_of("01-") == std::string_view::npos;
+    const bool is_plane =
+        plane.size() == width && plane.find_first_not_of("01-") == std::string_view::npos;
     if (words.size() != (width == 0 ? 1U : 2U) || !is_plane || (value != "0" && value != "1")) {
         return refuse(words[0].where,
                       fmt::format("expected a row of {} characters 0, 1 or - and a 0 or 1", width));
@@ -187,7 +190,8 @@ void BlifReader::read_latch(const Words& words) {
     // .latch input output [type control] [initial]
     std::size_t count = words.size();
     if (count < 3 || count > 6) {
-        return refuse(words[0].where, "expected .latch input output [type control] [initial value]");
+        return refuse(words[0].where,
+                      "expected .latch input output [type control] [initial value]");
     }
     Logic initial = Logic::unknown;
     if (count == 4 || count == 6) {
@@ -205,10 +209,11 @@ void BlifReader::read_latch(const Words& words) {
 void BlifReader::add_latch(const Words& words, std::string_view kind, const BlifWord* control,
                            Logic initial) {
     if (kind != "re" && kind != "ah") {
-        return refuse(words[3].where,
-                      fmt::format("latch type '{}': only re (rising edge) and ah (transparent while "
-                                  "high) are supported",
-                                  kind));
+        return refuse(
+            words[3].where,
+            fmt::format("latch type '{}': only re (rising edge) and ah (transparent while "
+                        "high) are supported",
+                        kind));
     }
     NetId control_net = no_net;
     if (control != nullptr && control->text != "NIL") {
@@ -220,18 +225,20 @@ void BlifReader::add_latch(const Words& words, std::string_view kind, const Blif
         control_net = assembly_.net("clk", words[0].where);
     }
     const std::array<NetId, 2> pins{net(words[1]), control_net};
-    assembly_.add_cell(kind == "re" ? CellType::flip_flop : CellType::hold_latch, net(words[2]), pins,
-                       words[0].where, {initial, {}});
+    assembly_.add_cell(kind == "re" ? CellType::flip_flop : CellType::hold_latch, net(words[2]),
+                       pins, words[0].where, {initial, {}});
 }
 
 void BlifReader::read_black_box(const Words& words) {
     if (words.size() < 2) return refuse(words[0].where, ".subckt without a model");
     const std::optional<CellType> type = helper_type_named(words[1].text);
     if (!type) {
-        return refuse(words[1].where,
-                      fmt::format("subcircuit '{}' is not known; flatten the netlist first", words[1].text));
+        return refuse(
+            words[1].where,
+            fmt::format("subcircuit '{}' is not known; flatten the netlist first", words[1].text));
     }
-    OpenBox box{*type, no_net, std::vector<NetId>(row_of(*type).min_pins, no_net), {}, words[0].where};
+    OpenBox box{
+        *type, no_net, std::vector<NetId>(row_of(*type).min_pins, no_net), {}, words[0].where};
     const auto names = helper_pin_names(*type);
     for (std::size_t i = 2; i < words.size(); ++i) {
         const std::size_t equals = words[i].text.find('=');
@@ -239,15 +246,16 @@ void BlifReader::read_black_box(const Words& words) {
         const auto pin = std::find(names.begin(), names.end(), formal);
         const bool is_output = formal == "q";
         if (equals == std::string_view::npos || (!is_output && pin == names.end())) {
-            return refuse(words[i].where, fmt::format("'{}' is no connection of a {}", words[i].text,
-                                                      row_of(*type).description));
+            return refuse(words[i].where, fmt::format("'{}' is no connection of a {}",
+                                                      words[i].text, row_of(*type).description));
         }
         const NetId actual = net({words[i].text.substr(equals + 1), words[i].where});
         (is_output ? box.output : box.pins[static_cast<std::size_t>(pin - names.begin())]) = actual;
     }
-    if (box.output == no_net || std::find(box.pins.begin(), box.pins.end(), no_net) != box.pins.end()) {
-        return refuse(words[0].where, fmt::format("a connection of this {} is missing",
-                                                  row_of(*type).description));
+    if (box.output == no_net ||
+        std::find(box.pins.begin(), box.pins.end(), no_net) != box.pins.end()) {
+        return refuse(words[0].where,
+                      fmt::format("a connection of this {} is missing", row_of(*type).description));
     }
     box_ = std::move(box);
 }
@@ -262,9 +270,10 @@ void BlifReader::read_parameter(const Words& words) {
         value = value.substr(1, value.size() - 2);
     }
     if (!set_helper_parameter(box_->details, name, value)) {
-        refuse(words[0].where, fmt::format("the value of {} does not fit; INIT is 0 or 1, RISE and FALL "
-                                           "are durations, ORDINAL is a number",
-                                           name));
+        refuse(words[0].where,
+               fmt::format("the value of {} does not fit; INIT is 0 or 1, RISE and FALL "
+                           "are durations, ORDINAL is a number",
+                           name));
     }
 }
 

@@ -41,7 +41,9 @@ class YosysReader {
     void set_initial_values();
     NetId net_of(const JsonValue& bit);
     void name_bit(const JsonValue& bit, const std::string& name);
-    void refuse(std::string message) { diagnostics_.error(Code::bad_netlist, {}, std::move(message)); }
+    void refuse(std::string message) {
+        diagnostics_.error(Code::bad_netlist, {}, std::move(message));
+    }
 
     Diagnostics& diagnostics_;
     NetlistAssembly assembly_;
@@ -67,9 +69,10 @@ const std::pair<std::string, JsonValue>* YosysReader::choose_module(const JsonVa
         ++count;
     }
     if (count == 1) return chosen;
-    refuse(count == 0 ? "there is no module in the file"
-                      : "there are several modules and none is marked as the top; flatten the netlist "
-                        "first (Yosys: hierarchy -auto-top; flatten)");
+    refuse(count == 0
+               ? "there is no module in the file"
+               : "there are several modules and none is marked as the top; flatten the netlist "
+                 "first (Yosys: hierarchy -auto-top; flatten)");
     return nullptr;
 }
 
@@ -95,7 +98,8 @@ void YosysReader::read_net_names(const JsonValue& net_names, bool hidden) {
         const JsonValue* bits = value.find("bits");
         if (bits == nullptr) continue;
         for (std::size_t i = 0; i < bits->items.size(); ++i) {
-            name_bit(bits->items[i], bits->items.size() == 1 ? name : fmt::format("{}[{}]", name, i));
+            name_bit(bits->items[i],
+                     bits->items.size() == 1 ? name : fmt::format("{}[{}]", name, i));
         }
     }
 }
@@ -142,7 +146,8 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
 void YosysReader::read_ports(const JsonValue& ports, std::string_view direction) {
     for (const auto& [name, port] : ports.members) {
         const JsonValue* actual = port.find("direction");
-        const bool is_known = actual != nullptr && (actual->text == "input" || actual->text == "output");
+        const bool is_known =
+            actual != nullptr && (actual->text == "input" || actual->text == "output");
         if (name.empty() || !is_known) {
             if (direction == "input") {
                 refuse(fmt::format("port '{}' is neither an input nor an output", name));
@@ -176,8 +181,9 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
 
 /// Gives constant bits nets of their own, but where the cell itself is asked for the constant.
 void give_nets_to_constants(NetlistAssembly& assembly, YosysCell& cell) {
-    const bool takes_constants = cell.type == "$eq" || cell.type == "$ne" || cell.type == "$_BUF_" ||
-                                 cell.type == "$buf" || cell.type == "$pos";
+    const bool takes_constants = cell.type == "$eq" || cell.type == "$ne" ||
+                                 cell.type == "$_BUF_" || cell.type == "$buf" ||
+                                 cell.type == "$pos";
     for (YosysCell::Connection& connection : cell.connections) {
         for (std::size_t i = 0; i < connection.bits.size(); ++i) {
             if (connection.constants[i] == '-' || takes_constants) continue;
@@ -197,7 +203,8 @@ void YosysReader::add_cell(const YosysCell& cell, const JsonValue& connections) 
         }
     }
     const std::string fault = add_yosys_cell(assembly_, cell, initial);
-    if (!fault.empty()) refuse(fmt::format("cell '{}' of type {}: {}", cell.name, cell.type, fault));
+    if (!fault.empty())
+        refuse(fmt::format("cell '{}' of type {}: {}", cell.name, cell.type, fault));
 }
 
 /// What is left of the initial values belongs to nets that gates drive.

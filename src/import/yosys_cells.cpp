@@ -110,9 +110,10 @@ NetId CellReader::bit(std::string_view port) {
     if (fault_.empty()) {
         fault_ = connection == nullptr
                      ? fmt::format("its port {} is not connected", port)
-                     : fmt::format("its port {} has {} bits; split words into bits first (Yosys: "
-                                   "simplemap)",
-                                   port, connection->bits.size());
+                     : fmt::format(
+                           "its port {} has {} bits; split words into bits first (Yosys: "
+                           "simplemap)",
+                           port, connection->bits.size());
     }
     return no_net;
 }
@@ -181,8 +182,7 @@ std::string CellReader::add_comparison(bool is_equal) {
         } else if (constant == '0') {
             equal_bits.push_back(assembly_.inverted(other, {}));
         } else {
-            equal_bits.push_back(
-                assembly_.inverted(make(CellType::xor_gate, {a[i], b[i]}), {}));
+            equal_bits.push_back(assembly_.inverted(make(CellType::xor_gate, {a[i], b[i]}), {}));
         }
     }
     drive(is_equal ? CellType::and_gate : CellType::nand_gate, equal_bits);
@@ -257,8 +257,8 @@ std::string CellReader::add_flip_flop() {
     const bool has_reset = kind.starts_with("SDFF");
     const bool has_enable = kind.ends_with('E');
     const std::size_t expected = 1U + (has_reset ? 2U : 0U) + (has_enable ? 1U : 0U);
-    const bool is_known = kind == "DFF" || kind == "DFFE" || kind == "SDFF" || kind == "SDFFE" ||
-                          kind == "SDFFCE";
+    const bool is_known =
+        kind == "DFF" || kind == "DFFE" || kind == "SDFF" || kind == "SDFFE" || kind == "SDFFCE";
     if (!is_known || letters.size() != expected) {
         return "flip-flops with asynchronous set or reset are not supported";
     }
@@ -270,9 +270,8 @@ std::string CellReader::add_flip_flop() {
     if (!fault_.empty()) return fault_;
     const auto apply_reset = [&] {
         if (!has_reset) return;
-        data = letters[2] == '1'
-                   ? make(CellType::or_gate, {data, reset})
-                   : make(CellType::and_gate, {data, assembly_.inverted(reset, {})});
+        data = letters[2] == '1' ? make(CellType::or_gate, {data, reset})
+                                 : make(CellType::and_gate, {data, assembly_.inverted(reset, {})});
     };
     const auto apply_enable = [&] {
         if (!has_enable) return;
@@ -310,8 +309,7 @@ std::string CellReader::add_set_reset(bool set_is_high, bool reset_is_high) {
     const NetId set = bit(is_word ? "SET" : "S", set_is_high);
     const NetId reset = bit(is_word ? "CLR" : "R", reset_is_high);
     if (!fault_.empty()) return fault_;
-    drive(CellType::latch,
-          {make(CellType::and_gate, {set, assembly_.inverted(reset, {})}), reset});
+    drive(CellType::latch, {make(CellType::and_gate, {set, assembly_.inverted(reset, {})}), reset});
     return {};
 }
 
@@ -361,13 +359,16 @@ std::string CellReader::add() {
     if (type == "$logic_and") return add_logic_and();
     if (type == "$mux" || type == "$_MUX_") return add_mux(false);
     if (type == "$_NMUX_") return add_mux(true);
-    if (type == "$_AOI3_" || type == "$_AOI4_") return add_and_or(type == "$_AOI4_" ? "ABCD" : "ABC", false);
-    if (type == "$_OAI3_" || type == "$_OAI4_") return add_and_or(type == "$_OAI4_" ? "ABCD" : "ABC", true);
+    if (type == "$_AOI3_" || type == "$_AOI4_")
+        return add_and_or(type == "$_AOI4_" ? "ABCD" : "ABC", false);
+    if (type == "$_OAI3_" || type == "$_OAI4_")
+        return add_and_or(type == "$_OAI4_" ? "ABCD" : "ABC", true);
     if (type == "$lut") return add_lut();
     if (type == "$dff") return add_word_flip_flop();
     if (type == "$dlatch") return add_latch(is_positive("EN_POLARITY"));
     if (type.starts_with("$_DLATCH_") && type.size() == 11) return add_latch(type[9] == 'P');
-    if (type == "$sr") return add_set_reset(is_positive("SET_POLARITY"), is_positive("CLR_POLARITY"));
+    if (type == "$sr")
+        return add_set_reset(is_positive("SET_POLARITY"), is_positive("CLR_POLARITY"));
     if (type.starts_with("$_SR_")) return add_set_reset(type[5] == 'P', type[6] == 'P');
     if (type.starts_with("$_DLATCH")) return "latches with set or reset are not supported";
     return add_flip_flop();

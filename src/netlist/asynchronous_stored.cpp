@@ -98,7 +98,8 @@ void AsynchronousFrame::make_latch(const StoredEquation& stored) {
 void AsynchronousFrame::make_stored() {
     held_outputs_.assign(grafcet_.outputs.size(), no_net);
     held_vars_.assign(grafcet_.vars.size(), no_net);
-    const auto work_on = [&](const StoredEquation& stored) {
+    // The hold latches have modules of their own: all are made before what reads them.
+    const auto work_on = [&](const StoredEquation& stored, std::string_view part) {
         const bool is_output = stored.target.kind == VariableKind::output;
         const std::string name(builder_.netlist().names[stored_net(stored.target)]);
         const Location where = is_output ? grafcet_.outputs[OutputId{stored.target.index}].where
@@ -108,8 +109,8 @@ void AsynchronousFrame::make_stored() {
                         equation_text(equations_, stored.reset));
         const auto origin =
             builder_.add_origin(is_output ? Origin::Kind::output : Origin::Kind::var, name, where);
-        builder_.work_on(builder_.add_module(name, comment), origin);
-        logic_.owner = name;
+        builder_.work_on(builder_.add_module(name + std::string(part), comment), origin);
+        logic_.owner = name + std::string(part);
     };
     std::vector<std::uint8_t> output_read(grafcet_.outputs.size());
     std::vector<std::uint8_t> var_read(grafcet_.vars.size());
@@ -123,13 +124,13 @@ void AsynchronousFrame::make_stored() {
         const bool is_output = stored.target.kind == VariableKind::output;
         if (stored.writes.empty()) continue;
         if ((is_output ? output_read : var_read)[stored.target.index] == 0) continue;
-        work_on(stored);
+        work_on(stored, "$hold");
         make_hold(stored);
     }
     for (const StoredEquation& stored : equations_.stored) {
         if (stored.writes.empty()) continue;
         if (stored.target.kind == VariableKind::var) driven[stored.target.index] = 1;
-        work_on(stored);
+        work_on(stored, "");
         make_latch(stored);
     }
     for (std::size_t i = 0; i < driven.size(); ++i) {

@@ -31,11 +31,7 @@ CellType gate_for(ExprKind kind) {
 }  // namespace
 
 std::string LogicBuilder::next_role() {
-    if (role_owner_ != owner) {
-        role_owner_ = owner;
-        role_number_ = 0;
-    }
-    return fmt::format("{}", ++role_number_);
+    return fmt::format("{}", ++role_numbers_[owner]);
 }
 
 LogicBuilder::Signal LogicBuilder::signal(ExprId id) {

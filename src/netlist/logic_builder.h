@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "equations/equations.h"
@@ -85,8 +86,8 @@ class LogicBuilder {
     const Expressions& pool_;
     NetlistBuilder& builder_;
     std::vector<Signal> made_;
-    std::string role_owner_;
-    std::uint32_t role_number_ = 0;
+    /// Per owner the gates numbered so far; an owner may be come back to.
+    std::unordered_map<std::string, std::uint32_t> role_numbers_;
 };
 
 }  // namespace grafwire

@@ -124,10 +124,9 @@ const std::vector<AgreeingNetlist>& agreeing_netlists() {
     return all;
 }
 
-std::string ones_of(const Example& example, std::size_t row) {
-    const Trace& trace = example.reference.trace;
-    const std::size_t first = example.grafcet.all_input_count();
-    const std::size_t count = example.grafcet.steps.size() + example.grafcet.outputs.size();
+std::string ones_of(const Grafcet& grafcet, const Trace& trace, std::size_t row) {
+    const std::size_t first = grafcet.all_input_count();
+    const std::size_t count = grafcet.steps.size() + grafcet.outputs.size();
     std::string ones;
     for (std::size_t i = first; i < first + count; ++i) {
         if (trace.values[row * trace.columns.size() + i] != 0) ones += trace.columns[i].name + ' ';

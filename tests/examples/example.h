@@ -58,8 +58,8 @@ struct AgreeingNetlist {
 /// All of those, example by example.
 const std::vector<AgreeingNetlist>& agreeing_netlists();
 
-/// One row of the reference's trace as other simulators show it: the names of the steps and outputs
-/// that are 1, each followed by a blank.
-std::string ones_of(const Example& example, std::size_t row);
+/// One row of a trace as other simulators show it: the names of the steps and outputs that are 1,
+/// each followed by a blank.
+std::string ones_of(const Grafcet& grafcet, const Trace& trace, std::size_t row);
 
 }  // namespace grafwire::test

@@ -84,7 +84,7 @@ void check_in_ngspice(const AgreeingNetlist& item) {
             CHECK((value == "0s" || value == "1s"));
             if (value == "1s") ones += port.name + ' ';
         }
-        CHECK(ones == ones_of(*item.example, row));
+        CHECK(ones == ones_of(item.example->grafcet, trace, row));
     }
 }
 

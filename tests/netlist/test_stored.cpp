@@ -51,6 +51,19 @@ graph G { initial 0 step 1 : v := /v  step 2
     CHECK(count(netlist_of(grafcet, Style::clocked), CellType::hold_latch) == 0);
 }
 
+TEST_CASE("stored variables that read each other keep their nets apart") {
+    const Grafcet grafcet = grafcet_of(R"(
+input a, b
+output m
+var v
+graph G { step 1 : set v on a . b
+  -> 1 : a do m := b + m }
+)");
+    for (const StyleRow& row : style_table) {
+        CHECK(fault_of(netlist_of(grafcet, row.style)) == "");
+    }
+}
+
 TEST_CASE("what only constants are written to needs no hold latch") {
     const Grafcet grafcet = grafcet_of(R"(
 input a

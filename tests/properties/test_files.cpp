@@ -66,6 +66,9 @@ std::string files_keep_behaviour(const RandomCase& item) {
     for (const StyleRow& row : style_table) {
         const auto netlist = netlist_in(*grafcet, row.style);
         if (!netlist) continue;
+        if (const std::string in_memory = fault_of(*netlist); !in_memory.empty()) {
+            return std::string(row.name) + ": " + in_memory;
+        }
         std::string fault =
             file_keeps_behaviour(*grafcet, *netlist, *stimuli, write_yosys_json, read_yosys_json);
         if (!fault.empty()) return "JSON of style " + std::string(row.name) + ": " + fault;
