@@ -41,7 +41,7 @@ std::vector<Literal> literals_of(const Cover& cover, const std::string& row) {
 
 /// A gate of one pin is a buffer or an inverter.
 CellType gate_of(CellType type, std::size_t pin_count) {
-    if (pin_count != 1) return type;
+    if (pin_count != 1 || type == CellType::inverter) return type;
     const bool inverts = type == CellType::nand_gate || type == CellType::nor_gate;
     return inverts ? CellType::inverter : CellType::buffer;
 }

@@ -164,7 +164,8 @@ void NetlistAssembly::find_clock() {
 
 std::optional<Netlist> NetlistAssembly::finish() {
     name_inner_nets();
-    check_drivers();
+    // Cells that were refused leave nets without drivers; that need not be said as well.
+    if (!diagnostics_.has_errors()) check_drivers();
     find_clock();
     if (diagnostics_.has_errors()) return std::nullopt;
     for (const Net& net : nets_) netlist_.names.add(net.name);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <sstream>
+
 #include "command/csv.h"
 #include "command/run_program.h"
 
@@ -186,6 +188,32 @@ TEST_CASE("--modes off: the netlist starts in the initial situation and has no I
         CHECK(ran.status == 0);
         CHECK(ran.out == grafwire_with({"run", chart, stim}).out);
     }
+}
+
+TEST_CASE("netlist --stim: a deck looks at the instants of the reference, or at the scans") {
+    const std::string chart = example("rule-5.grafcet");
+    const std::string stim = example("rule-5.stim");
+    const auto samples = [&](const std::string& style, const std::string& period) {
+        const ScratchFolder folder;
+        const Ran made =
+            grafwire_with({"netlist", chart, "--style", style, "--to", "spice", "--stim", stim,
+                           "--scan", period, "-o", folder.path("deck.cir")});
+        CHECK(made.status == 0);
+        const std::string out = run_program({"ngspice", "-b", folder.path("deck.cir")}).out;
+        // Rows in which the sampling node, the first, has come back to 0; there is one at the
+        // start.
+        std::size_t count = 0;
+        std::istringstream lines(out.substr(out.find("Time or Step")));
+        for (std::string line, moment, sample; std::getline(lines, line);) {
+            std::istringstream words(line);
+            if (words >> moment >> sample && sample == "0s") ++count;
+        }
+        return count - 1;
+    };
+    const std::string trace = grafwire_with({"run", chart, stim}).out;
+    CHECK(samples("nand", "100ms") == read_csv(trace).size() - 1);
+    const std::string scans = grafwire_with({"run", chart, stim, "--scan", "40ms"}).out;
+    CHECK(samples("clocked", "40ms") == read_csv(scans).size() - 1);
 }
 
 }  // namespace grafwire::test

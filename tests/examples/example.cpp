@@ -124,6 +124,11 @@ const std::vector<AgreeingNetlist>& agreeing_netlists() {
     return all;
 }
 
+Trace reference_for(const AgreeingNetlist& item) {
+    if (!item.netlist.is_clocked()) return item.example->reference.trace;
+    return run_scans(item.example->grafcet, item.example->stimuli, scan_period).trace;
+}
+
 std::string ones_of(const Grafcet& grafcet, const Trace& trace, std::size_t row) {
     const std::size_t first = grafcet.all_input_count();
     const std::size_t count = grafcet.steps.size() + grafcet.outputs.size();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "command/slow_build.h"
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
@@ -11,19 +12,6 @@
 #include "trace/stimuli.h"
 
 namespace grafwire::test {
-
-/// Under the sanitizers everything takes many times longer, and some tests do less.
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool is_slow_build = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-inline constexpr bool is_slow_build = true;
-#else
-inline constexpr bool is_slow_build = false;
-#endif
-#else
-inline constexpr bool is_slow_build = false;
-#endif
 
 /// A chart of examples/ with its stimuli, and what the README says of it.
 struct Example {
@@ -54,6 +42,11 @@ struct AgreeingNetlist {
     Netlist netlist;
     std::string name() const { return example->name + " in " + std::string(style->name); }
 };
+
+/// What the reference does over the example's stimuli: until stable for gates that run freely, scan
+/// by scan for those on a clock.
+inline constexpr Time scan_period = 50 * millisecond;
+Trace reference_for(const AgreeingNetlist& item);
 
 /// All of those, example by example.
 const std::vector<AgreeingNetlist>& agreeing_netlists();

@@ -13,8 +13,6 @@ namespace grafwire::test {
 
 namespace {
 
-constexpr Time scan_period = 50 * millisecond;
-
 std::vector<CsvRow> icarus_rows(const AgreeingNetlist& item, const Bench& bench) {
     const ScratchFolder folder;
     const std::string bench_file =
@@ -29,13 +27,6 @@ std::vector<CsvRow> icarus_rows(const AgreeingNetlist& item, const Bench& bench)
     CHECK(ran.status == 0);
     CHECK(ran.err == "");
     return read_csv(ran.out);
-}
-
-/// What the reference does: until stable for gates that run freely, scan by scan for those on a
-/// clock.
-Trace reference_for(const AgreeingNetlist& item) {
-    if (!item.netlist.is_clocked()) return item.example->reference.trace;
-    return run_scans(item.example->grafcet, item.example->stimuli, scan_period).trace;
 }
 
 void check_in_icarus(const AgreeingNetlist& item) {

@@ -142,7 +142,8 @@ Netlist clocked_sample() {
         .cell(xor_gate, "X1$next", {"X1", "a"})
         .cell(flip_flop, "X1", {"X1$next", "clk"}, Logic::one);
     maker.module("late", "late = 30ms/a/10ms")
-        .cell(scan_timer, "late", {"a", "clk"}, Logic::zero, {30 * millisecond, 10 * millisecond, 0});
+        .cell(scan_timer, "late", {"a", "clk"}, Logic::zero,
+              {30 * millisecond, 10 * millisecond, 0});
     return maker.make();
 }
 
@@ -159,10 +160,34 @@ Netlist latch_without_modes() {
 }
 
 const std::vector<std::string>& odd_input_names() {
-    static const std::vector<std::string> names{
-        "H+",    "a b",  "a%20b", "a_b",  "étape", "module", "x",       "X",          "logic",
-        "1",     "a#b",  "a=b",   "a\\b", "a\\",   "a`b",    "$a",      "a$g",        "a//b",
-        "a\tb",  "null", "gnd",   "0",    "a,b",   "a/*b",   "SCAN_PS", "a\xc2\xa0" "b", ".names"};
+    static const std::vector<std::string> names{"H+",
+                                                "a b",
+                                                "a%20b",
+                                                "a_b",
+                                                "étape",
+                                                "module",
+                                                "x",
+                                                "X",
+                                                "logic",
+                                                "1",
+                                                "a#b",
+                                                "a=b",
+                                                "a\\b",
+                                                "a\\",
+                                                "a`b",
+                                                "$a",
+                                                "a$g",
+                                                "a//b",
+                                                "a\tb",
+                                                "null",
+                                                "gnd",
+                                                "0",
+                                                "a,b",
+                                                "a/*b",
+                                                "SCAN_PS",
+                                                "a\xc2\xa0"
+                                                "b",
+                                                ".names"};
     return names;
 }
 

@@ -1,5 +1,5 @@
-// The Verilog and SPICE that are written do in Icarus Verilog and ngspice what the netlist does in the
-// product's own simulation, at every instant of the examples' stimuli.
+// The Verilog and SPICE that are written do in Icarus Verilog and ngspice what the netlist does in
+// the product's own simulation, at every instant of the examples' stimuli.
 
 #include <doctest/doctest.h>
 
@@ -54,7 +54,8 @@ std::string in_icarus(const Netlist& netlist, const Bench& bench, Time scan) {
 }  // namespace
 
 TEST_CASE("examples in Icarus Verilog") {
-    for (const std::string name : {"manipulator", "manipulator-modes", "positioning-axis", "nine-steps"}) {
+    for (const std::string name :
+         {"manipulator", "manipulator-modes", "positioning-axis", "nine-steps"}) {
         CAPTURE(name);
         Diagnostics diagnostics;
         const std::optional<Grafcet> grafcet =
@@ -66,13 +67,15 @@ TEST_CASE("examples in Icarus Verilog") {
         for (const bool modes : {true, false}) {
             CAPTURE(modes);
             Equations equations = equations_from(*grafcet, {CdxForm::successor, modes});
-            const std::optional<Netlist> netlist = netlist_from(equations, Style::nand, diagnostics);
+            const std::optional<Netlist> netlist =
+                netlist_from(equations, Style::nand, diagnostics);
             REQUIRE(netlist.has_value());
             const SimulateResult result =
                 simulate(*grafcet, *netlist, unit_delays(*netlist), *stimuli, {});
             REQUIRE_FALSE(result.unsettled_at.has_value());
             const Bench bench = bench_from(*netlist, *stimuli, result.trace.times);
-            CHECK(in_icarus(*netlist, bench, millisecond) == outputs_of(result.trace, *grafcet, *netlist));
+            CHECK(in_icarus(*netlist, bench, millisecond) ==
+                  outputs_of(result.trace, *grafcet, *netlist));
         }
         Equations equations = equations_from(*grafcet, {CdxForm::transition, true});
         const std::optional<Netlist> clocked = netlist_from(equations, Style::clocked, diagnostics);

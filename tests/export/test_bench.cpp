@@ -1,7 +1,6 @@
-#include "export/bench.h"
-
 #include <doctest/doctest.h>
 
+#include "export/bench.h"
 #include "export/sample_netlists.h"
 
 using namespace grafwire;
@@ -29,7 +28,8 @@ std::string described(const Netlist& netlist, const std::vector<BenchEvent>& eve
 TEST_CASE("a bench starts with Init, and only changes are events") {
     const Netlist netlist = nand_sequencer();  // a, b, c, Init
     Bench bench;
-    bench.changes = {{0, {{0, true}, {0, true}}}, {10 * ms, {{0, true}, {1, true}}}, {15 * ms, {{1, false}}}};
+    bench.changes = {
+        {0, {{0, true}, {0, true}}}, {10 * ms, {{0, true}, {1, true}}}, {15 * ms, {{1, false}}}};
     bench.instants = {0, 10 * ms, 20 * ms};
     CHECK(starting_inputs(netlist, bench) == std::vector<bool>{true, false, false, true});
     CHECK(described(netlist, bench_events(netlist, bench)) ==

@@ -54,7 +54,8 @@ TEST_CASE("a format is told apart from the netlist as a list") {
 }
 
 TEST_CASE("flip-flops cut the loops in the figures") {
-    CHECK(exported(clocked_sample(), "stats") == R"(clocked: 3 cells, 6 nets, 6 pins, 3 inputs, 2 outputs
+    CHECK(exported(clocked_sample(), "stats") ==
+          R"(clocked: 3 cells, 6 nets, 6 pins, 3 inputs, 2 outputs
 
 cells by type
          1 XOR gate

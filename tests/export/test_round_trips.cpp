@@ -1,5 +1,5 @@
-// What is written and read back must be the same netlist, and what other tools make of it must still
-// be readable.
+// What is written and read back must be the same netlist, and what other tools make of it must
+// still be readable.
 
 #include <doctest/doctest.h>
 
@@ -21,7 +21,8 @@ using namespace grafwire;
 
 namespace {
 
-/// The cells and ports as text; modules are not kept by the formats, nor the order of initial values.
+/// The cells and ports as text; modules are not kept by the formats, nor the order of initial
+/// values.
 std::string essence(const Netlist& netlist) {
     std::istringstream text(write_netlist_text(netlist));
     std::string result;
@@ -78,16 +79,17 @@ std::string file_text(const std::string& path) {
     return text.str();
 }
 
-constexpr std::string_view examples[] = {"manipulator",  "manipulator-modes", "positioning-axis",
-                                         "press",        "rule-5",            "nine-steps",
-                                         "batch-counter"};
+constexpr std::string_view examples[] = {
+    "manipulator", "manipulator-modes", "positioning-axis", "press",
+    "rule-5",      "nine-steps",        "batch-counter"};
 
 /// Every example in every style that can hold it.
 template <typename Visit>
 void for_each_example(const Visit& visit) {
     std::size_t count = 0;
     for (const std::string_view name : examples) {
-        const SourceFile source{std::string(name), file_text("examples/" + std::string(name) + ".grafcet")};
+        const SourceFile source{std::string(name),
+                                file_text("examples/" + std::string(name) + ".grafcet")};
         Diagnostics diagnostics;
         const std::optional<Grafcet> grafcet = parse_grafcet(source, diagnostics);
         REQUIRE(grafcet.has_value());
@@ -95,7 +97,8 @@ void for_each_example(const Visit& visit) {
             for (const bool modes : {true, false}) {
                 Equations equations = equations_from(*grafcet, {style.default_cdx, modes});
                 Diagnostics refusals;
-                const std::optional<Netlist> netlist = netlist_from(equations, style.style, refusals);
+                const std::optional<Netlist> netlist =
+                    netlist_from(equations, style.style, refusals);
                 if (!netlist) continue;
                 CAPTURE(name);
                 CAPTURE(style.name);
@@ -157,7 +160,8 @@ TEST_CASE("an output that shares its net") {
     check_same(netlist, read_back_json(write_yosys_json(netlist)));
     // BLIF has no second names, so the copy is a buffer.
     CHECK(essence(read_back_blif(write_blif(netlist))) ==
-          "netlist shared\ninput a\noutput X1 = X1\noutput copy = copy\n  copy = buf(X1)\n  X1 = not(a)\n");
+          "netlist shared\ninput a\noutput X1 = X1\noutput copy = copy\n  copy = buf(X1)\n  X1 = "
+          "not(a)\n");
 }
 
 TEST_CASE("black boxes have names of their own") {
@@ -177,7 +181,8 @@ TEST_CASE("Yosys reads what is written, and what it writes is read") {
             "yosys -q -p 'read_json in.json; hierarchy -check; check; stat; write_json out.json'");
         CHECK(json.status == 0);
         const auto blif = tools.run(
-            "yosys -q -p 'read_blif in.blif; hierarchy -check; check; simplemap; write_blif -attr out.blif'");
+            "yosys -q -p 'read_blif in.blif; hierarchy -check; check; simplemap; write_blif -attr "
+            "out.blif'");
         CHECK(blif.status == 0);
         const Netlist from_json = read_back_json(tools.read("out.json"));
         const Netlist from_blif = read_back_blif(tools.read("out.blif"));
@@ -190,9 +195,11 @@ TEST_CASE("Yosys reads what is written, and what it writes is read") {
 
 TEST_CASE("what Yosys and ABC make of a clocked netlist is read") {
     ToolRunner tools;
-    tools.write("in.blif", write_blif(read_back_blif(
-                               ".model m\n.inputs a clk\n.outputs X1 X2\n.names a X1 d\n10 1\n01 1\n"
-                               ".latch d X1 re clk 1\n.names X1 X2 a e\n1-1 1\n-10 1\n.latch e X2 re clk 0\n.end\n")));
+    tools.write(
+        "in.blif",
+        write_blif(read_back_blif(
+            ".model m\n.inputs a clk\n.outputs X1 X2\n.names a X1 d\n10 1\n01 1\n"
+            ".latch d X1 re clk 1\n.names X1 X2 a e\n1-1 1\n-10 1\n.latch e X2 re clk 0\n.end\n")));
     CHECK(tools.run("yosys -q -p 'read_blif in.blif; synth; write_json out.json'").status == 0);
     const Netlist yosys = read_back_json(tools.read("out.json"));
     CHECK(yosys.is_clocked());

@@ -61,20 +61,23 @@ using Rows = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("the sequencer in ngspice") {
-    const Bench bench = bench_of(
-        {{0, {}}, {10 * ms, {{0, true}}}, {20 * ms, {{1, true}}}, {30 * ms, {{0, false}, {2, true}}}},
-        {0, 10 * ms, 20 * ms, 30 * ms});
+    const Bench bench = bench_of({{0, {}},
+                                  {10 * ms, {{0, true}}},
+                                  {20 * ms, {{1, true}}},
+                                  {30 * ms, {{0, false}, {2, true}}}},
+                                 {0, 10 * ms, 20 * ms, 30 * ms});
     CHECK(sampled(nand_sequencer(), bench) == Rows{"1000", "0101", "0011", "1000"});
 }
 
 TEST_CASE("latch, pulse and timer cells in ngspice") {
-    const Bench bench = bench_of({{0, {{1, true}, {2, true}}},
-                                  {5 * ms, {{0, true}}},
-                                  {20 * ms, {{2, false}}},
-                                  {30 * ms, {{2, true}}},
-                                  {40 * ms, {{1, false}}},
-                                  {50 * ms, {{2, false}}}},
-                                 {0, 5 * ms, 19 * ms, 30 * ms, 40 * ms, 49 * ms, 50 * ms, 51 * ms, 52 * ms});
+    const Bench bench =
+        bench_of({{0, {{1, true}, {2, true}}},
+                  {5 * ms, {{0, true}}},
+                  {20 * ms, {{2, false}}},
+                  {30 * ms, {{2, true}}},
+                  {40 * ms, {{1, false}}},
+                  {50 * ms, {{2, false}}}},
+                 {0, 5 * ms, 19 * ms, 30 * ms, 40 * ms, 49 * ms, 50 * ms, 51 * ms, 52 * ms});
     Rows rows = sampled(all_asynchronous_cells(), bench);
     for (std::string& row : rows) row = {row[9], row[10], row[13]};
     CHECK(rows == Rows{"010", "110", "110", "110", "000", "000", "001", "001", "000"});
@@ -87,15 +90,16 @@ TEST_CASE("ten seconds with gates of nanoseconds") {
 }
 
 TEST_CASE("a latch without modes starts at its initial value in ngspice") {
-    const Bench bench =
-        bench_of({{ms, {{1, true}}}, {2 * ms, {{1, false}}}, {3 * ms, {{0, true}}}}, {0, ms, 2 * ms, 3 * ms});
+    const Bench bench = bench_of({{ms, {{1, true}}}, {2 * ms, {{1, false}}}, {3 * ms, {{0, true}}}},
+                                 {0, ms, 2 * ms, 3 * ms});
     CHECK(sampled(latch_without_modes(), bench) == Rows{"1", "0", "0", "1"});
 }
 
 TEST_CASE("a flip-flop in ngspice, over more instants than one list holds") {
     NetlistMaker maker("toggle");
     maker.input("clk").output("X1");
-    maker.cell(CellType::inverter, "d", {"X1"}).cell(CellType::flip_flop, "X1", {"d", "clk"}, Logic::one);
+    maker.cell(CellType::inverter, "d", {"X1"})
+        .cell(CellType::flip_flop, "X1", {"d", "clk"}, Logic::one);
     Bench bench;
     Rows expected;
     for (int i = 0; i < 60; ++i) {
@@ -115,10 +119,12 @@ TEST_CASE("gates of more inputs than one list holds, and more outputs than one t
     maker.output("all").output("none").output("odd");
     maker.cell(CellType::and_gate, "all", pins).cell(CellType::nor_gate, "none", pins);
     maker.cell(CellType::xor_gate, "odd", pins);
-    for (const std::string& pin : pins) maker.output("/" + pin).cell(CellType::inverter, "/" + pin, {pin});
+    for (const std::string& pin : pins)
+        maker.output("/" + pin).cell(CellType::inverter, "/" + pin, {pin});
     std::vector<Bench::Assignment> all;
     for (std::uint32_t i = 0; i < 120; ++i) all.push_back({i, true});
-    const Rows rows = sampled(maker.make(), bench_of({{ms, {{7, true}}}, {2 * ms, all}}, {0, ms, 2 * ms}));
+    const Rows rows =
+        sampled(maker.make(), bench_of({{ms, {{7, true}}}, {2 * ms, all}}, {0, ms, 2 * ms}));
     const std::string ones(120, '1');
     CHECK(rows == Rows{"010" + ones, "001" + ones.substr(0, 7) + "0" + ones.substr(8),
                        "100" + std::string(120, '0')});

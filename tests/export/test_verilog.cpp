@@ -54,26 +54,30 @@ TEST_CASE("identifiers keep their spelling where Verilog can hold it") {
 
 TEST_CASE("the sequencer in Icarus Verilog") {
     // a at 10 ms, b at 20 ms, c at 30 ms; c takes the token back to 0, where a is still 1.
-    const Bench bench =
-        bench_of({{0, {}}, {10 * ms, {{0, true}}}, {20 * ms, {{1, true}}}, {30 * ms, {{0, false}, {2, true}}}},
-                 {0, 10 * ms, 20 * ms, 30 * ms});
+    const Bench bench = bench_of({{0, {}},
+                                  {10 * ms, {{0, true}}},
+                                  {20 * ms, {{1, true}}},
+                                  {30 * ms, {{0, false}, {2, true}}}},
+                                 {0, 10 * ms, 20 * ms, 30 * ms});
     CHECK(simulated(nand_sequencer(), bench) ==
           "time_ms,X0,X1,X2,lamp\n0,1,0,0,0\n10,0,1,0,1\n20,0,0,1,1\n30,1,0,0,0\n");
 }
 
 TEST_CASE("latch, pulse and timer cells in Icarus Verilog") {
-    const Bench bench = bench_of({{0, {{1, true}, {2, true}}},  // c: the timer starts at 0
-                                  {5 * ms, {{0, true}}},        // rise of a sets the latch
-                                  {20 * ms, {{2, false}}},      // c falls as the timer ends
-                                  {30 * ms, {{2, true}}},
-                                  {40 * ms, {{1, false}}},      // fall of b resets it
-                                  {50 * ms, {{2, false}}}},
-                                 {0, 5 * ms, 19 * ms, 20 * ms, 30 * ms, 40 * ms, 49 * ms, 50 * ms, 51 * ms, 52 * ms});
+    const Bench bench = bench_of(
+        {{0, {{1, true}, {2, true}}},  // c: the timer starts at 0
+         {5 * ms, {{0, true}}},        // rise of a sets the latch
+         {20 * ms, {{2, false}}},      // c falls as the timer ends
+         {30 * ms, {{2, true}}},
+         {40 * ms, {{1, false}}},  // fall of b resets it
+         {50 * ms, {{2, false}}}},
+        {0, 5 * ms, 19 * ms, 20 * ms, 30 * ms, 40 * ms, 49 * ms, 50 * ms, 51 * ms, 52 * ms});
     const std::string output = simulated(all_asynchronous_cells(), bench);
     // Columns kept, held, late.
     std::string rows;
     std::size_t line = 0;
-    for (std::size_t end = output.find('\n'); end != std::string::npos; end = output.find('\n', line)) {
+    for (std::size_t end = output.find('\n'); end != std::string::npos;
+         end = output.find('\n', line)) {
         const std::string text = output.substr(line, end - line);
         std::vector<std::string> cells(1);
         for (const char c : text) {
@@ -104,12 +108,14 @@ TEST_CASE("gates in Icarus Verilog") {
     const char* expected[] = {"0,0,1,0,1,0,0,1,1,0", "1,0,1,0,1,0,1,1,0,1", "2,0,1,0,1,0,1,1,0,1",
                               "3,0,1,0,1,0,1,1,0,0", "4,0,1,1,0,0,1,1,0,1", "5,0,1,1,0,0,1,1,0,0",
                               "6,0,1,1,0,0,1,1,0,0", "7,0,1,1,0,1,1,0,0,1"};
-    for (const char* row : expected) CHECK(output.find(std::string("\n") + row + ",") != std::string::npos);
+    for (const char* row : expected)
+        CHECK(output.find(std::string("\n") + row + ",") != std::string::npos);
 }
 
 TEST_CASE("a timer counts from the start of the stimuli, and a return starts it anew") {
     NetlistMaker maker("timed");
-    maker.input("a").output("q").cell(CellType::timer, "q", {"a"}, Logic::zero, {10 * ms, 4 * ms, 0});
+    maker.input("a").output("q").cell(CellType::timer, "q", {"a"}, Logic::zero,
+                                      {10 * ms, 4 * ms, 0});
     const Bench bench = bench_of({{0, {{0, true}}},
                                   {30 * ms, {{0, false}}},
                                   {33 * ms, {{0, true}}},
@@ -149,7 +155,8 @@ TEST_CASE("a pulse begun again lasts on") {
         .cell(and_gate, "both", {"p", "t"})
         .cell(low, "never", {})
         .cell(latch, "seen", {"both", "never"}, Logic::zero);
-    CHECK(simulated(maker.make(), bench_of({{ms, {{0, true}}}}, {0, ms})) == "time_ms,seen\n0,0\n1,1\n");
+    CHECK(simulated(maker.make(), bench_of({{ms, {{0, true}}}}, {0, ms})) ==
+          "time_ms,seen\n0,0\n1,1\n");
 }
 
 TEST_CASE("the clocked sample in Icarus Verilog, scan by scan") {
@@ -167,8 +174,8 @@ TEST_CASE("the clocked sample in Icarus Verilog, scan by scan") {
 }
 
 TEST_CASE("the initial values of a netlist without modes") {
-    const Bench bench =
-        bench_of({{ms, {{1, true}}}, {2 * ms, {{1, false}}}, {3 * ms, {{0, true}}}}, {0, ms, 2 * ms, 3 * ms});
+    const Bench bench = bench_of({{ms, {{1, true}}}, {2 * ms, {{1, false}}}, {3 * ms, {{0, true}}}},
+                                 {0, ms, 2 * ms, 3 * ms});
     CHECK(simulated(latch_without_modes(), bench) == "time_ms,X1\n0,1\n1,0\n2,0\n3,1\n");
 }
 
@@ -180,7 +187,9 @@ TEST_CASE("odd names pass through Icarus Verilog and Yosys") {
     CHECK(output.find("\n" + expected + "\n") != std::string::npos);
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(odd_names()));
-    CHECK(tools.run("yosys -q -p 'read_verilog netlist.v; hierarchy -check -auto-top; proc; check -assert'")
+    CHECK(tools
+              .run("yosys -q -p 'read_verilog netlist.v; hierarchy -check -auto-top; proc; check "
+                   "-assert'")
               .status == 0);
 }
 
@@ -189,7 +198,8 @@ TEST_CASE("the test bench notices that it stands after the netlist") {
     tools.write("netlist.v", write_verilog(latch_without_modes()));
     tools.write("bench.v", write_verilog_testbench(latch_without_modes(), idle_bench()));
     CHECK(tools.run("iverilog -o run netlist.v bench.v").status == 0);
-    CHECK(tools.run("vvp -n run").output.find("The test bench must stand before the netlist.") == 0);
+    CHECK(tools.run("vvp -n run").output.find("The test bench must stand before the netlist.") ==
+          0);
 }
 
 TEST_CASE("helpers and blocks do not clash with the name of the GRAFCET") {
@@ -247,8 +257,8 @@ TEST_CASE("parameters and initial values reach into the blocks") {
         off += ",0";
         on += ",1";
     }
-    const std::string output =
-        simulated(netlist, bench_of({{0, {{0, true}}}}, {0, 5 * ms, 10 * ms, 15 * ms, 20 * ms}), 5 * ms);
+    const std::string output = simulated(
+        netlist, bench_of({{0, {{0, true}}}}, {0, 5 * ms, 10 * ms, 15 * ms, 20 * ms}), 5 * ms);
     CHECK(output.find("\n15" + off + "\n20" + on + "\n") != std::string::npos);
 }
 
@@ -256,7 +266,8 @@ TEST_CASE("Yosys finds a clocked netlist whole and makes logic of it") {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(clocked_sample()));
     const auto result = tools.run(
-        "yosys -q -p 'read_verilog netlist.v; hierarchy -check -top clocked; proc; flatten; check -assert; "
+        "yosys -q -p 'read_verilog netlist.v; hierarchy -check -top clocked; proc; flatten; check "
+        "-assert; "
         "synth; check -assert; stat'");
     CHECK(result.output == "");
     CHECK(result.status == 0);
@@ -265,6 +276,8 @@ TEST_CASE("Yosys finds a clocked netlist whole and makes logic of it") {
 TEST_CASE("Yosys reads asynchronous netlists, what knows of time as black boxes") {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(all_asynchronous_cells()));
-    CHECK(tools.run("yosys -q -p 'read_verilog netlist.v; hierarchy -check -top all_cells; proc; check'")
+    CHECK(tools
+              .run("yosys -q -p 'read_verilog netlist.v; hierarchy -check -top all_cells; proc; "
+                   "check'")
               .status == 0);
 }

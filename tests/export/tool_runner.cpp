@@ -35,8 +35,8 @@ std::string ToolRunner::read(const std::string& file) const {
 }
 
 ToolRunner::Result ToolRunner::run(const std::string& command) const {
-    const std::string line = "cd '" + directory_ + "' && ( ulimit -c 0; timeout 60 sh -c \"" + command +
-                             "\" ) > output.txt 2>&1 < /dev/null";
+    const std::string line = "cd '" + directory_ + "' && ( ulimit -c 0; timeout 60 sh -c \"" +
+                             command + "\" ) > output.txt 2>&1 < /dev/null";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("output.txt")};
 }
