@@ -1,10 +1,10 @@
 // The Verilog modules behind cells that no Verilog primitive covers. They tell unknown from known
 // like the gates do, and a gate delay stands behind each.
 //
-// Delays count from a moment that a test bench can set: GRAFWIRE_START, before which the netlist is
-// being initialised, and GRAFWIRE_INSTANT, the moment of the last change of the inputs. A delay
-// then ends exactly at the moment the reference evolution gives for it, not the few nanoseconds
-// later that the gates before the timer have taken.
+// A test bench can set two moments: GRAFWIRE_START, before which the netlist is being initialised
+// and memories keep their initial values, and GRAFWIRE_INSTANT, the moment of the last change of
+// the inputs, from which delays count. A delay then ends exactly at the moment the reference
+// evolution gives for it, not the few nanoseconds later that the gates before the timer have taken.
 
 #include "export/verilog_helpers.h"
 
@@ -27,11 +27,16 @@ constexpr std::array<Helper, 7> helpers{{
 // Latch: s sets, r resets, both at once set.
 module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
   reg m;
-  initial m = INIT;
 `ifdef SYNTHESIS
+  initial m = INIT;
   always @(s or r) if (s) m = 1'b1; else if (r) m = 1'b0;
 `else
-  always @(s or r) m = s | (~r & m);
+  reg started;
+  initial begin
+    m = INIT; started = 0;
+    #(64'd1000 * `GRAFWIRE_START) started = 1;
+  end
+  always @(s or r or started) if (started) m = s | (~r & m);
 `endif
   assign #1000 q = m;
 endmodule
@@ -40,11 +45,16 @@ endmodule
 // Hold latch: follows d while e is 1.
 module %hold #(parameter INIT = 1'bx) (input d, input e, output q);
   reg m;
-  initial m = INIT;
 `ifdef SYNTHESIS
+  initial m = INIT;
   always @(d or e) if (e) m = d;
 `else
-  always @(d or e) m = e ? d : m;
+  reg started;
+  initial begin
+    m = INIT; started = 0;
+    #(64'd1000 * `GRAFWIRE_START) started = 1;
+  end
+  always @(d or e or started) if (started) m = e ? d : m;
 `endif
   assign #1000 q = m;
 endmodule
@@ -97,22 +107,29 @@ endmodule
 `endif
 module %timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
 `ifndef SYNTHESIS
-  reg m, started;
+  reg m, started, waiting, target;
   integer begun, due;
-  reg [63:0] end_time;
+  reg [63:0] delay, end_time;
   initial begin
-    m = INIT; started = 0; begun = 0; due = 0;
+    m = INIT; started = 0; waiting = 0; begun = 0; due = -1;
     #(64'd1000 * `GRAFWIRE_START) started = 1;
   end
   always @(a or started) if (started) begin
-    begun = begun + 1;
-    if (a !== m && (a ? RISE_PS : FALL_PS) == 0) m <= #1000 a;
-    else if (a !== m) begin
-      end_time = `GRAFWIRE_INSTANT + (a ? RISE_PS : FALL_PS);
+    // A delay that ends at the very moment at which a changes has ended.
+    if (waiting && end_time == $time) m = target;
+    waiting = a !== m;
+    if (waiting) begin
+      begun = begun + 1;
+      target = a;
+      delay = a ? RISE_PS : FALL_PS;
+      end_time = delay == 0 ? $time + 1000 : `GRAFWIRE_INSTANT + delay;
       due <= #(end_time > $time ? end_time - $time : 64'd0) begun;
     end
   end
-  always @(due) if (due == begun) m = a;
+  always @(due) if (waiting && due == begun) begin
+    m = target;
+    waiting = 0;
+  end
   assign q = m;
 `endif
 endmodule
@@ -169,7 +186,8 @@ void append_verilog_helpers(std::string& out, const Netlist& netlist, std::strin
 }
 
 bool needs_verilog_start(const Netlist& netlist) {
-    return !netlist.initial_values.empty() || has_cell(netlist, CellType::timer);
+    return !netlist.initial_values.empty() || has_cell(netlist, CellType::timer) ||
+           has_cell(netlist, CellType::latch) || has_cell(netlist, CellType::hold_latch);
 }
 
 void append_verilog_start(std::string& out) {

@@ -12,7 +12,7 @@ namespace grafwire {
 void append_verilog_helpers(std::string& out, const Netlist& netlist, std::string_view prefix);
 
 /// Whether the netlist needs the macros GRAFWIRE_START and GRAFWIRE_INSTANT: where it has initial
-/// values to hold at first or delays to count.
+/// values to hold at first (other than flip-flops') or delays to count.
 bool needs_verilog_start(const Netlist& netlist);
 
 /// Writes the defaults of those macros.

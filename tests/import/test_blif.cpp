@@ -157,8 +157,7 @@ TEST_CASE("refusals name the place and the cause") {
           "x.blif:5:1: error: expected a row of 2 characters 0, 1 or - and a 0 or 1\n1x 1\n^\n");
     CHECK(error_of(".names a b y\n11 1\n00 0") ==
           "x.blif:6:4: error: the rows of one .names must end alike, all 0 or all 1\n00 0\n   ^\n");
-    CHECK(error_of(".names") ==
-          "x.blif:4:1: error: .names without an output\n.names\n^\n");
+    CHECK(error_of(".names") == "x.blif:4:1: error: .names without an output\n.names\n^\n");
     CHECK(error_of(".names a z y\n11 1") ==
           "x.blif:4:10: error: net 'z' has no driver: it is neither an input nor the output of a "
           "cell\n"
@@ -206,8 +205,7 @@ TEST_CASE("refusals name the place and the cause") {
           "x.blif:4:1: error: '.exdc' is not supported\n.exdc\n^\n");
     CHECK(error_of(".names a y\n1 1\n.outputs y") ==
           "x.blif:6:10: error: output 'y' is listed twice\n.outputs y\n         ^\n");
-    CHECK(error_of("hello") ==
-          "x.blif:4:1: error: 'hello' is no BLIF command\nhello\n^\n");
+    CHECK(error_of("hello") == "x.blif:4:1: error: 'hello' is no BLIF command\nhello\n^\n");
     CHECK(read("") == "x.blif: error: there is no .model in the file\n");
     CHECK(read("module m; endmodule") ==
           "x.blif:1:1: error: expected .model at the start of the netlist\nmodule m; endmodule\n^\n"
