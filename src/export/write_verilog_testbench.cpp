@@ -76,8 +76,8 @@ void BenchWriter::write_instance() {
     const std::vector<bool> values = starting_inputs(netlist_, bench_);
     append(out_, "  reg [", std::max<std::size_t>(values.size(), 1) - 1, ":0] in;\n");
     append(out_, "  wire [", std::max<std::size_t>(netlist_.outputs.size(), 1) - 1, ":0] out;\n");
-    append(out_, "  reg [63:0] instant;\n  integer i;\n\n  initial begin\n");
-    append(out_, "    instant = 64'd", start_, ";\n");
+    append(out_, "  reg [63:0] instant;\n  integer i, changes;\n\n  initial begin\n");
+    append(out_, "    instant = 64'd", start_, ";\n    changes = 0;\n");
     for (std::size_t i = 0; i < values.size(); ++i) {
         append(out_, "    in[", i, "] = ", values[i] ? '1' : '0', ";  // ");
         append_comment(out_, netlist_.inputs[i].name);
@@ -111,6 +111,13 @@ void BenchWriter::write_instance() {
 void BenchWriter::write_row_task() {
     append(out_, "\n  task row;\n    begin\n      for (i = 0; i < ", netlist_.outputs.size(),
            "; i = i + 1) $write(\",%b\", out[i]);\n      $write(\"\\n\");\n    end\n  endtask\n");
+    // More changes within an instant than any evolution makes; without this an oscillation would go
+    // on until the next instant, nanosecond by nanosecond.
+    append(out_, "\n  always @(out) begin\n    changes = changes + 1;\n    if (changes > ",
+           100'000 + 10 * netlist_.outputs.size(),
+           ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      "
+           "$finish;\n"
+           "    end\n  end\n");
 }
 
 void BenchWriter::write_header_row() {
@@ -149,7 +156,7 @@ void BenchWriter::write_cycles(Time half_period) {
 void BenchWriter::write_event(const BenchEvent& event) {
     append(out_, "    // ", format_milliseconds(event.at), " ms\n");
     wait_until(event.at);
-    append(out_, "    instant = 64'd", start_ + event.at, ";\n");
+    append(out_, "    instant = 64'd", start_ + event.at, ";\n    changes = 0;\n");
     for (const Bench::Assignment& assignment : event.assignments) {
         append(out_, "    in[", assignment.input, "] = ", assignment.value ? '1' : '0', ";\n");
     }

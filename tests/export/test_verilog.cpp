@@ -192,6 +192,13 @@ TEST_CASE("odd names pass through Icarus Verilog and Yosys") {
               .status == 0);
 }
 
+TEST_CASE("a netlist that does not settle ends the run") {
+    NetlistMaker maker("oscillator");
+    maker.input("a").output("y").cell(CellType::nand_gate, "y", {"y", "a"});
+    CHECK(simulated(maker.make(), bench_of({{hour, {{0, true}}}}, {0, hour, 2 * hour})) ==
+          "time_ms,y\n0,1\nThe netlist does not settle.\n");
+}
+
 TEST_CASE("the test bench notices that it stands after the netlist") {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(latch_without_modes()));

@@ -1,8 +1,9 @@
-// tools/bench [--quick] [--no-icarus] [SECTION…]: measures what the product is to be fast at.
-// Sections: pipeline, evolution, cases, events; all where none is named.
+// tools/bench [--quick] [--steps N] [--no-icarus] [SECTION…]: measures what the product is to be
+// fast at. Sections: pipeline, evolution, cases, events; all where none is named.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -17,6 +18,10 @@ int main(int argc, char** argv) {
         if (word == "--quick") {
             options.sizes = {1'000, 10'000, 100'000};
             options.largest_for_icarus = 10'000;
+        } else if (word == "--steps" && i + 1 < argc) {
+            // A multiple of eight, for the ring.
+            const std::size_t steps = std::max<std::size_t>(16, std::stoul(argv[++i]) / 8 * 8);
+            options.sizes = options.event_sizes = {steps};
         } else if (word == "--no-icarus") {
             options.largest_for_icarus = 0;
         } else if (word == "pipeline" || word == "evolution" || word == "cases" ||
@@ -24,7 +29,8 @@ int main(int argc, char** argv) {
             sections.insert(word);
         } else {
             fmt::print(stderr,
-                       "usage: bench [--quick] [--no-icarus] [pipeline|evolution|cases|events]…\n");
+                       "usage: bench [--quick] [--steps N] [--no-icarus] "
+                       "[pipeline|evolution|cases|events]…\n");
             return 2;
         }
     }
