@@ -172,22 +172,29 @@ endmodule
 `endif
 module grafwire_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
 `ifndef SYNTHESIS
-  reg m, started;
+  reg m, started, waiting, target;
   integer begun, due;
-  reg [63:0] end_time;
+  reg [63:0] delay, end_time;
   initial begin
-    m = INIT; started = 0; begun = 0; due = -1;
+    m = INIT; started = 0; waiting = 0; begun = 0; due = -1;
     #(64'd1000 * `GRAFWIRE_START) started = 1;
   end
   always @(a or started) if (started) begin
-    begun = begun + 1;
-    if (a !== m && (a ? RISE_PS : FALL_PS) == 0) m <= #1000 a;
-    else if (a !== m) begin
-      end_time = `GRAFWIRE_INSTANT + (a ? RISE_PS : FALL_PS);
+    // A delay that ends at the very moment at which a changes has ended.
+    if (waiting && end_time == $time) m = target;
+    waiting = a !== m;
+    if (waiting) begin
+      begun = begun + 1;
+      target = a;
+      delay = a ? RISE_PS : FALL_PS;
+      end_time = delay == 0 ? $time + 1000 : `GRAFWIRE_INSTANT + delay;
       due <= #(end_time > $time ? end_time - $time : 64'd0) begun;
     end
   end
-  always @(due) if (due == begun) m = a;
+  always @(due) if (waiting && due == begun) begin
+    m = target;
+    waiting = 0;
+  end
   assign q = m;
 `endif
 endmodule

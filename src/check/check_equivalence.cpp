@@ -176,17 +176,17 @@ void Exploration::leave(const Node& node) {
 
 /// All cases of one instant: see reference_case.cpp for how the inputs are split.
 void Exploration::explore_instant(const Node* node, const std::vector<std::uint32_t>& ended) {
-    std::vector<PartialInputs> todo{all_open()};
-    while (!todo.empty() && !done_) {
-        const PartialInputs inputs = std::move(todo.back());
-        todo.pop_back();
+    std::vector<PartialInputs> remaining{all_open()};
+    while (!remaining.empty() && !done_) {
+        const PartialInputs inputs = std::move(remaining.back());
+        remaining.pop_back();
         if (!assumptions_.can_hold(inputs)) continue;
         const ReferenceOutcome outcome =
             reference_.run(node == nullptr ? nullptr : &node->reference, ended, inputs);
         PartialInputs other = inputs;
         for (const std::uint32_t input : outcome.closed) {
             other[input] = Logic::one;
-            todo.push_back(other);
+            remaining.push_back(other);
             other[input] = Logic::zero;
         }
         if (assumptions_.can_hold(outcome.inputs)) compare(node, ended, outcome);
@@ -209,10 +209,10 @@ void Exploration::count_case(bool stable) {
 void Exploration::compare(const Node* node, const std::vector<std::uint32_t>& ended,
                           const ReferenceOutcome& expected) {
     const PartialInputs& left = node == nullptr ? expected.inputs : node->inputs;
-    std::vector<PathStep> todo{{left, expected.inputs, ended}};
-    while (!todo.empty() && !done_) {
-        PathStep step = std::move(todo.back());
-        todo.pop_back();
+    std::vector<PathStep> remaining{{left, expected.inputs, ended}};
+    while (!remaining.empty() && !done_) {
+        PathStep step = std::move(remaining.back());
+        remaining.pop_back();
         if (node == nullptr) step.before = step.inputs;
         if (!assumptions_.can_hold(step.inputs) || !assumptions_.can_hold(step.before)) continue;
         if (!expected.stable) {
@@ -228,7 +228,7 @@ void Exploration::compare(const Node* node, const std::vector<std::uint32_t>& en
             PartialInputs& split = outcome.split_before ? step.before : step.inputs;
             for (const Logic value : {Logic::one, Logic::zero}) {
                 split[outcome.split] = value;
-                todo.push_back(step);
+                remaining.push_back(step);
             }
             continue;
         }

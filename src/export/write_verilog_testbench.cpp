@@ -114,7 +114,7 @@ void BenchWriter::write_row_task() {
     // More changes within an instant than any evolution makes; without this an oscillation would go
     // on until the next instant, nanosecond by nanosecond.
     append(out_, "\n  always @(out) begin\n    changes = changes + 1;\n    if (changes > ",
-           100'000 + 10 * netlist_.outputs.size(),
+           10'000 + 10 * netlist_.outputs.size(),
            ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      "
            "$finish;\n"
            "    end\n  end\n");

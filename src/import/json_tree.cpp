@@ -59,7 +59,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         if (open_.empty()) return root;
         JsonValue& parent = *open_.back();
         if (parent.kind == JsonValue::Kind::array) return parent.items.emplace_back();
-        return parent.members.emplace_back(std::move(key_), JsonValue()).second;
+        parent.members.push_back({std::move(key_), JsonValue()});
+        return parent.members.back().value;
     }
     bool add(JsonValue::Kind kind, std::string text) {
         JsonValue& value = place();

@@ -3,12 +3,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "text/diagnostics.h"
 
 namespace grafwire {
+
+struct JsonMember;
 
 /// A JSON value with the members of its objects in the order of the file.
 struct JsonValue {
@@ -16,11 +17,16 @@ struct JsonValue {
     Kind kind = Kind::null;
     /// string: its text; number: as written; boolean: `true` or `false`.
     std::string text;
-    std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object
-    std::vector<JsonValue> items;                            ///< of an array
+    std::vector<JsonMember> members;  ///< of an object
+    std::vector<JsonValue> items;     ///< of an array
 
     /// The first member of that name; nullptr where there is none (or this is no object).
     const JsonValue* find(std::string_view name) const;
+};
+
+struct JsonMember {
+    std::string name;
+    JsonValue value;
 };
 
 /// Reads a JSON text (RFC 8259). Errors go into `diagnostics` with their place; values nested

@@ -30,7 +30,7 @@ class YosysReader {
     std::optional<Netlist> read(const JsonValue& root);
 
   private:
-    const std::pair<std::string, JsonValue>* choose_module(const JsonValue& modules);
+    const JsonMember* choose_module(const JsonValue& modules);
     void read_net_names(const JsonValue& net_names, bool hidden);
     void read_initial_values(const JsonValue& net_names);
     void read_ports(const JsonValue& ports, std::string_view direction);
@@ -55,11 +55,11 @@ class YosysReader {
 };
 
 /// The top module, else the only one that is no black box.
-const std::pair<std::string, JsonValue>* YosysReader::choose_module(const JsonValue& modules) {
-    const std::pair<std::string, JsonValue>* chosen = nullptr;
+const JsonMember* YosysReader::choose_module(const JsonValue& modules) {
+    const JsonMember* chosen = nullptr;
     std::size_t count = 0;
     for (const auto& module : modules.members) {
-        const JsonValue* attributes = module.second.find("attributes");
+        const JsonValue* attributes = module.value.find("attributes");
         const auto has = [&](std::string_view name) {
             return attributes != nullptr && is_set(attributes->find(name));
         };
@@ -252,7 +252,7 @@ std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     if (module == nullptr) return std::nullopt;
     static const JsonValue nothing;
     const auto part = [&](std::string_view name) -> const JsonValue& {
-        const JsonValue* value = module->second.find(name);
+        const JsonValue* value = module->value.find(name);
         return value != nullptr ? *value : nothing;
     };
     read_ports(part("ports"), "input");
@@ -264,7 +264,7 @@ std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     set_initial_values();
     std::optional<Netlist> netlist = assembly_.finish();
     if (!netlist) return std::nullopt;
-    netlist->name = decoded_name(module->first);
+    netlist->name = decoded_name(module->name);
     if (!netlist->modules.empty()) netlist->modules.front().name = netlist->name;
     return netlist;
 }

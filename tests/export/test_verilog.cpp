@@ -195,8 +195,11 @@ TEST_CASE("odd names pass through Icarus Verilog and Yosys") {
 TEST_CASE("a netlist that does not settle ends the run") {
     NetlistMaker maker("oscillator");
     maker.input("a").output("y").cell(CellType::nand_gate, "y", {"y", "a"});
-    CHECK(simulated(maker.make(), bench_of({{hour, {{0, true}}}}, {0, hour, 2 * hour})) ==
-          "time_ms,y\n0,1\nThe netlist does not settle.\n");
+    const std::string output =
+        simulated(maker.make(), bench_of({{hour, {{0, true}}}}, {0, hour, 2 * hour}));
+    CHECK(output.find("time_ms,y\n0,1\n") != std::string::npos);
+    CHECK(output.find("The netlist does not settle.\n") != std::string::npos);
+    CHECK(output.find("\n3600000,") == std::string::npos);
 }
 
 TEST_CASE("the test bench notices that it stands after the netlist") {
