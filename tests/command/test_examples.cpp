@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "command/run_program.h"
-#include "command/slow_build.h"
+#include "slow_build.h"
 
 namespace grafwire::test {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "command/slow_build.h"
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "netlist/netlist_from.h"
+#include "slow_build.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::test {

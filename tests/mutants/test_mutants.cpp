@@ -18,16 +18,13 @@
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"
 #include "random/read_text.h"
+#include "slow_build.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t sparser = 7;  // sanitizers make everything slower
-#else
-constexpr std::size_t sparser = 1;
-#endif
+constexpr std::size_t sparser = test::is_slow_build ? 14 : 1;
 
 /// How the mutants of a netlist are dealt with where looking at all of them would take too long.
 struct Sampling {

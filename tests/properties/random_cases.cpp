@@ -8,14 +8,7 @@
 #include "random/random_grafcet.h"
 #include "random/random_stimuli.h"
 #include "random/read_text.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define GRAFWIRE_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define GRAFWIRE_SANITIZED 1
-#endif
-#endif
+#include "slow_build.h"
 
 namespace grafwire::testing {
 
@@ -24,11 +17,7 @@ std::size_t case_count(std::size_t usual) {
         const std::size_t count = std::strtoull(wanted, nullptr, 10);
         if (count != 0) return count;
     }
-#ifdef GRAFWIRE_SANITIZED
-    return std::max<std::size_t>(usual / 3, 1);
-#else
-    return usual;
-#endif
+    return test::is_slow_build ? std::max<std::size_t>(usual / 3, 1) : usual;
 }
 
 RandomCase random_case(std::uint64_t seed, const Features& features, std::size_t stimuli_lines) {
