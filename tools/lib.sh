@@ -106,7 +106,7 @@ build() {
         quietly cmake -S "$root" -B "$folder" -G Ninja \
             -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="$folder/bin" "${settings[@]}" || return
     fi
-    quietly ninja -C "$folder" "${jobs_of_ninja[@]}" "${targets[@]}"
+    quietly ninja --quiet -C "$folder" "${jobs_of_ninja[@]}" "${targets[@]}"
 }
 
 # JOBS=N in the environment limits what runs at a time.

@@ -45,7 +45,7 @@ ExprId StepTexts::copy(ExprId id) {
     }
 }
 
-std::string StepTexts::text(StepId step) {
+std::string StepTexts::equation(StepId step) {
     pool_.clear();
     operands_ = 0;
     StepEquation parts = equations_.steps[step];
@@ -55,7 +55,8 @@ std::string StepTexts::text(StepId step) {
     if (operands_ > longest) return {};
     const ExprId x = combined(pool_, parts, step, equations_.grafcet->steps[step].initial,
                               equations_.options.modes);
-    return write_expression(*equations_.grafcet, pool_, x);
+    return "X" + equations_.grafcet->steps[step].name + " = " +
+           write_expression(*equations_.grafcet, pool_, x);
 }
 
 }  // namespace grafwire

@@ -14,8 +14,9 @@ class StepTexts {
   public:
     explicit StepTexts(const Equations& equations) : equations_(equations) {}
 
-    /// `(X2.b + /X1.X0 + Init)./AUdur`; empty where that would take more than `longest` operands.
-    std::string text(StepId step);
+    /// `X0 = (X2.b + /X1.X0 + Init)./AUdur`; empty where that would take more than `longest`
+    /// operands.
+    std::string equation(StepId step);
 
     static constexpr std::size_t longest = 256;
 

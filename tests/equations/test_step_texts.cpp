@@ -24,8 +24,9 @@ TEST_CASE("the text of a step is that of its whole expression, and leaves the eq
                 StepTexts texts(equations);
                 for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
                     const StepId step = grafcet.steps.id_at(i);
-                    CHECK(texts.text(step) ==
-                          equation_text(growing, step_expression(growing, step)));
+                    CHECK(texts.equation(step) ==
+                          "X" + grafcet.steps[step].name + " = " +
+                              equation_text(growing, step_expression(growing, step)));
                 }
                 CHECK(equations.expressions.size() == size);
             }
@@ -45,10 +46,10 @@ TEST_CASE("an equation too long to be read has no text, and the next one has") {
                                    " -> 301 : a  0 -> " + names + " : a  301 -> 0 : 1 }");
     const Equations equations = equations_from(grafcet, without_modes);
     StepTexts texts(equations);
-    CHECK(texts.text(StepId{301}).empty());
-    CHECK(texts.text(StepId{1}) == "X0.a + /X301.X1");
-    CHECK(texts.text(StepId{0}).empty());
-    CHECK(texts.text(StepId{2}) == "X0.a + /X301.X2");
+    CHECK(texts.equation(StepId{301}).empty());
+    CHECK(texts.equation(StepId{1}) == "X1 = X0.a + /X301.X1");
+    CHECK(texts.equation(StepId{0}).empty());
+    CHECK(texts.equation(StepId{2}) == "X2 = X0.a + /X301.X2");
 }
 
 }  // namespace grafwire
