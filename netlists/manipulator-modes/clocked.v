@@ -86,7 +86,7 @@ module manipulator_modes #(parameter [63:0] SCAN_PS = 64'd10000000000) (
   wire X3$next$not, XGC$may_evolve;
   wire XGauto$may_evolve;
   wire XGmanu$may_evolve;
-  wire \$low , X32$next$not, manual_up$when1, manual_up$when1$not, manual_up$next$a1, X32$not, manual_up$when2, manual_up$when2$not, manual_up$next$a2, manual_up$4, manual_up$when3, manual_up$when3$not, manual_up$next$a3, manual_up$next$a4, manual_up$next$a5, manual_up;
+  wire \$low , X32$next$not, manual_up$when1, manual_up$when1$not, manual_up$next$a1, X32$not, manual_up$when2, manual_up$when2$not, manual_up$next$a2, manual_up$4, manual_up$when3, manual_up$next$a3, manual_up$when3$not, manual_up$next$a4, manual_up$next$a5, manual_up;
   wire timer$0;
   wire \V+$1 , \V+$2 , AUdoux$not, \V+$3 ;
   wire \H-$1 , \H-$2 , \H-$3 , \H-$4 ;
@@ -336,10 +336,10 @@ module manipulator_modes #(parameter [63:0] SCAN_PS = 64'd10000000000) (
   and manual_up$next$a2$g (manual_up$next$a2, manual_up$when2$not, manual_up$next$a1);
   or manual_up$4$g (manual_up$4, edge$0, edge$1);
   and manual_up$when3$g (manual_up$when3, X32$next, manual_up$4);
+  and manual_up$next$a3$g (manual_up$next$a3, manual_up$when3, a);
   not manual_up$when3$not$g (manual_up$when3$not, manual_up$when3);
-  and manual_up$next$a3$g (manual_up$next$a3, manual_up$when3$not, manual_up$next$a2);
-  and manual_up$next$a4$g (manual_up$next$a4, manual_up$when3, a);
-  or manual_up$next$a5$g (manual_up$next$a5, manual_up$next$a4, manual_up$next$a3);
+  and manual_up$next$a4$g (manual_up$next$a4, manual_up$when3$not, manual_up$next$a2);
+  or manual_up$next$a5$g (manual_up$next$a5, manual_up$next$a3, manual_up$next$a4);
   grafwire_dff #(.INIT(1'b0)) manual_up$g (.d(manual_up$next$a5), .c(clk), .q(manual_up));
 
   // timer$0

@@ -44,11 +44,11 @@ module positioning_axis (
   wire T3$clear$not, X3$hold, X3$evolved, X3$next;
   wire T6$clear$not, X4$hold, X4$evolved, X4$next;
   wire T7$clear$not, X5$hold, X5$evolved, X5$next;
-  wire \Sens%20Moteur$1 , \Sens%20Moteur$2 , \Sens%20Moteur$3 , \Sens%20Moteur$4 , \Sens%20Moteur$5 , \Sens%20Moteur$6 , \Sens%20Moteur$6$not , X4$not, \Sens%20Moteur$when7 , \Sens%20Moteur$when7$not , \Sens%20Moteur$next$a1 , \Sens%20Moteur$next$a2 , \Sens%20Moteur$next$a3 ;
-  wire X2$not, r0$when1, r0$when1$not, r0$next$a1, r0$next$a2, r0$next$a3, r0;
-  wire b0$not, r1$1, r1$when2, r1$when2$not, r1$next$a1, r1$next$a2, r1$next$a3, r1;
-  wire b1$not, r2$1, r2$when2, r2$when2$not, r2$next$a1, r2$next$a2, r2$next$a3, r2;
-  wire b2$not, r3$1, r3$when2, r3$when2$not, r3$next$a1, r3$next$a2, r3$next$a3, r3;
+  wire \Sens%20Moteur$1 , \Sens%20Moteur$2 , \Sens%20Moteur$3 , \Sens%20Moteur$4 , \Sens%20Moteur$5 , \Sens%20Moteur$6 , \Sens%20Moteur$6$not , X4$not, \Sens%20Moteur$when7 , \Sens%20Moteur$next$a1 , \Sens%20Moteur$when7$not , \Sens%20Moteur$next$a2 , \Sens%20Moteur$next$a3 ;
+  wire X2$not, r0$when1, r0$next$a1, r0$when1$not, r0$next$a2, r0$next$a3, r0;
+  wire b0$not, r1$1, r1$when2, r1$next$a1, r1$when2$not, r1$next$a2, r1$next$a3, r1;
+  wire b1$not, r2$1, r2$when2, r2$next$a1, r2$when2$not, r2$next$a2, r2$next$a3, r2;
+  wire b2$not, r3$1, r3$when2, r3$next$a1, r3$when2$not, r3$next$a2, r3$next$a3, r3;
   wire \Marche%20Moteur$1 , AUdoux$not, \Marche%20Moteur$2 ;
   wire \Voyant%20Droite$1 , \Voyant%20Droite$2 , \Voyant%20Droite$3 , \Voyant%20Droite$4 ;
   wire \Sens%20Moteur$not , \Voyant%20Gauche$1 , \Voyant%20Gauche$2 , \Voyant%20Gauche$3 , \Voyant%20Gauche$4 ;
@@ -144,49 +144,49 @@ module positioning_axis (
   not \Sens%20Moteur$6$not$g  (\Sens%20Moteur$6$not , \Sens%20Moteur$6 );
   not X4$not$g (X4$not, X4);
   and \Sens%20Moteur$when7$g  (\Sens%20Moteur$when7 , X4$not, X4$next);
+  and \Sens%20Moteur$next$a1$g  (\Sens%20Moteur$next$a1 , \Sens%20Moteur$when7 , \Sens%20Moteur$6$not );
   not \Sens%20Moteur$when7$not$g  (\Sens%20Moteur$when7$not , \Sens%20Moteur$when7 );
-  and \Sens%20Moteur$next$a1$g  (\Sens%20Moteur$next$a1 , \Sens%20Moteur$when7$not , \Sens%20Moteur );
-  and \Sens%20Moteur$next$a2$g  (\Sens%20Moteur$next$a2 , \Sens%20Moteur$when7 , \Sens%20Moteur$6$not );
-  or \Sens%20Moteur$next$a3$g  (\Sens%20Moteur$next$a3 , \Sens%20Moteur$next$a2 , \Sens%20Moteur$next$a1 );
+  and \Sens%20Moteur$next$a2$g  (\Sens%20Moteur$next$a2 , \Sens%20Moteur$when7$not , \Sens%20Moteur );
+  or \Sens%20Moteur$next$a3$g  (\Sens%20Moteur$next$a3 , \Sens%20Moteur$next$a1 , \Sens%20Moteur$next$a2 );
   grafwire_dff #(.INIT(1'b0)) \Sens%20Moteur$g  (.d(\Sens%20Moteur$next$a3 ), .c(clk), .q(\Sens%20Moteur ));
 
   // r0
   not X2$not$g (X2$not, X2);
   and r0$when1$g (r0$when1, X2$not, X2$next);
+  and r0$next$a1$g (r0$next$a1, r0$when1, b0);
   not r0$when1$not$g (r0$when1$not, r0$when1);
-  and r0$next$a1$g (r0$next$a1, r0$when1$not, r0);
-  and r0$next$a2$g (r0$next$a2, r0$when1, b0);
-  or r0$next$a3$g (r0$next$a3, r0$next$a2, r0$next$a1);
+  and r0$next$a2$g (r0$next$a2, r0$when1$not, r0);
+  or r0$next$a3$g (r0$next$a3, r0$next$a1, r0$next$a2);
   grafwire_dff #(.INIT(1'b0)) r0$g (.d(r0$next$a3), .c(clk), .q(r0));
 
   // r1
   not b0$not$g (b0$not, b0);
   and r1$1$g (r1$1, b1, b0$not);
   and r1$when2$g (r1$when2, X2$not, X2$next);
+  and r1$next$a1$g (r1$next$a1, r1$when2, r1$1);
   not r1$when2$not$g (r1$when2$not, r1$when2);
-  and r1$next$a1$g (r1$next$a1, r1$when2$not, r1);
-  and r1$next$a2$g (r1$next$a2, r1$when2, r1$1);
-  or r1$next$a3$g (r1$next$a3, r1$next$a2, r1$next$a1);
+  and r1$next$a2$g (r1$next$a2, r1$when2$not, r1);
+  or r1$next$a3$g (r1$next$a3, r1$next$a1, r1$next$a2);
   grafwire_dff #(.INIT(1'b0)) r1$g (.d(r1$next$a3), .c(clk), .q(r1));
 
   // r2
   not b1$not$g (b1$not, b1);
   and r2$1$g (r2$1, b2, b1$not, b0$not);
   and r2$when2$g (r2$when2, X2$not, X2$next);
+  and r2$next$a1$g (r2$next$a1, r2$when2, r2$1);
   not r2$when2$not$g (r2$when2$not, r2$when2);
-  and r2$next$a1$g (r2$next$a1, r2$when2$not, r2);
-  and r2$next$a2$g (r2$next$a2, r2$when2, r2$1);
-  or r2$next$a3$g (r2$next$a3, r2$next$a2, r2$next$a1);
+  and r2$next$a2$g (r2$next$a2, r2$when2$not, r2);
+  or r2$next$a3$g (r2$next$a3, r2$next$a1, r2$next$a2);
   grafwire_dff #(.INIT(1'b0)) r2$g (.d(r2$next$a3), .c(clk), .q(r2));
 
   // r3
   not b2$not$g (b2$not, b2);
   and r3$1$g (r3$1, b3, b2$not, b1$not, b0$not);
   and r3$when2$g (r3$when2, X2$not, X2$next);
+  and r3$next$a1$g (r3$next$a1, r3$when2, r3$1);
   not r3$when2$not$g (r3$when2$not, r3$when2);
-  and r3$next$a1$g (r3$next$a1, r3$when2$not, r3);
-  and r3$next$a2$g (r3$next$a2, r3$when2, r3$1);
-  or r3$next$a3$g (r3$next$a3, r3$next$a2, r3$next$a1);
+  and r3$next$a2$g (r3$next$a2, r3$when2$not, r3);
+  or r3$next$a3$g (r3$next$a3, r3$next$a1, r3$next$a2);
   grafwire_dff #(.INIT(1'b0)) r3$g (.d(r3$next$a3), .c(clk), .q(r3));
 
   // Marche Moteur = (X3 + X5)./AUdoux

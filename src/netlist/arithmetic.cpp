@@ -1,5 +1,8 @@
 // Ripple-carry arithmetic on words of nets. Counters are small and the clocked style computes once
 // a scan, so the simplest adder is the right one: it can be followed with a pencil.
+//
+// Every gate is made in a statement of its own: C++ leaves the order in which arguments are
+// evaluated to the compiler, and the order of the cells must not depend on it.
 
 #include "netlist/arithmetic.h"
 
@@ -41,7 +44,9 @@ NetId Arithmetic::xor_of(NetId a, NetId b) {
 
 NetId Arithmetic::choose(NetId chosen, NetId a, NetId b) {
     if (a == b) return a;
-    return or_of(and_of(chosen, a), and_of(builder_.inverted(chosen), b));
+    const NetId first = and_of(chosen, a);
+    const NetId second = and_of(builder_.inverted(chosen), b);
+    return or_of(first, second);
 }
 
 Word Arithmetic::choose(NetId chosen, const Word& a, const Word& b) {
@@ -75,7 +80,10 @@ Word Arithmetic::add(const Word& a, const Word& b, NetId carry) {
     for (std::size_t i = 0; i < width; ++i) {
         const NetId half = xor_of(left[i], right[i]);
         result.push_back(xor_of(half, carry));
-        if (i + 1 < width) carry = or_of(and_of(left[i], right[i]), and_of(half, carry));
+        if (i + 1 == width) break;
+        const NetId generated = and_of(left[i], right[i]);
+        const NetId propagated = and_of(half, carry);
+        carry = or_of(generated, propagated);
     }
     return result;
 }
@@ -113,6 +121,10 @@ NetId Arithmetic::is_zero(const Word& word) {
 
 NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right) {
     const Word difference = subtract(left, right);
+    const auto negative_or_zero = [&] {
+        const NetId zero = is_zero(difference);
+        return or_of(is_negative(difference), zero);
+    };
     switch (relation) {
         case Relation::equal:
             return is_zero(difference);
@@ -123,9 +135,9 @@ NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right
         case Relation::greater_equal:
             return builder_.inverted(is_negative(difference));
         case Relation::less_equal:
-            return or_of(is_negative(difference), is_zero(difference));
+            return negative_or_zero();
         case Relation::greater:
-            return builder_.inverted(or_of(is_negative(difference), is_zero(difference)));
+            return builder_.inverted(negative_or_zero());
     }
     return builder_.low();
 }
