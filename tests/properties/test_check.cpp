@@ -5,7 +5,7 @@
 
 #include "check/check_equivalence.h"
 #include "netlist/netlist_from.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {

@@ -5,7 +5,7 @@
 
 #include "evolution/run.h"
 #include "netlist/netlist_from.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"
 

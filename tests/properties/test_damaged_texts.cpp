@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "grafcet/parse_grafcet.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/random_source.h"
 #include "random/read_text.h"
 #include "trace/stimuli.h"

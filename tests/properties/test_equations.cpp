@@ -11,7 +11,7 @@
 
 #include "equations/equations.h"
 #include "properties/evaluate_equations.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {

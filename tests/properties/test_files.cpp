@@ -8,7 +8,7 @@
 #include "import/read_blif.h"
 #include "import/read_yosys_json.h"
 #include "netlist/netlist_from.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"
 

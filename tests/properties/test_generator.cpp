@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "evolution/run.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "random/random_grafcet.h"
 #include "random/read_text.h"
 

@@ -4,7 +4,7 @@
 
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/write_grafcet.h"
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 #include "properties/same_model.h"
 #include "random/read_text.h"
 #include "trace/stimuli.h"

@@ -1,4 +1,4 @@
-#include "properties/random_cases.h"
+#include "random/random_cases.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,168 @@
+// The program as text: one statement a line, bits by the names of their tables.
+
+#include <fmt/format.h>
+
+#include "grafcet/write_grafcet.h"
+#include "program/program.h"
+
+namespace grafwire {
+
+namespace {
+
+class ProgramText {
+  public:
+    explicit ProgramText(const ScanProgram& program)
+        : program_(program), grafcet_(*program.grafcet) {}
+
+    std::string write() {
+        static constexpr const char* names[section_count] = {
+            "start",  "begin",  "edges", "receptivities", "evolution",
+            "orders", "stored", "times", "outputs"};
+        for (std::size_t s = 0; s < section_count; ++s) {
+            for (const Statement& statement : program_.sections[s]) {
+                text_ += fmt::format("{}: ", names[s]);
+                write_statement(statement);
+                text_ += fmt::format("  # {}\n", statement.comment);
+            }
+        }
+        return std::move(text_);
+    }
+
+  private:
+    std::string name(Bit bit) const;
+    std::string name(IntegerCell cell) const {
+        if (cell.is_scratch) return fmt::format("I{}", cell.index);
+        return grafcet_.counters[CounterId{cell.index}].name;
+    }
+    std::string text(const Sum& sum) const;
+    std::string text(const Condition& condition, bool in_product = false) const;
+    void write_statement(const Statement& statement);
+
+    const ScanProgram& program_;
+    const Grafcet& grafcet_;
+    std::string text_;
+};
+
+std::string ProgramText::name(Bit bit) const {
+    const auto of_step = [&](const char* table) {
+        return fmt::format("{}[{}]", table, grafcet_.steps[StepId{bit.index}].name);
+    };
+    switch (bit.kind) {
+        case BitKind::input:
+            return grafcet_.inputs[InputId{bit.index}].name;
+        case BitKind::control:
+            return std::string(input_name(grafcet_, grafcet_.inputs.size() + bit.index));
+        case BitKind::output:
+            return grafcet_.outputs[OutputId{bit.index}].name;
+        case BitKind::var:
+            return grafcet_.vars[VarId{bit.index}].name;
+        case BitKind::step:
+            return of_step("Ts");
+        case BitKind::previous:
+            return of_step("Tp");
+        case BitKind::pulse:
+            return of_step("Tpulse");
+        case BitKind::activate:
+            return of_step("Ta");
+        case BitKind::deactivate:
+            return of_step("Td");
+        case BitKind::forced_on:
+            return of_step("Tf1");
+        case BitKind::forced_off:
+            return of_step("Tf0");
+        case BitKind::transition:
+            return fmt::format("Tt[{}]", grafcet_.transitions[TransitionId{bit.index}].name);
+        case BitKind::may_evolve:
+            return fmt::format("Tfig[{}]", grafcet_.graphs[GraphId{bit.index}].name);
+        case BitKind::edge:
+            return fmt::format("edge[{}]", bit.index);
+        case BitKind::edge_memory:
+            return fmt::format("memory[{}]", bit.index);
+        case BitKind::time_value:
+            return fmt::format("time[{}]", bit.index);
+        case BitKind::scratch:
+            return fmt::format("S{}", bit.index);
+    }
+    return {};
+}
+
+std::string ProgramText::text(const Sum& sum) const {
+    std::string text;
+    for (const SumTerm& term : sum) {
+        if (term.negative) {
+            text += "-";
+        } else if (!text.empty()) {
+            text += "+";
+        }
+        text += term.counter == SumTerm::no_counter ? fmt::format("{}", term.value)
+                                                    : name({false, term.counter});
+    }
+    return text;
+}
+
+std::string ProgramText::text(const Condition& condition, bool in_product) const {
+    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
+    switch (condition.kind) {
+        case Condition::Kind::constant:
+            return condition.value ? "1" : "0";
+        case Condition::Kind::bit:
+            return name(condition.bit);
+        case Condition::Kind::negation:
+            return "/" + text(condition.operands.front(), true);
+        case Condition::Kind::comparison:
+            return fmt::format("[{} {} {}]", text(condition.comparison.left),
+                               relations[static_cast<std::size_t>(condition.comparison.relation)],
+                               text(condition.comparison.right));
+        default:
+            break;
+    }
+    const char* between = condition.kind == Condition::Kind::conjunction   ? " . "
+                          : condition.kind == Condition::Kind::disjunction ? " + "
+                                                                           : " xor ";
+    std::string joined;
+    for (const Condition& operand : condition.operands) {
+        if (!joined.empty()) joined += between;
+        joined += text(operand, true);
+    }
+    return in_product ? "(" + joined + ")" : joined;
+}
+
+void ProgramText::write_statement(const Statement& statement) {
+    std::string targets;
+    for (const Bit bit : statement.targets) {
+        if (!targets.empty()) targets += " ";
+        targets += name(bit);
+    }
+    switch (statement.kind) {
+        case Statement::Kind::assign:
+            text_ += fmt::format("{} := {}", targets, text(statement.condition));
+            break;
+        case Statement::Kind::set:
+            text_ += fmt::format("set {} if {}", targets, text(statement.condition));
+            break;
+        case Statement::Kind::reset:
+            text_ += fmt::format("reset {} if {}", targets, text(statement.condition));
+            break;
+        case Statement::Kind::move:
+            text_ +=
+                fmt::format("{} := {} within {}..{} if {}", name(statement.integer),
+                            statement.sum.empty() ? name(statement.source) : text(statement.sum),
+                            statement.low, statement.high, text(statement.condition));
+            break;
+        case Statement::Kind::time:
+            text_ += fmt::format("{} := {}/{}/{}", targets, format_duration(statement.on_delay),
+                                 text(statement.condition), format_duration(statement.off_delay));
+            break;
+        case Statement::Kind::table:
+            text_ += "table";
+            break;
+    }
+}
+
+}  // namespace
+
+std::string write_program_text(const ScanProgram& program) {
+    return ProgramText(program).write();
+}
+
+}  // namespace grafwire
