@@ -27,6 +27,8 @@ constexpr Command commands[] = {
      declare_simulate},
     {"check", "prove a netlist equivalent to the reference evolution, or show a difference",
      "grafwire check examples/manipulator.grafcet --style nand --witness out/", declare_check},
+    {"plc", "write the GRAFCET as a program for a PLC or in a programming language",
+     "grafwire plc examples/manipulator.grafcet --to text", declare_plc},
 };
 
 Language language_of_locale() {

@@ -37,6 +37,7 @@ std::function<int()> declare_run(CLI::App& app, const Language& language);
 std::function<int()> declare_netlist(CLI::App& app, const Language& language);
 std::function<int()> declare_simulate(CLI::App& app, const Language& language);
 std::function<int()> declare_check(CLI::App& app, const Language& language);
+std::function<int()> declare_plc(CLI::App& app, const Language& language);
 
 /// A GRAFCET read from a file, with every message about it shown; empty after an error.
 struct LoadedGrafcet {

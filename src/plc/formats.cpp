@@ -1,0 +1,34 @@
+#include "plc/formats.h"
+
+namespace grafwire {
+
+namespace {
+
+std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
+    return write_program_text(program);
+}
+
+constexpr PlcFormat table[] = {
+    {"text", ".txt", "the program of one scan, a statement a line", text},
+};
+
+}  // namespace
+
+std::span<const PlcFormat> plc_formats() {
+    return table;
+}
+
+const PlcFormat* plc_format_named(std::string_view name) {
+    for (const PlcFormat& format : table) {
+        if (format.name == name) return &format;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> plc_format_names() {
+    std::vector<std::string_view> names;
+    for (const PlcFormat& format : table) names.push_back(format.name);
+    return names;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "program/program.h"
+#include "s7/io_assignment.h"
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+enum class Mnemonics { simatic, international };
+
+struct PlcOptions {
+    /// Addresses for inputs, outputs and steps, for formats with addresses; without, they are
+    /// assigned in order.
+    const s7::IoAssignment* io = nullptr;
+    Mnemonics mnemonics = Mnemonics::simatic;  ///< of instruction lists
+    bool wide_tables = false;                  ///< tables beyond the 80 steps of the method
+};
+
+/// One row per language. A writer gives the whole file; where the language cannot hold the program
+/// it says which limit is exceeded in `diagnostics`, and the text is empty then. Same chart, same
+/// bytes.
+struct PlcFormat {
+    std::string_view name;
+    std::string_view extension;
+    std::string_view description;
+    std::string (*write)(const ScanProgram& program, const PlcOptions& options,
+                         Diagnostics& diagnostics);
+};
+
+/// All formats, in the order in which help shows them.
+std::span<const PlcFormat> plc_formats();
+/// The format of that name; nullptr where there is none.
+const PlcFormat* plc_format_named(std::string_view name);
+std::vector<std::string_view> plc_format_names();
+
+}  // namespace grafwire
