@@ -17,6 +17,8 @@ constexpr std::string_view helper_pin_name(CellType type, std::uint32_t pin) {
             return pin == 0 ? "d" : "e";
         case CellType::flip_flop:
             return pin == 0 ? "d" : "c";
+        case CellType::scan_timer_next:
+            return pin == 0 ? "a" : pin == 1 ? "h" : "c";
         default:
             return pin == 0 ? "a" : "c";
     }

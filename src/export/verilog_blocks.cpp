@@ -15,7 +15,7 @@ std::vector<VerilogBlock> cut_into_blocks(const Netlist& netlist, std::size_t mo
         VerilogBlock block{all.subspan(first, count), {}, {}, false};
         for_each_cell(netlist, block.modules, [&](const Cell& cell) {
             driver[index_of(cell.output)] = number;
-            block.has_scan_timer |= cell.type == CellType::scan_timer;
+            block.has_scan_timer |= counts_scans(cell.type);
         });
         blocks.push_back(std::move(block));
     }

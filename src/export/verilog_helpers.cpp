@@ -22,7 +22,7 @@ struct Helper {
     std::string_view text;
 };
 
-constexpr std::array<Helper, 7> helpers{{
+constexpr std::array<Helper, 8> helpers{{
     {CellType::latch, R"(
 // Latch: s sets, r resets, both at once set.
 module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
@@ -155,6 +155,22 @@ module %scan_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, SCAN_PS = 1, par
   always @(posedge c)
     if (a == q) elapsed <= 0;
     else if (elapsed >= (a ? RISE[WIDTH-1:0] : FALL[WIDTH-1:0])) begin q <= a; elapsed <= 0; end
+    else elapsed <= elapsed + 1'b1;
+endmodule
+)"},
+    {CellType::scan_timer_next, R"(
+// Look-ahead of a clocked timer of operand a and output h: what it is to show after this cycle.
+module %scan_timer_next #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, SCAN_PS = 1)
+    (input a, input h, input c, output q);
+  localparam [63:0] RISE = (RISE_PS + SCAN_PS - 1) / SCAN_PS;
+  localparam [63:0] FALL = (FALL_PS + SCAN_PS - 1) / SCAN_PS;
+  localparam [63:0] LONGEST = RISE > FALL ? RISE : FALL;
+  localparam WIDTH = $clog2(LONGEST + 1) + 1;
+  reg [WIDTH-1:0] elapsed;
+  initial elapsed = 0;
+  assign q = elapsed >= (a ? RISE[WIDTH-1:0] : FALL[WIDTH-1:0]) ? a : h;
+  always @(posedge c)
+    if (a == h || q == a) elapsed <= 0;
     else elapsed <= elapsed + 1'b1;
 endmodule
 )"},

@@ -191,7 +191,8 @@ void BlifWriter::write_black_box(const Cell& cell) {
     append(out_, " q=", nets_[cell.output], '\n');
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
-        if (row.has_memory) append(out_, ".attr RISE \"", format_duration(timing.rise), "\"\n");
+        if (is_timer(cell.type))
+            append(out_, ".attr RISE \"", format_duration(timing.rise), "\"\n");
         append(out_, ".attr FALL \"", format_duration(timing.fall), "\"\n");
         if (timing.ordinal != Timing::no_ordinal) {
             append(out_, ".attr ORDINAL \"", timing.ordinal, "\"\n");
@@ -232,6 +233,7 @@ void BlifWriter::write_cell(const Cell& cell) {
         case CellType::fall_pulse:
         case CellType::timer:
         case CellType::scan_timer:
+        case CellType::scan_timer_next:
             return write_black_box(cell);
     }
 }

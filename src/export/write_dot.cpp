@@ -89,7 +89,7 @@ void DotWriter::write_cluster(const Module& module, std::size_t number) {
         if (row_of(cell.type).has_timing) {
             const Timing& timing = netlist_.timings[cell.timing];
             out_ += ' ';
-            if (row_of(cell.type).has_memory) append(out_, format_duration(timing.rise), ", ");
+            if (is_timer(cell.type)) append(out_, format_duration(timing.rise), ", ");
             out_ += format_duration(timing.fall);
         }
         const Origin& origin = netlist_.origin_of(cell);

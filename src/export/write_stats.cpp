@@ -37,8 +37,10 @@ class Stats {
     void write_loop(std::size_t component);
     void write_fan_out();
     void write_depth();
+    /// Whether the output changes at the clock only.
     bool is_clocked(std::uint32_t cell) const {
-        return row_of(netlist_.cells.items()[cell].type).is_clocked;
+        const CellTypeRow& row = row_of(netlist_.cells.items()[cell].type);
+        return row.is_clocked && row.has_memory;
     }
 
     const Netlist& netlist_;

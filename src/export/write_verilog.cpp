@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "export/append.h"
+#include "export/helper_pins.h"
 #include "export/net_spelling.h"
 #include "export/verilog_blocks.h"
 #include "export/verilog_helpers.h"
@@ -95,7 +96,7 @@ class VerilogWriter {
 
 std::string VerilogWriter::write() {
     for (const Cell& cell : netlist_.cells) {
-        has_scan_timer_ |= cell.type == CellType::scan_timer;
+        has_scan_timer_ |= counts_scans(cell.type);
     }
     out_.reserve(netlist_.cells.size() * 100);
     write_head();
@@ -225,6 +226,7 @@ void VerilogWriter::write_cell(const Cell& cell) {
         case CellType::timer:
         case CellType::flip_flop:
         case CellType::scan_timer:
+        case CellType::scan_timer_next:
             return write_helper(cell);
     }
 }
@@ -234,7 +236,7 @@ void VerilogWriter::write_parameters(const Cell& cell) {
     std::string_view separator = " #(";
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
-        if (row.has_memory) {
+        if (is_timer(cell.type)) {
             append(out_, separator, ".RISE_PS(64'd", timing.rise, "), .FALL_PS(64'd", timing.fall,
                    ")");
         } else {
@@ -242,8 +244,7 @@ void VerilogWriter::write_parameters(const Cell& cell) {
         }
         separator = ", ";
     }
-    if (cell.type == CellType::scan_timer)
-        append(out_, separator, ".SCAN_PS(", scan_parameter_, ")");
+    if (counts_scans(cell.type)) append(out_, separator, ".SCAN_PS(", scan_parameter_, ")");
     if (row.has_memory) append(out_, separator, ".INIT(", bit_of(cell.initial), ")");
     out_ += ") ";
 }
@@ -252,22 +253,15 @@ void VerilogWriter::write_helper(const Cell& cell) {
     append(out_, "  ", helpers_, row_of(cell.type).name);
     write_parameters(cell);
     append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
-    constexpr std::string_view latch_pins[] = {"s", "r"};
-    constexpr std::string_view hold_pins[] = {"d", "e"};
-    constexpr std::string_view flip_flop_pins[] = {"d", "c"};
-    constexpr std::string_view timer_pins[] = {"a", "c"};
-    const std::string_view* pin_name = timer_pins;
-    if (cell.type == CellType::latch) pin_name = latch_pins;
-    if (cell.type == CellType::hold_latch) pin_name = hold_pins;
-    if (cell.type == CellType::flip_flop) pin_name = flip_flop_pins;
     out_ += " (";
+    std::uint32_t number = 0;
     for (const NetId pin : netlist_.pins_of(cell))
-        append(out_, ".", *pin_name++, "(", nets_[pin], "), ");
+        append(out_, ".", helper_pin_name(cell.type, number++), "(", nets_[pin], "), ");
     append(out_, ".q(", nets_[cell.output], "));");
     if (row_of(cell.type).has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
         append(out_, "  // ");
-        if (row_of(cell.type).has_memory) append(out_, format_duration(timing.rise), ", ");
+        if (is_timer(cell.type)) append(out_, format_duration(timing.rise), ", ");
         append(out_, format_duration(timing.fall));
     }
     out_ += '\n';

@@ -87,7 +87,7 @@ void BenchWriter::write_instance() {
     spell_verilog(out_, netlist_.name);
     const bool has_scan_timer =
         std::any_of(netlist_.cells.begin(), netlist_.cells.end(),
-                    [](const Cell& cell) { return cell.type == CellType::scan_timer; });
+                    [](const Cell& cell) { return counts_scans(cell.type); });
     if (has_scan_timer) {
         append(out_, " #(.", verilog_scan_parameter(netlist_), "(64'd", scan_period_, "))");
     }

@@ -175,7 +175,7 @@ void JsonWriter::write_attributes(const Cell& cell) {
     if (where.is_known()) append(out_, ", \"grafcet_line\": \"line ", where.line, "\"");
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
-        if (row.has_memory) append(out_, ", \"RISE\": \"", format_duration(timing.rise), '"');
+        if (is_timer(cell.type)) append(out_, ", \"RISE\": \"", format_duration(timing.rise), '"');
         append(out_, ", \"FALL\": \"", format_duration(timing.fall), '"');
         if (timing.ordinal != Timing::no_ordinal) {
             append(out_, ", \"ORDINAL\": ", timing.ordinal);

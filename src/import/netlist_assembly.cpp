@@ -224,6 +224,7 @@ std::span<const std::string_view> helper_pin_names(CellType type) {
     static constexpr std::string_view hold[] = {"d", "e"};
     static constexpr std::string_view flip_flop[] = {"d", "c"};
     static constexpr std::string_view timer[] = {"a", "c"};
+    static constexpr std::string_view look_ahead[] = {"a", "h", "c"};
     switch (type) {
         case CellType::latch:
             return latch;
@@ -233,6 +234,8 @@ std::span<const std::string_view> helper_pin_names(CellType type) {
             return flip_flop;
         case CellType::scan_timer:
             return timer;
+        case CellType::scan_timer_next:
+            return look_ahead;
         default:
             return {timer, 1};
     }

@@ -28,6 +28,8 @@ enum class CellType : std::uint8_t {
     flip_flop,   ///< pins: data, clock. Takes data at the rise of the clock
     scan_timer,  ///< pins: operand, clock. A timer that looks at its operand at the rise of the
                  ///< clock
+    scan_timer_next,  ///< pins: operand, output of the scan_timer with that operand, clock. What
+                      ///< that timer is to show after the next rise of the clock; changes at once
 };
 
 /// One row of the cell table.
@@ -45,7 +47,7 @@ struct CellTypeRow {
 
 inline constexpr std::uint32_t many = 0xffffffffU;
 
-inline constexpr std::array<CellTypeRow, 16> cell_table{{
+inline constexpr std::array<CellTypeRow, 17> cell_table{{
     {CellType::low, "low", "constant 0", "constante 0", 0, 0, false, false, false},
     {CellType::high, "high", "constant 1", "constante 1", 0, 0, false, false, false},
     {CellType::buffer, "buf", "buffer", "porte OUI", 1, 1, false, false, false},
@@ -66,10 +68,24 @@ inline constexpr std::array<CellTypeRow, 16> cell_table{{
     {CellType::flip_flop, "dff", "D flip-flop", "bascule D", 2, 2, true, false, true},
     {CellType::scan_timer, "scan_timer", "clocked timer", "temporisateur synchrone", 2, 2, true,
      true, true},
+    {CellType::scan_timer_next, "scan_timer_next", "look-ahead of a clocked timer",
+     "anticipation de temporisateur synchrone", 3, 3, false, true, true},
 }};
 
 constexpr const CellTypeRow& row_of(CellType type) {
     return cell_table[static_cast<std::size_t>(type)];
+}
+
+/// Whether the timing of a cell is that of a time condition: a delay for the rise, one for the
+/// fall.
+constexpr bool is_timer(CellType type) {
+    return type == CellType::timer || type == CellType::scan_timer ||
+           type == CellType::scan_timer_next;
+}
+
+/// Whether it counts its delays in clock cycles.
+constexpr bool counts_scans(CellType type) {
+    return type == CellType::scan_timer || type == CellType::scan_timer_next;
 }
 
 /// The type of that name, if there is one.

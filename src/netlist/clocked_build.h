@@ -70,6 +70,8 @@ class ClockedBuild {
     NetId make_net(View& view, ExprId id);
     NetId variable_net(const View& view, Variable variable) const;
     NetId time_net(View& view, ExprId id);
+    Timing timing_of(std::size_t ordinal) const;
+    std::uint32_t time_origin(std::size_t ordinal);
     NetId gate(CellType type, std::vector<NetId> pins, std::string_view role) {
         return builder_.gate(type, pins, owner_, role);
     }

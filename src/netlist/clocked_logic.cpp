@@ -76,17 +76,33 @@ NetId ClockedBuild::make_net(View& view, ExprId id) {
     return builder_.low();
 }
 
-/// Within the operand of another time condition the value at the end of the scan counts. Where a
-/// change has no delay that is already known; one that ends in this very scan is seen at the next.
+/// Within the operand of another time condition the value at the end of the scan counts, which the
+/// timer itself shows only after it.
 NetId ClockedBuild::time_net(View& view, ExprId id) {
-    const NetId held = times_[pool_.ordinal(id)];
+    const std::size_t ordinal = pool_.ordinal(id);
+    const NetId held = times_[ordinal];
     if (!view.is_after) return held;
     const TimeCondition& condition = pool_.time_condition_of(id);
-    if (condition.on_delay != 0 && condition.off_delay != 0) return held;
     const NetId operand = net(view, condition.operand);
     if (condition.on_delay == 0 && condition.off_delay == 0) return operand;
-    const CellType type = condition.off_delay == 0 ? CellType::and_gate : CellType::or_gate;
-    return gate(type, {held, operand}, next_role());
+    const NetId next = builder_.add_net(fmt::format("timer${}", ordinal), "next");
+    const NetId pins[] = {operand, held, clock_};
+    const Timing timing = timing_of(ordinal);
+    const std::uint32_t reader = builder_.origin();
+    builder_.work_on(builder_.module(), time_origin(ordinal));
+    builder_.add_memory(CellType::scan_timer_next, next, pins, Logic::unknown, &timing);
+    builder_.work_on(builder_.module(), reader);
+    return next;
+}
+
+Timing ClockedBuild::timing_of(std::size_t ordinal) const {
+    const TimeCondition& condition = pool_.time_condition_of(pool_.time_conditions()[ordinal]);
+    return {condition.on_delay, condition.off_delay, static_cast<std::uint32_t>(ordinal)};
+}
+
+std::uint32_t ClockedBuild::time_origin(std::size_t ordinal) {
+    const ExprId id = pool_.time_conditions()[ordinal];
+    return builder_.add_origin(Origin::Kind::time_condition, equation_text(equations_, id), {});
 }
 
 // Only the edges that something reads are needed: those of the GRAFCET, whose ordinals are the same
@@ -121,13 +137,11 @@ void ClockedBuild::make_edges() {
 
 void ClockedBuild::make_time_conditions() {
     for (std::size_t i = 0; i < times_.size(); ++i) {
-        const ExprId id = pool_.time_conditions()[i];
-        const TimeCondition& condition = pool_.time_condition_of(id);
-        work_on(fmt::format("timer${}", i), builder_.add_origin(Origin::Kind::time_condition,
-                                                                equation_text(equations_, id), {}));
+        const TimeCondition& condition = pool_.time_condition_of(pool_.time_conditions()[i]);
+        work_on(fmt::format("timer${}", i), time_origin(i));
         role_ = 0;
         const NetId pins[] = {net(after_, condition.operand), clock_};
-        const Timing timing{condition.on_delay, condition.off_delay, static_cast<std::uint32_t>(i)};
+        const Timing timing = timing_of(i);
         builder_.add_memory(CellType::scan_timer, times_[i], pins, Logic::zero, &timing);
     }
 }

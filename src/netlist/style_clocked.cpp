@@ -12,7 +12,9 @@
 //
 // An edge is a flip-flop that remembers its operand and a gate; in the very first scan there are
 // none, because a memory holds the present value at the start. The freeze bits are flip-flops that
-// start at 1. All flip-flops have initial values, as those of an FPGA have.
+// start at 1. A time condition is a clocked timer; where it stands in another one, that reads it as
+// it will be after this scan, from a cell that looks ahead. All flip-flops have initial values, as
+// those of an FPGA have.
 
 #include <fmt/format.h>
 

@@ -93,7 +93,11 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
         pulses_.push_back(pulse);
         held_at_power_up_.emplace_back(memory.node, Logic::zero);
     }
-    if (cell.type == CellType::timer || cell.type == CellType::scan_timer) {
+    if (cell.type == CellType::scan_timer_next) {
+        memory.held = static_cast<std::uint32_t>(pins[1]);
+        look_ahead_nodes_.push_back(memory.node);
+    }
+    if (is_timer(cell.type)) {
         memory.detail = static_cast<std::uint32_t>(timer_cells_.size());
         timer_cells_.push_back(id);
         timer_nodes_.push_back(memory.node);

@@ -68,9 +68,11 @@ class Simulator::Kernel {
         std::uint32_t node = 0;
         std::uint32_t data = 0;            ///< first pin
         std::uint32_t control = 0;         ///< last pin: the clock, where there is one
+        std::uint32_t held = 0;            ///< scan_timer_next: the output of the timer
         std::uint32_t detail = 0;          ///< index into pulses_ or the timers
         Logic data_seen = Logic::unknown;  ///< values of the pins when last evaluated
         Logic control_seen = Logic::unknown;
+        Logic held_seen = Logic::unknown;
     };
     /// The output is 1 from certain_from to before certain_to, else unknown likewise, else 0.
     struct Pulse {
@@ -126,7 +128,9 @@ class Simulator::Kernel {
     std::uint8_t evaluate_special(std::uint32_t net);
     std::uint8_t evaluate_flip_flop(MemoryCell& cell);
     std::uint8_t evaluate_timer(std::size_t timer, Logic operand, Logic aimed);
+    std::uint8_t count_scan(std::size_t timer, Logic operand, Logic shown);
     std::uint8_t evaluate_scan_timer(MemoryCell& cell);
+    std::uint8_t evaluate_scan_timer_next(MemoryCell& cell);
     void evaluate_pulse(MemoryCell& cell);
     void fire(Pulse& pulse, Edge edge);
     void aim_pulse(Pulse& pulse);
@@ -194,6 +198,7 @@ class Simulator::Kernel {
     std::vector<Time> fall_delays_;
     std::vector<Time> due_;
     std::vector<Logic> towards_;  ///< per timer: what its output takes when the delay ends
+    std::vector<std::uint32_t> look_ahead_nodes_;  ///< those that depend on the present moment
 
     bool pulses_held_ = false;
     bool pulses_remember_ = false;

@@ -12,6 +12,9 @@
 // ends the output cannot have changed, from then on it may have. Where the operand becomes known
 // only at a later instant, the delay may have begun at either, and the output becomes unknown at
 // once. Operands that are unknown for a few nanoseconds after power-up thus do no harm.
+//
+// The look-ahead of a clocked timer keeps the same delay as that timer, from the same moments, and
+// shows between two rises of the clock what the timer will make of its operand at the next.
 
 namespace grafwire {
 
@@ -37,6 +40,9 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
             break;
         case CellType::scan_timer:
             if (!is_forced) target = evaluate_scan_timer(cell);
+            break;
+        case CellType::scan_timer_next:
+            if (!is_forced) target = evaluate_scan_timer_next(cell);
             break;
         case CellType::timer:
             if (!is_forced) target = evaluate_timer(cell.detail, data, aimed_value(net));
@@ -100,6 +106,14 @@ std::uint8_t Simulator::Kernel::evaluate_timer(std::size_t timer, Logic operand,
                                                  : no_change;
 }
 
+/// What a clocked timer is to show after a rise of the clock, given its operand and what it shows.
+std::uint8_t Simulator::Kernel::count_scan(std::size_t timer, Logic operand, Logic shown) {
+    const std::uint8_t target = evaluate_timer(timer, operand, shown);
+    if (due_[timer] > instant_) return target;
+    due_[timer] = never;
+    return static_cast<std::uint8_t>(towards_[timer]);
+}
+
 std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
     const Logic aimed = aimed_value(cell.node);
     Time& due = due_[cell.detail];
@@ -107,16 +121,33 @@ std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
         case Edge::none:
             return no_change;
         case Edge::certain:
-            break;
+            return count_scan(cell.detail, cell.data_seen, aimed);
         default:
             if (cell.data_seen == aimed && due == never) return no_change;
             due = never;
             return static_cast<std::uint8_t>(Logic::unknown);
     }
-    const std::uint8_t target = evaluate_timer(cell.detail, cell.data_seen, aimed);
-    if (due > instant_) return target;
-    due = never;
-    return static_cast<std::uint8_t>(towards_[cell.detail]);
+}
+
+std::uint8_t Simulator::Kernel::evaluate_scan_timer_next(MemoryCell& cell) {
+    switch (rise_between(cell.control_seen, values_[cell.control])) {
+        case Edge::none:
+            break;
+        case Edge::certain:
+            count_scan(cell.detail, cell.data_seen, cell.held_seen);
+            break;
+        default:
+            due_[cell.detail] = never;
+            break;
+    }
+    cell.held_seen = values_[cell.held];
+    // As if the clock rose now.
+    const Time due = due_[cell.detail];
+    const Logic towards = towards_[cell.detail];
+    const std::uint8_t next = count_scan(cell.detail, values_[cell.data], cell.held_seen);
+    due_[cell.detail] = due;
+    towards_[cell.detail] = towards;
+    return next == no_change ? static_cast<std::uint8_t>(cell.held_seen) : next;
 }
 
 Logic Simulator::Kernel::pulse_value(const Pulse& pulse, Tick tick) {

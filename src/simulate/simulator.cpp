@@ -39,6 +39,7 @@ void Simulator::Kernel::look_at_pins() {
     for (MemoryCell& cell : memories_) {
         if (!(pulses_held_ && pulses_remember_)) cell.data_seen = values_[cell.data];
         cell.control_seen = values_[cell.control];
+        cell.held_seen = values_[cell.held];
     }
     for (Pulse& pulse : pulses_) {
         pulse.certain_from = pulse.certain_to = tick_;
@@ -49,6 +50,7 @@ void Simulator::Kernel::look_at_pins() {
 void Simulator::Kernel::begin_instant(Time at) {
     instant_ = at;
     if (!is_live() && at > now()) origin_ = at - tick_ * slot_;
+    for (const std::uint32_t net : look_ahead_nodes_) touch(net);
 }
 
 void Simulator::Kernel::restart_clock() {

@@ -88,7 +88,7 @@ class Simulator {
     /// fall.
     Settling clock_cycle();
 
-    /// The cells of type timer or scan_timer, in order; their numbers are used below.
+    /// The cells that are timers (is_timer), in order; their numbers are used below.
     const std::vector<CellId>& timers() const;
     bool is_running(std::size_t timer) const;
     /// The earliest moment at which a running delay ends; `never` if none runs.

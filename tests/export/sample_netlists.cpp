@@ -137,13 +137,17 @@ Netlist all_asynchronous_cells() {
 Netlist clocked_sample() {
     NetlistMaker maker("clocked");
     maker.input("a").input("Init").input("clk");
-    maker.output("X1").output("late");
+    maker.output("X1").output("late").output("later");
     maker.module("X1", "X1 toggles while a")
         .cell(xor_gate, "X1$next", {"X1", "a"})
         .cell(flip_flop, "X1", {"X1$next", "clk"}, Logic::one);
     maker.module("late", "late = 30ms/a/10ms")
         .cell(scan_timer, "late", {"a", "clk"}, Logic::zero,
               {30 * millisecond, 10 * millisecond, 0});
+    maker.module("later", "later = 20ms/late")
+        .cell(scan_timer_next, "late$next", {"a", "late", "clk"}, Logic::unknown,
+              {30 * millisecond, 10 * millisecond, 0})
+        .cell(scan_timer, "later", {"late$next", "clk"}, Logic::zero, {20 * millisecond, 0, 1});
     return maker.make();
 }
 

@@ -162,14 +162,15 @@ TEST_CASE("the clocked sample in Icarus Verilog, scan by scan") {
     Bench bench = bench_of({{0, {{0, true}}}, {50 * ms, {{0, false}}}},
                            {0, 10 * ms, 20 * ms, 30 * ms, 40 * ms, 50 * ms, 60 * ms, 70 * ms});
     CHECK(simulated(clocked_sample(), bench) ==
-          "time_ms,X1,late\n0,0,0\n10,1,0\n20,0,0\n30,1,1\n40,0,1\n50,0,1\n60,0,0\n70,0,0\n");
+          "time_ms,X1,late,later\n0,0,0,0\n10,1,0,0\n20,0,0,0\n30,1,1,0\n40,0,1,0\n50,0,1,1\n60,0,"
+          "0,0\n70,0,0,0\n");
     // Half as many scans for the same delays.
     bench.instants = {0, 20 * ms, 40 * ms, 60 * ms, 80 * ms};
     CHECK(simulated(clocked_sample(), bench, 20 * ms) ==
-          "time_ms,X1,late\n0,0,0\n20,1,0\n40,0,1\n60,0,1\n80,0,0\n");
+          "time_ms,X1,late,later\n0,0,0,0\n20,1,0,0\n40,0,1,0\n60,0,1,1\n80,0,0,0\n");
     bench.instants = {0, 60 * ms};
     bench.clock_cycles = 5;
-    CHECK(simulated(clocked_sample(), bench) == "time_ms,X1,late\n0,0,1\n60,0,0\n");
+    CHECK(simulated(clocked_sample(), bench) == "time_ms,X1,late,later\n0,0,1,0\n60,0,0,0\n");
 }
 
 TEST_CASE("the initial values of a netlist without modes") {
@@ -217,7 +218,7 @@ TEST_CASE("helpers and blocks do not clash with the name of the GRAFCET") {
     const std::string text = write_verilog(netlist);
     CHECK(text.find("\nmodule grafwire_dff #(") != std::string::npos);
     CHECK(text.find("\nmodule grafwire__dff #(") != std::string::npos);
-    CHECK(simulated(netlist, bench_of({{0, {{0, true}}}}, {0})) == "time_ms,X1,late\n0,0,0\n");
+    CHECK(simulated(netlist, bench_of({{0, {{0, true}}}}, {0})) == "time_ms,X1,late,later\n0,0,0,0\n");
 }
 
 TEST_CASE("an output that shares its net") {

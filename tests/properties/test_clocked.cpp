@@ -67,12 +67,17 @@ std::string clocked_until_stable(const RandomCase& item) {
 
 }  // namespace
 
-// A time condition within another sees the end of a delay one scan later in the netlist, where the
-// reference goes from the inside outwards within one scan: without nested ones here.
 TEST_CASE("the clocked netlist is the reference scan by scan") {
-    Features features;
-    features.nested_times = false;
-    check_property(clocked_scans, features, 500'000, 4000, 15);
+    check_property(clocked_scans, Features(), 500'000, 4000, 15);
+}
+
+// The outer condition reads what the inner one becomes in the same scan.
+TEST_CASE("time conditions within time conditions, scan by scan and until stable") {
+    Features features = Features::small();
+    features.time_conditions = 6;
+    features.expression_depth = 4;
+    check_property(clocked_scans, features, 650'000, 2000, 15);
+    check_property(clocked_until_stable, features, 660'000, 2000, 15);
 }
 
 TEST_CASE("the clocked netlist is the reference until stable") {

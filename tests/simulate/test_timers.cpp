@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <random>
 
 #include "small_netlist.h"
 
@@ -148,11 +149,13 @@ namespace {
 struct ScanTimerBench {
     SmallNetlist small;
     std::unique_ptr<Bench> bench;
+    Logic next = unknown;  ///< what the look-ahead showed before the last rise of the clock
     explicit ScanTimerBench(Timing timing) {
         small.clock("clk");
         small.input("a");
         small.timed(CellType::scan_timer, "t", {"a", "clk"}, timing, zero);
         small.cell(CellType::flip_flop, "q", {"t", "clk"}, zero);
+        small.timed(CellType::scan_timer_next, "next", {"a", "t", "clk"}, timing);
         bench = std::make_unique<Bench>(small);
         bench->set("clk", zero);
         bench->step("a", zero);
@@ -161,7 +164,8 @@ struct ScanTimerBench {
     /// One scan at so many milliseconds; t and q after it.
     std::string scan(Time at, Logic a) {
         bench->simulator.begin_instant(at * millisecond);
-        bench->set("a", a);
+        bench->step("a", a);
+        next = bench->get("next");
         REQUIRE(bench->simulator.clock_cycle().settled);
         std::string shown;
         for (const char* net : {"t", "q"}) {
@@ -219,4 +223,45 @@ TEST_CASE("a clocked timer with an unknown operand") {
     CHECK(timer.scan(15, unknown) == "x0");
     CHECK(timer.scan(16, zero) == "xx");
     CHECK(timer.scan(18, zero) == "0x");
+}
+
+TEST_CASE("the look-ahead of a clocked timer shows what that takes at the next rise") {
+    std::minstd_rand random(11);
+    std::size_t changes = 0;
+    for (const Timing& timing :
+         {five_up_two_down, Timing{0, 4 * millisecond, 0}, Timing{3 * millisecond, 0, 0}}) {
+        for (const bool has_unknown : {false, true}) {
+            ScanTimerBench timer(timing);
+            Time at = 0;
+            Logic shown = zero;
+            for (int i = 0; i < 400; ++i) {
+                at += 1 + static_cast<Time>(random() % 3);
+                const auto choice = random() >> 8U & 15U;
+                const bool is_unknown = has_unknown && choice == 15;
+                timer.scan(at, is_unknown                             ? unknown
+                               : choice % 4 != 0 == (i / 10 % 2 != 0) ? one
+                                                                      : zero);
+                const Logic taken = timer.bench->get("t");
+                CHECK((timer.next == taken || (has_unknown && timer.next == unknown)));
+                if (taken != shown) ++changes;
+                shown = taken;
+            }
+        }
+    }
+    CHECK(changes > 100);
+}
+
+TEST_CASE("a look-ahead knows when its timer is ended before the clock") {
+    ScanTimerBench timer(five_up_two_down);
+    CHECK(timer.scan(10, one) == "00");
+    Simulator& simulator = timer.bench->simulator;
+    CHECK(simulator.is_running(1));
+    simulator.begin_instant(15 * millisecond);
+    timer.bench->set("a", zero);
+    simulator.end_delays(15 * millisecond);
+    simulator.settle();
+    CHECK(timer.bench->get("next") == one);  // the fall takes a delay of its own
+    CHECK(timer.scan(16, zero) == "11");
+    CHECK(timer.scan(18, zero) == "01");
+    CHECK(timer.next == zero);
 }
