@@ -22,9 +22,9 @@ std::string verilog(const Netlist& netlist, const ExportOptions& options, Diagno
     return write_verilog(netlist, options.scan_period);
 }
 
-std::string spice(const Netlist& netlist, const ExportOptions& options, Diagnostics& diagnostics) {
+std::string spice(const Netlist& netlist, const ExportOptions& options, Diagnostics&) {
     return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(),
-                       diagnostics);
+                       options.scan_period);
 }
 
 constexpr std::array<Exporter, 7> table{{

@@ -8,6 +8,9 @@
 // During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held
 // at these, and timers at theirs.
 //
+// XSPICE has no cell that counts clock edges, so clocked timers become counters of flip-flops first
+// (counted_timers.cpp).
+//
 // Outputs are sampled by flip-flops: thus `eprint` shows them once an instant and not at every
 // change of a gate.
 
@@ -18,6 +21,7 @@
 #include <algorithm>
 
 #include "export/append.h"
+#include "export/counted_timers.h"
 #include "export/spice_cells.h"
 #include "export/spice_elements.h"
 #include "export/spice_models.h"
@@ -30,9 +34,10 @@ namespace {
 
 class DeckWriter {
   public:
-    DeckWriter(const Netlist& netlist, const Bench& bench)
+    DeckWriter(const Netlist& netlist, const Bench& bench, std::string note)
         : netlist_(netlist),
           bench_(bench),
+          note_(std::move(note)),
           nets_(netlist),
           elements_(out_),
           start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {}
@@ -50,6 +55,7 @@ class DeckWriter {
 
     const Netlist& netlist_;
     const Bench& bench_;
+    std::string note_;  ///< for the head
     SpiceNames nets_;
     std::string out_;
     SpiceElements elements_;
@@ -72,6 +78,7 @@ void DeckWriter::write_head() {
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(),
            " cells, for ngspice 39 or later (ngspice -b FILE)\n");
+    out_ += note_;
     out_ += "* Inputs:\n";
     list_ports(netlist_.inputs);
     out_ += "* Outputs; sampled once an instant as nodes with _ before their names:\n";
@@ -143,18 +150,13 @@ void DeckWriter::write_control(Time end) {
 
 }  // namespace
 
-std::string write_spice(const Netlist& netlist, const Bench& bench, Diagnostics& diagnostics) {
-    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
-        const CellId cell = netlist.cells.id_at(i);
-        if (!counts_scans(netlist.cells[cell].type)) continue;
-        diagnostics.error(
-            Code::unsupported_by_style, netlist.origin_of(netlist.cells[cell]).where,
-            fmt::format("{}: ngspice has no clocked timer; use an asynchronous style or "
-                        "Verilog",
-                        cell_description(netlist, cell)));
-        return {};
-    }
-    return DeckWriter(netlist, bench).write();
+std::string write_spice(const Netlist& netlist, const Bench& bench, Time scan_period) {
+    if (!has_scan_timers(netlist)) return DeckWriter(netlist, bench, {}).write();
+    const CountedTimers counted = with_counted_timers(netlist, scan_period);
+    std::string note = fmt::format(
+        "* Clocked timers: {} flip-flops that count scans of {}, at most {} for one delay.\n",
+        counted.flip_flops, format_duration(scan_period), counted.longest);
+    return DeckWriter(counted.netlist, bench, std::move(note)).write();
 }
 
 }  // namespace grafwire

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "export/append.h"
+#include "export/counted_timers.h"
 #include "export/verilog_helpers.h"
 #include "export/verilog_names.h"
 #include "export/write_verilog.h"
@@ -85,10 +86,7 @@ void BenchWriter::write_instance() {
     }
     out_ += "  end\n\n  ";
     spell_verilog(out_, netlist_.name);
-    const bool has_scan_timer =
-        std::any_of(netlist_.cells.begin(), netlist_.cells.end(),
-                    [](const Cell& cell) { return counts_scans(cell.type); });
-    if (has_scan_timer) {
+    if (has_scan_timers(netlist_)) {
         append(out_, " #(.", verilog_scan_parameter(netlist_), "(64'd", scan_period_, "))");
     }
     out_ += " netlist (";

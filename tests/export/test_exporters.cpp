@@ -45,6 +45,7 @@ TEST_CASE("golden files") {
     CHECK(exported(clocked_sample(), "verilog") == golden("clocked.v"));
     CHECK(exported(clocked_sample(), "blif") == golden("clocked.blif"));
     CHECK(exported(clocked_sample(), "json") == golden("clocked.json"));
+    CHECK(exported(clocked_sample(), "spice") == golden("clocked.cir"));
     CHECK(exported(latch_without_modes(), "verilog") == golden("bare.v"));
     CHECK(exported(latch_without_modes(), "blif") == golden("bare.blif"));
 }

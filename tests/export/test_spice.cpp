@@ -14,11 +14,10 @@ namespace {
 constexpr Time ms = millisecond;
 
 /// The rows of samples that ngspice prints: a digit per output.
-std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench) {
+std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
+                                 Time scan_period = 10 * ms) {
     ToolRunner tools;
-    Diagnostics diagnostics;
-    tools.write("deck.cir", write_spice(netlist, bench, diagnostics));
-    CHECK_FALSE(diagnostics.has_errors());
+    tools.write("deck.cir", write_spice(netlist, bench, scan_period));
     const auto result = tools.run("ngspice -b deck.cir");
     CHECK(result.status == 0);
     std::vector<std::string> rows;
@@ -147,11 +146,26 @@ TEST_CASE("nodes keep their names where SPICE can tell them apart") {
     CHECK(all == "x7 x7_2 h_ h__2 null_2 n7 n_a ");
 }
 
-TEST_CASE("clocked timers are refused") {
-    Diagnostics diagnostics;
-    CHECK(write_spice(clocked_sample(), idle_bench(), diagnostics) == "");
-    REQUIRE(diagnostics.error_count() == 1);
-    CHECK(diagnostics.items()[0].code == Code::unsupported_by_style);
-    CHECK(diagnostics.items()[0].message ==
-          "clocked timer late: ngspice has no clocked timer; use an asynchronous style or Verilog");
+TEST_CASE("clocked timers in ngspice are counters of scans") {
+    Bench bench = bench_of({{0, {{0, true}}}, {50 * ms, {{0, false}}}},
+                           {0, 10 * ms, 20 * ms, 30 * ms, 40 * ms, 50 * ms, 60 * ms, 70 * ms});
+    CHECK(sampled(clocked_sample(), bench) ==
+          Rows{"000", "100", "000", "110", "010", "011", "000", "000"});
+    // Half as many scans for the same delays.
+    bench.instants = {0, 20 * ms, 40 * ms, 60 * ms, 80 * ms};
+    CHECK(sampled(clocked_sample(), bench, 20 * ms) == Rows{"000", "100", "010", "011", "000"});
+}
+
+TEST_CASE("the head says how the timers count") {
+    const auto note = [](Time scan_period) {
+        const std::string deck = write_spice(clocked_sample(), idle_bench(), scan_period);
+        const std::size_t from = deck.find("* Clocked timers");
+        REQUIRE(from != std::string::npos);
+        return deck.substr(from, deck.find('\n', from) - from);
+    };
+    CHECK(note(10 * ms) ==
+          "* Clocked timers: 8 flip-flops that count scans of 10ms, at most 3 for one delay.");
+    CHECK(note(7 * ms) ==
+          "* Clocked timers: 10 flip-flops that count scans of 7ms, at most 5 for one delay.");
+    CHECK(write_spice(nand_sequencer(), idle_bench()).find("Clocked timers") == std::string::npos);
 }

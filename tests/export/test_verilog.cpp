@@ -218,7 +218,8 @@ TEST_CASE("helpers and blocks do not clash with the name of the GRAFCET") {
     const std::string text = write_verilog(netlist);
     CHECK(text.find("\nmodule grafwire_dff #(") != std::string::npos);
     CHECK(text.find("\nmodule grafwire__dff #(") != std::string::npos);
-    CHECK(simulated(netlist, bench_of({{0, {{0, true}}}}, {0})) == "time_ms,X1,late,later\n0,0,0,0\n");
+    CHECK(simulated(netlist, bench_of({{0, {{0, true}}}}, {0})) ==
+          "time_ms,X1,late,later\n0,0,0,0\n");
 }
 
 TEST_CASE("an output that shares its net") {

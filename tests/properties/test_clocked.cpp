@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "evolution/run.h"
+#include "export/counted_timers.h"
 #include "netlist/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
@@ -48,6 +49,23 @@ std::string clocked_scans(const RandomCase& item) {
     return {};
 }
 
+/// The timers as counters of scans, as formats without timers have them.
+std::string counted_scans(const RandomCase& item) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto stimuli = read_stimuli(item.stimuli, *grafcet);
+    const auto netlist = clocked(*grafcet);
+    if (!netlist) return "no netlist";
+    for (const Time period : {millisecond, 1500 * microsecond}) {
+        const CountedTimers counted = with_counted_timers(*netlist, period);
+        if (const std::string fault = fault_of(counted.netlist); !fault.empty()) return fault;
+        const RunResult expected = run_scans(*grafcet, *stimuli, period);
+        const SimulateResult got = cycles(*grafcet, counted.netlist, *stimuli, period);
+        const std::string difference = compare(expected.trace, got.trace);
+        if (!difference.empty()) return "every " + format_duration(period) + "\n" + difference;
+    }
+    return {};
+}
+
 std::string clocked_until_stable(const RandomCase& item) {
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
@@ -78,6 +96,13 @@ TEST_CASE("time conditions within time conditions, scan by scan and until stable
     features.expression_depth = 4;
     check_property(clocked_scans, features, 650'000, 2000, 15);
     check_property(clocked_until_stable, features, 660'000, 2000, 15);
+}
+
+TEST_CASE("clocked timers as counters, scan by scan") {
+    Features features = Features::small();
+    features.time_conditions = 6;
+    features.expression_depth = 4;
+    check_property(counted_scans, features, 670'000, 2000, 15);
 }
 
 TEST_CASE("the clocked netlist is the reference until stable") {
