@@ -19,11 +19,6 @@ bool has_counters(const std::string& name) {
     return name == "batch-counter" || name == "level-crossing" || name == "press";
 }
 
-bool has_times(const std::string& name) {
-    const std::string info = grafwire_with({"info", example(name + ".grafcet")}).out;
-    return !contains(info, " 0 time conditions\n");
-}
-
 /// The formats as the help of `netlist` lists them.
 std::vector<std::string> formats() {
     const std::string help = grafwire_with({"netlist", "--help"}).out;
@@ -141,10 +136,6 @@ TEST_CASE("the netlist of every example, in every style and format") {
                                                            "--modes", modes};
                     if (style != "clocked" && has_counters(name)) {
                         check_refusal(request, style);
-                    } else if (format == "spice" && style == "clocked" && has_times(name)) {
-                        const Ran ran = grafwire_with(request);
-                        CHECK(ran.status == 2);
-                        CHECK(contains(ran.err, "ngspice has no clocked timer"));
                     } else {
                         result_of(request);
                     }
