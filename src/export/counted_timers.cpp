@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -143,8 +142,8 @@ void TimerCounters::write_timer(const Cell& cell) {
 void TimerCounters::add_bits(Time longest) {
     result_.longest = std::max(result_.longest, longest);
     bits_.clear();
-    for (int bit = 0; bit < std::bit_width(static_cast<std::uint64_t>(longest)); ++bit) {
-        bits_.push_back(add_net(fmt::format("count{}", bit)));
+    for (Time rest = longest; rest != 0; rest /= 2) {
+        bits_.push_back(add_net(fmt::format("count{}", bits_.size())));
     }
 }
 

@@ -67,7 +67,7 @@ struct Comparison {
     Sum left;
     Relation relation = Relation::equal;
     Sum right;
-    auto operator<=>(const Comparison&) const = default;
+    bool operator==(const Comparison&) const = default;
 };
 
 /// `on_delay/operand/off_delay`: 1 once the operand has been 1 for on_delay, 0 once it has been 0

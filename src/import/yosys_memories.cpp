@@ -8,9 +8,9 @@ namespace grafwire {
 /// clock, the reset with its value, and the enable; C before E gates the reset with the enable.
 std::string YosysCellReader::add_flip_flop() {
     const std::string_view type = cell_.type;
-    const std::size_t second = type.find('_', 2);
-    const std::string_view kind = type.substr(2, second - 2);
-    const std::string_view letters = type.substr(second + 1, type.size() - second - 2);
+    const std::size_t middle = type.find('_', 2);
+    const std::string_view kind = type.substr(2, middle - 2);
+    const std::string_view letters = type.substr(middle + 1, type.size() - middle - 2);
     const bool has_reset = kind.starts_with("SDFF");
     const bool has_enable = kind.ends_with('E');
     const std::size_t expected = 1U + (has_reset ? 2U : 0U) + (has_enable ? 1U : 0U);

@@ -44,9 +44,9 @@ NetId Arithmetic::xor_of(NetId a, NetId b) {
 
 NetId Arithmetic::choose(NetId chosen, NetId a, NetId b) {
     if (a == b) return a;
-    const NetId first = and_of(chosen, a);
-    const NetId second = and_of(builder_.inverted(chosen), b);
-    return or_of(first, second);
+    const NetId from_a = and_of(chosen, a);
+    const NetId from_b = and_of(builder_.inverted(chosen), b);
+    return or_of(from_a, from_b);
 }
 
 Word Arithmetic::choose(NetId chosen, const Word& a, const Word& b) {
