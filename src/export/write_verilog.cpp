@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "export/append.h"
-#include "export/helper_pins.h"
 #include "export/net_spelling.h"
 #include "export/verilog_blocks.h"
+#include "export/verilog_cells.h"
 #include "export/verilog_helpers.h"
 #include "export/verilog_names.h"
 
@@ -24,18 +24,6 @@ namespace grafwire {
 namespace {
 
 constexpr std::size_t modules_per_block = 200;
-
-constexpr std::string_view bit_of(Logic value) {
-    switch (value) {
-        case Logic::zero:
-            return "1'b0";
-        case Logic::one:
-            return "1'b1";
-        case Logic::unknown:
-            break;
-    }
-    return "1'bx";
-}
 
 class VerilogWriter {
   public:
@@ -46,12 +34,8 @@ class VerilogWriter {
           helpers_(verilog_helper_prefix(netlist)),
           scan_parameter_(verilog_scan_parameter(netlist)),
           scan_period_(scan_period),
-          delay_(netlist.is_clocked() ? " " : " #1 "),
-          initial_(netlist.net_count(), Logic::unknown) {
+          cells_(out_, netlist, nets_) {
         spell_verilog(name_, netlist.name);
-        for (const Netlist::InitialValue& item : netlist.initial_values) {
-            initial_[index_of(item.net)] = item.value ? Logic::one : Logic::zero;
-        }
     }
 
     std::string write();
@@ -68,11 +52,6 @@ class VerilogWriter {
     void write_block(const VerilogBlock& block, std::size_t number);
     void write_wires(const Module& module, const std::vector<std::uint8_t>& is_declared);
     void write_cells(const Module& module);
-    void write_cell(const Cell& cell);
-    void write_gate(std::string_view primitive, const Cell& cell);
-    void write_helper(const Cell& cell);
-    void write_parameters(const Cell& cell);
-    void write_initial_values(std::span<const Module> modules);
     void write_block_name(std::size_t number);
     void write_scan_parameter(bool with_value);
 
@@ -87,11 +66,10 @@ class VerilogWriter {
     std::string helpers_;
     std::string scan_parameter_;
     Time scan_period_;
-    std::string_view delay_;
-    std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
     bool has_scan_timer_ = false;
     std::vector<std::uint8_t> declared_;  ///< per net: an output port of its block
     std::string out_;
+    VerilogCells cells_;
 };
 
 std::string VerilogWriter::write() {
@@ -185,101 +163,7 @@ void VerilogWriter::write_cells(const Module& module) {
     out_ += "\n  // ";
     append_comment(out_, module.comment.empty() ? module.name : module.comment);
     out_ += '\n';
-    for (const Cell& cell : cells_of(module)) write_cell(cell);
-}
-
-void VerilogWriter::write_gate(std::string_view primitive, const Cell& cell) {
-    append(out_, "  ", primitive, delay_);
-    append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
-    append(out_, " (", nets_[cell.output]);
-    for (const NetId pin : netlist_.pins_of(cell)) append(out_, ", ", nets_[pin]);
-    out_ += ");\n";
-}
-
-void VerilogWriter::write_cell(const Cell& cell) {
-    // A Verilog gate has two inputs at least.
-    const bool single = cell.pin_count == 1;
-    switch (cell.type) {
-        case CellType::low:
-        case CellType::high:
-            append(out_, "  assign ", nets_[cell.output],
-                   cell.type == CellType::low ? " = 1'b0;\n" : " = 1'b1;\n");
-            return;
-        case CellType::buffer:
-            return write_gate("buf", cell);
-        case CellType::inverter:
-            return write_gate("not", cell);
-        case CellType::and_gate:
-            return write_gate(single ? "buf" : "and", cell);
-        case CellType::or_gate:
-            return write_gate(single ? "buf" : "or", cell);
-        case CellType::xor_gate:
-            return write_gate(single ? "buf" : "xor", cell);
-        case CellType::nand_gate:
-            return write_gate(single ? "not" : "nand", cell);
-        case CellType::nor_gate:
-            return write_gate(single ? "not" : "nor", cell);
-        case CellType::latch:
-        case CellType::hold_latch:
-        case CellType::rise_pulse:
-        case CellType::fall_pulse:
-        case CellType::timer:
-        case CellType::flip_flop:
-        case CellType::scan_timer:
-        case CellType::scan_timer_next:
-            return write_helper(cell);
-    }
-}
-
-void VerilogWriter::write_parameters(const Cell& cell) {
-    const CellTypeRow& row = row_of(cell.type);
-    std::string_view separator = " #(";
-    if (row.has_timing) {
-        const Timing& timing = netlist_.timings[cell.timing];
-        if (is_timer(cell.type)) {
-            append(out_, separator, ".RISE_PS(64'd", timing.rise, "), .FALL_PS(64'd", timing.fall,
-                   ")");
-        } else {
-            append(out_, separator, ".WIDTH_PS(64'd", timing.fall, ")");
-        }
-        separator = ", ";
-    }
-    if (counts_scans(cell.type)) append(out_, separator, ".SCAN_PS(", scan_parameter_, ")");
-    if (row.has_memory) append(out_, separator, ".INIT(", bit_of(cell.initial), ")");
-    out_ += ") ";
-}
-
-void VerilogWriter::write_helper(const Cell& cell) {
-    append(out_, "  ", helpers_, row_of(cell.type).name);
-    write_parameters(cell);
-    append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
-    out_ += " (";
-    std::uint32_t number = 0;
-    for (const NetId pin : netlist_.pins_of(cell))
-        append(out_, ".", helper_pin_name(cell.type, number++), "(", nets_[pin], "), ");
-    append(out_, ".q(", nets_[cell.output], "));");
-    if (row_of(cell.type).has_timing) {
-        const Timing& timing = netlist_.timings[cell.timing];
-        append(out_, "  // ");
-        if (is_timer(cell.type)) append(out_, format_duration(timing.rise), ", ");
-        append(out_, format_duration(timing.fall));
-    }
-    out_ += '\n';
-}
-
-void VerilogWriter::write_initial_values(std::span<const Module> modules) {
-    std::vector<NetId> nets;
-    for_each_cell(netlist_, modules, [&](const Cell& cell) {
-        if (initial_[index_of(cell.output)] != Logic::unknown) nets.push_back(cell.output);
-    });
-    if (nets.empty()) return;
-    out_ += "\n`ifndef SYNTHESIS\n  initial begin\n";
-    for (const NetId net : nets) {
-        append(out_, "    force ", nets_[net], " = ", bit_of(initial_[index_of(net)]), ";\n");
-    }
-    out_ += "    #(`GRAFWIRE_START);\n";
-    for (const NetId net : nets) append(out_, "    release ", nets_[net], ";\n");
-    out_ += "  end\n`endif\n";
+    for (const Cell& cell : cells_of(module)) cells_.write(cell);
 }
 
 /// The nets that the list of ports declares.
@@ -300,7 +184,7 @@ void VerilogWriter::write_flat() {
     for (const Module& module : netlist_.modules) write_wires(module, is_port);
     write_aliases();
     for (const Module& module : netlist_.modules) write_cells(module);
-    write_initial_values(netlist_.modules);
+    cells_.write_initial_values(netlist_.modules);
     out_ += "endmodule\n";
 }
 
@@ -343,7 +227,7 @@ void VerilogWriter::write_block(const VerilogBlock& block, std::size_t number) {
     out_ += "\n);\n";
     for (const Module& module : block.modules) write_wires(module, declared_);
     for (const Module& module : block.modules) write_cells(module);
-    write_initial_values(block.modules);
+    cells_.write_initial_values(block.modules);
     out_ += "endmodule\n";
 }
 
