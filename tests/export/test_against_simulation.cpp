@@ -68,9 +68,9 @@ Stimuli restless_inputs() {
     constexpr Time pauses[] = {5, 10, 15, 20, 30, 45, 60, 100, 200};
     for (int i = 0; i < 60; ++i) {
         stimuli.end += pauses[random() % std::size(pauses)] * millisecond;
-        const auto a = static_cast<std::uint8_t>(random() >> 10U & 1U);
-        const auto b = static_cast<std::uint8_t>(random() >> 10U & 1U);
-        stimuli.changes.push_back({stimuli.end, {{0, a}, {1, b}}});
+        const bool a = (random() >> 10U & 1U) != 0;
+        const bool b = (random() >> 10U & 1U) != 0;
+        stimuli.changes.push_back({stimuli.end, {{0, a}, {1, b}}, {}});
     }
     return stimuli;
 }
