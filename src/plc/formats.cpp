@@ -1,5 +1,7 @@
 #include "plc/formats.h"
 
+#include "plc/write_st.h"
+
 namespace grafwire {
 
 namespace {
@@ -10,6 +12,7 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
 
 constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
+    {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
 };
 
 }  // namespace
