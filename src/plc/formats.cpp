@@ -1,5 +1,6 @@
 #include "plc/formats.h"
 
+#include "plc/write_il.h"
 #include "plc/write_st.h"
 
 namespace grafwire {
@@ -12,6 +13,7 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
 
 constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
+    {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
 };
 

@@ -72,8 +72,7 @@ void IecDeclarations::write_head(std::string_view language) {
                  "A GRAFCET (IEC 60848) in {} (IEC 61131-3), by the table method.", language)) +
              "\n";
     text_ +=
-        "(* Call the block once in every cycle of a task; connect its inputs and outputs to "
-        "those of the controller. *)\n";
+        "(* Call the block once in every cycle of a task, its inputs and outputs connected. *)\n";
     if (program_.has_modes) {
         text_ +=
             "(* Init: initial situation; AUdur: no step active; AUdoux: outputs off, the "

@@ -36,6 +36,9 @@ class IecNames {
     const std::string& on_timer(std::uint32_t time) const { return on_timers_[time]; }
     const std::string& off_timer(std::uint32_t time) const { return off_timers_[time]; }
 
+    /// A name that nothing has yet, for a label.
+    std::string new_label(std::string_view wanted) { return names_.claim(wanted); }
+
     std::string block;    ///< the function block itself
     std::string started;  ///< 1 after the first scan
     std::string any;      ///< the variable that runs through a table

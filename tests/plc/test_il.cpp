@@ -1,0 +1,121 @@
+#include <doctest/doctest.h>
+
+#include "plc/il_machine.h"
+#include "plc/plc_machine.h"
+#include "random/random_cases.h"
+#include "random/read_text.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+const PlcLanguage instruction_list{"il", il_machine, {}};
+
+}  // namespace
+
+TEST_CASE("Instruction List: the examples run like the reference") {
+    CHECK(check_examples(instruction_list) == 0);
+}
+
+TEST_CASE("Instruction List: random charts run like the reference") {
+    check_property(
+        [](const RandomCase& item) {
+            const auto grafcet = read_grafcet(item.chart);
+            return difference(instruction_list, *grafcet, *read_stimuli(item.stimuli, *grafcet),
+                              {millisecond, 1500 * microsecond});
+        },
+        Features(), 940'000, 200);
+}
+
+TEST_CASE("Instruction List: conditions, counters and times") {
+    const auto grafcet = read_grafcet(R"(grafcet pump
+input a, b
+counter c : 1..9
+graph G {
+  initial 1
+  step 2 : c := c + 1
+  1 -> 2 : /(a . /b) . [c + 1 < 9 - c] + 2s/a
+}
+)");
+    REQUIRE(grafcet);
+    Diagnostics diagnostics;
+    const std::string text =
+        plc_format_named("il")->write(program_from(*grafcet, {false}), {}, diagnostics);
+    const auto has = [&](const char* part) {
+        CHECK_MESSAGE(text.find(part) != std::string::npos, part << " is not in\n" << text);
+    };
+    has(R"(
+(* (0) 1 -> 2 : /(a./b).[c + 1 < 9 - c] + 2s/a *)
+    LD    a
+    ANDN  b
+    NOT
+    AND(
+      LD    c
+      ADD   1
+      LT(
+        LD    9
+        SUB   c
+      )
+    )
+    OR    on_2s_a.Q
+    ST    Tt[T0]
+)");
+    has(R"(
+    LD    Ts[X1]
+    AND   Tt[T0]
+    S     Ta[X2]
+    S     Td[X1]
+)");
+    has(R"(
+    LD    Tpulse[X2]
+    JMPCN kept
+    LD    c
+    ADD   1
+    MIN   9
+    ST    c
+kept:
+)");
+    has(R"(
+    LD    a
+    ST    on_2s_a.IN
+    CAL   on_2s_a(PT := T#2s)
+)");
+}
+
+TEST_CASE("Instruction List: the interpreter refuses what is not in the language") {
+    const auto grafcet = read_grafcet("graph G { initial 1 }");
+    REQUIRE(grafcet);
+    const auto run = [&](const std::string& body) {
+        const std::string text =
+            "FUNCTION_BLOCK b\nVAR_INPUT\na : BOOL;\nEND_VAR\nVAR\nc : INT;\nd : BOOL;\n"
+            "Ts : ARRAY[0..0] OF BOOL;\nt : TON;\nEND_VAR\n" +
+            body + "\nEND_FUNCTION_BLOCK\n";
+        il_machine(text, *grafcet)->scan(0);
+    };
+    CHECK_NOTHROW(run(
+        "LD c\nADD 1\nGT 0\nAND(\nLDN a\n)\nST d\nS Ts[c]\nJMPC over\nCAL t(PT := T#1s)\nover:"));
+    for (const char* wrong : {"AND a",
+                              "LD a AND d",
+                              "LD a\nAND(\nLD d",
+                              "LD a\n)",
+                              "LD c\nST d",
+                              "LD a\nADD 1",
+                              "LD 32767\nST c\nLD c\nADD 1",
+                              "LD a\nST a",
+                              "LD e",
+                              "JMP nowhere",
+                              "LD a\nLD(\nd\n)",
+                              "LD a\nNOP",
+                              "LD TRUE\nST Ts",
+                              "LD t",
+                              "CAL d(PT := T#1s)",
+                              "LD a\nST t.Q",
+                              "LD a;",
+                              "again:\nJMP again",
+                              "x:\nLD a\nx:",
+                              "LD 1\nST Ts[d]"}) {
+        CHECK_THROWS_AS_MESSAGE(run(wrong), PlcError, wrong);
+    }
+}
+
+}  // namespace grafwire::testing
