@@ -2,6 +2,7 @@
 
 #include "plc/write_il.h"
 #include "plc/write_st.h"
+#include "plc/write_stl.h"
 
 namespace grafwire {
 
@@ -15,6 +16,7 @@ constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
     {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
+    {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl},
 };
 
 }  // namespace
