@@ -1,6 +1,7 @@
 #include "plc/formats.h"
 
 #include "plc/write_il.h"
+#include "plc/write_pl7.h"
 #include "plc/write_st.h"
 #include "plc/write_stl.h"
 
@@ -15,6 +16,8 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
 constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
     {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
+    {"pl7-2", ".txt", "PL7-2 with its GRAFCET (Telemecanique TSX 17-20, TSX 27, TSX 47)",
+     write_pl7},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
     {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl},
 };

@@ -1,8 +1,7 @@
 #include <doctest/doctest.h>
 
-#include <regex>
-
 #include "plc/awl_machine.h"
+#include "plc/long_times.h"
 #include "plc/plc_machine.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
@@ -19,19 +18,6 @@ PlcOptions international() {
 
 const PlcLanguage statement_list{"stl", awl_machine, {}};
 const PlcLanguage statement_list_international{"stl", awl_machine_international, international()};
-
-/// The times of a random chart ten times as long, so that S5 timers hold them.
-std::string with_long_times(const std::string& chart) {
-    std::string longer = std::regex_replace(chart, std::regex("\\b1500us"), "20ms");
-    longer = std::regex_replace(longer, std::regex("\\b0\\.01s"), "0.1s");
-    return std::regex_replace(longer, std::regex("\\b([1-5])ms"), "$010ms");
-}
-
-Stimuli ten_times_as_long(Stimuli stimuli) {
-    for (Stimuli::Change& change : stimuli.changes) change.at *= 10;
-    stimuli.end *= 10;
-    return stimuli;
-}
 
 }  // namespace
 
@@ -82,7 +68,7 @@ graph G {
     Diagnostics diagnostics;
     const std::string text = plc_format_named("stl")->write(program_from(*grafcet, {false}),
                                                             international(), diagnostics);
-    const auto has = [&](const char* part) {
+    const auto has = [&](const std::string& part) {
         CHECK_MESSAGE(text.find(part) != std::string::npos, part << " is not in\n" << text);
     };
     has("//   I 0.1      b\n//   Q 4.0      p\n//   MW 20      c\n//   M 10.0     X1\n");
