@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "grafcet/write_grafcet.h"
 #include "plc/program_needs.h"
 
@@ -58,7 +60,8 @@ class IecDeclarations {
     const ScanProgram& program_;
     const Grafcet& grafcet_;
     const IecNames& names_;
-    std::string integer_;
+    std::string integer_;  ///< the type of counters
+    std::string index_;    ///< the type of places in tables
     std::string text_;
     std::string block_;
     bool declared_ = false;
@@ -118,7 +121,7 @@ void IecDeclarations::write_chart_variables() {
 void IecDeclarations::write_indices() {
     const auto declare_indices = [&](BitKind kind, std::size_t size) {
         for (std::uint32_t i = 0; i < size; ++i) {
-            declare(names_.index_of({kind, i}), fmt::format("INT := {}", i));
+            declare(names_.index_of({kind, i}), fmt::format("{} := {}", index_, i));
         }
     };
     begin("VAR CONSTANT  (* the places of steps, transitions and graphs in the tables *)");
@@ -149,7 +152,7 @@ void IecDeclarations::write_tables() {
         declare_table(BitKind::may_evolve, grafcet_.graphs.size(), "the graphs: 0 while frozen");
     }
     declare(names_.started, "BOOL", "1 after the first scan");
-    if (steps != 0) declare(names_.any, "INT", "runs through the tables");
+    if (steps != 0) declare(names_.any, index_, "runs through the tables");
     end();
 }
 

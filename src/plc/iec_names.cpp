@@ -7,6 +7,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "plc/program_needs.h"
+#include "plc/source_text.h"
 
 namespace grafwire {
 
@@ -80,10 +81,10 @@ std::string iec_time(Time duration) {
 
 std::string iec_comment(std::string_view text) {
     std::string comment = "(* ";
-    for (const char c : text) {
+    for (const char c : comment_text(text)) {
         const char before = comment.back();
         if ((before == '*' && c == ')') || (before == '(' && c == '*')) comment.push_back(' ');
-        comment.push_back(c == '\n' || c == '\r' || c == '\t' ? ' ' : c);
+        comment.push_back(c);
     }
     return comment + " *)";
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "plc/source_text.h"
+
 namespace grafwire {
 
 namespace {
@@ -17,15 +19,6 @@ constexpr Mnemonic differing[] = {
     {"SPBN", "JCN"}, {"SPB", "JC"}, {"SPA", "JU"}, {"SE", "SD"},   {"SA", "SF"},
 };
 
-/// A text of the chart in a comment that ends with the line.
-std::string one_line(std::string_view text) {
-    std::string line(text);
-    for (char& c : line) {
-        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-    }
-    return line;
-}
-
 }  // namespace
 
 std::string_view StlText::mnemonic(std::string_view simatic) const {
@@ -37,7 +30,7 @@ std::string_view StlText::mnemonic(std::string_view simatic) const {
 }
 
 void StlText::comment(std::string_view text) {
-    text_ += fmt::format("// {}\n", one_line(text));
+    text_ += fmt::format("// {}\n", comment_text(text));
 }
 
 /// A title may have 64 characters.
@@ -49,7 +42,7 @@ void StlText::op(std::string_view operation, std::string_view operand, std::stri
     std::string written = operand.empty()
                               ? fmt::format("      {};", mnemonic(operation))
                               : fmt::format("      {:<5} {};", mnemonic(operation), operand);
-    if (!comment.empty()) written = fmt::format("{:<28} // {}", written, one_line(comment));
+    if (!comment.empty()) written = fmt::format("{:<28} // {}", written, comment_text(comment));
     text_ += written + "\n";
 }
 

@@ -11,27 +11,39 @@
 #include <functional>
 #include <span>
 
-#include "plc/bit_runs.h"
+#include "plc/condition_text.h"
 #include "plc/iec_declarations.h"
 #include "plc/iec_names.h"
 #include "plc/program_needs.h"
 #include "plc/section_titles.h"
-#include "plc/wrap_text.h"
+#include "plc/source_text.h"
+#include "plc/step_ranges.h"
 
 namespace grafwire {
 
 namespace {
 
+/// AND binds stronger than XOR, and that stronger than OR; comparisons bind stronger than all of
+/// them, but weaker than NOT (IEC 61131-3, table 55).
+constexpr ConditionSpelling spelling = {
+    "NOT ", " AND ", " OR ", " XOR ", "TRUE", "FALSE", {"=", "<>", "<", "<=", ">", ">="},
+    true,   "",      ""};
+
 class StWriter {
   public:
-    explicit StWriter(const ScanProgram& program) : program_(program), names_(program) {}
+    explicit StWriter(const ScanProgram& program)
+        : program_(program),
+          names_(program),
+          conditions_(
+              spelling, [this](Bit bit) { return names_.of(bit); },
+              [this](IntegerCell cell) { return names_.of(cell); }) {}
 
     std::string write(Diagnostics& diagnostics) {
-        text_ = iec_declarations(program_, names_, "Structured Text", diagnostics);
+        const std::string declarations =
+            iec_declarations(program_, names_, "Structured Text", diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
-        text_ += "\nEND_FUNCTION_BLOCK\n";
-        return std::move(text_);
+        return declarations + out_.take() + "\nEND_FUNCTION_BLOCK\n";
     }
 
   private:
@@ -39,83 +51,34 @@ class StWriter {
     void write_statement(const Statement& statement);
     void write_table_loop(std::span<const Statement> statements);
     void write_table_formula(TableOperation operation);
+    void write_range(const StepRange& range, std::string_view value);
     void write_assignments(const Statement& statement, std::string_view value);
     void write_where(const Condition& condition, const std::function<void()>& body);
     bool is_within(const Statement& statement) const;
     void write_move(const Statement& statement);
     void write_time(const Statement& statement);
 
-    std::string text(const Condition& condition, bool is_operand = false) const;
-    std::string text(const Sum& sum) const;
     std::string at(BitKind kind) const {
         return fmt::format("{}[{}]", names_.table(kind), names_.any);
     }
-    void line(std::string_view written) { text_ += wrap_text(written, indent_, 98); }
-    void comment(std::string_view words) { line(iec_comment(words)); }
+    void line(std::string_view written) { out_.line(written); }
+    void comment(std::string_view words) { out_.whole_line(iec_comment(words)); }
 
     ScanProgram program_;
     IecNames names_;
-    std::string text_;
-    std::size_t indent_ = 0;
+    ConditionText conditions_;
+    SourceText out_{"(*"};
 };
-
-std::string StWriter::text(const Sum& sum) const {
-    std::string written;
-    for (const SumTerm& term : sum) {
-        if (written.empty()) {
-            written += term.negative ? "-" : "";
-        } else {
-            written += term.negative ? " - " : " + ";
-        }
-        written += term.counter == SumTerm::no_counter
-                       ? fmt::format("{}", term.value)
-                       : names_.of(IntegerCell{false, term.counter});
-    }
-    return written;
-}
-
-std::string StWriter::text(const Condition& condition, bool is_operand) const {
-    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
-    const char* between = " XOR ";
-    std::string written;
-    switch (condition.kind) {
-        case Condition::Kind::constant:
-            return condition.value ? "TRUE" : "FALSE";
-        case Condition::Kind::bit:
-            return names_.of(condition.bit);
-        case Condition::Kind::negation:
-            return "NOT " + text(condition.operands.front(), true);
-        case Condition::Kind::comparison:
-            written =
-                fmt::format("{} {} {}", text(condition.comparison.left),
-                            relations[static_cast<std::size_t>(condition.comparison.relation)],
-                            text(condition.comparison.right));
-            return is_operand ? "(" + written + ")" : written;
-        case Condition::Kind::conjunction:
-            between = " AND ";
-            break;
-        case Condition::Kind::disjunction:
-            between = " OR ";
-            break;
-        case Condition::Kind::exclusive_or:
-            break;
-    }
-    for (const Condition& operand : condition.operands) {
-        if (!written.empty()) written += between;
-        written += text(operand, true);
-    }
-    return is_operand ? "(" + written + ")" : written;
-}
 
 void StWriter::write_section(SectionKind kind) {
     const std::vector<Statement>& statements = program_.section(kind);
     if (statements.empty() && kind != SectionKind::start) return;
-    text_ += '\n';
+    out_.blank();
     comment(section_title(kind));
     const bool first_scan = kind == SectionKind::start;
     if (first_scan) {
         line(fmt::format("IF NOT {} THEN", names_.started));
-        ++indent_;
+        out_.indent();
         line(fmt::format("{} := TRUE;", names_.started));
     }
     for (std::size_t at = 0; at < statements.size();) {
@@ -129,7 +92,7 @@ void StWriter::write_section(SectionKind kind) {
         }
     }
     if (!first_scan) return;
-    --indent_;
+    out_.outdent();
     line("END_IF;");
 }
 
@@ -139,9 +102,9 @@ void StWriter::write_table_loop(std::span<const Statement> statements) {
     if (steps == 0) return;
     for (const Statement& statement : statements) comment(statement.comment);
     line(fmt::format("FOR {} := 0 TO {} DO", names_.any, steps - 1));
-    ++indent_;
+    out_.indent();
     for (const Statement& statement : statements) write_table_formula(statement.operation);
-    --indent_;
+    out_.outdent();
     line("END_FOR;");
 }
 
@@ -175,27 +138,35 @@ void StWriter::write_table_formula(TableOperation operation) {
 
 void StWriter::write_where(const Condition& condition, const std::function<void()>& body) {
     if (condition.is_constant(true)) return body();
-    line(fmt::format("IF {} THEN", text(condition)));
-    ++indent_;
+    line(fmt::format("IF {} THEN", conditions_.of(condition)));
+    out_.indent();
     body();
-    --indent_;
+    out_.outdent();
     line("END_IF;");
+}
+
+/// A loop where it is shorter.
+void StWriter::write_range(const StepRange& range, std::string_view value) {
+    if (range.last - range.first < 3) {
+        for (std::uint32_t step = range.first; step <= range.last; ++step) {
+            line(fmt::format("{} := {};", names_.of(Bit{range.table, step}), value));
+        }
+        return;
+    }
+    line(fmt::format("FOR {} := {} TO {} DO", names_.any,
+                     names_.index_of({range.table, range.first}),
+                     names_.index_of({range.table, range.last})));
+    out_.indent();
+    line(fmt::format("{} := {};", at(range.table), value));
+    out_.outdent();
+    line("END_FOR;");
 }
 
 void StWriter::write_assignments(const Statement& statement, std::string_view value) {
     write_where(statement.condition, [&] {
-        for (const BitRun& run : bit_runs(statement.targets)) {
-            if (run.count == 1) {
-                line(fmt::format("{} := {};", names_.of(run.first), value));
-                continue;
-            }
-            const Bit last{run.first.kind, run.first.index + run.count - 1};
-            line(fmt::format("FOR {} := {} TO {} DO", names_.any, names_.index_of(run.first),
-                             names_.index_of(last)));
-            ++indent_;
-            line(fmt::format("{} := {};", at(run.first.kind), value));
-            --indent_;
-            line("END_FOR;");
+        for (const StepRange& range : step_ranges(statement.targets)) write_range(range, value);
+        for (const Bit bit : single_bits(statement.targets)) {
+            line(fmt::format("{} := {};", names_.of(bit), value));
         }
     });
 }
@@ -208,7 +179,7 @@ bool StWriter::is_within(const Statement& statement) const {
 
 void StWriter::write_move(const Statement& statement) {
     const std::string value =
-        statement.sum.empty() ? names_.of(statement.source) : text(statement.sum);
+        statement.sum.empty() ? names_.of(statement.source) : conditions_.of(statement.sum);
     const bool within = statement.sum.empty() || is_within(statement);
     write_where(statement.condition, [&] {
         const std::string target = names_.of(statement.integer);
@@ -220,7 +191,7 @@ void StWriter::write_move(const Statement& statement) {
 
 void StWriter::write_time(const Statement& statement) {
     const Bit bit = statement.targets.front();
-    const std::string operand = text(statement.condition);
+    const std::string operand = conditions_.of(statement.condition);
     const auto call = [&](const std::string& timer, const std::string& input, Time delay) {
         line(fmt::format("{}(IN := {}, PT := {});", timer, input, iec_time(delay)));
     };
@@ -237,10 +208,12 @@ void StWriter::write_time(const Statement& statement) {
             break;
         case IecTimer::latch:
             call(names_.on_timer(bit.index),
-                 text(and_condition({statement.condition, not_condition(bit_condition(bit))})),
+                 conditions_.of(
+                     and_condition({statement.condition, not_condition(bit_condition(bit))})),
                  statement.on_delay);
             call(names_.off_timer(bit.index),
-                 text(and_condition({not_condition(statement.condition), bit_condition(bit)})),
+                 conditions_.of(
+                     and_condition({not_condition(statement.condition), bit_condition(bit)})),
                  statement.off_delay);
             line(fmt::format("{} := ({} AND NOT {}.Q) OR {}.Q;", value, value,
                              names_.off_timer(bit.index), names_.on_timer(bit.index)));
@@ -253,7 +226,7 @@ void StWriter::write_statement(const Statement& statement) {
     switch (statement.kind) {
         case Statement::Kind::assign:
             line(fmt::format("{} := {};", names_.of(statement.targets.front()),
-                             text(statement.condition)));
+                             conditions_.of(statement.condition)));
             break;
         case Statement::Kind::set:
             write_assignments(statement, "TRUE");

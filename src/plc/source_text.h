@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace grafwire {
+
+/// The text of a program as it grows, line by line: indents, wraps what is longer than 100
+/// characters at a blank outside of as many parentheses as possible, and writes comments.
+class SourceText {
+  public:
+    /// Where a line may go on in the next one.
+    enum class Breaks { anywhere, within_parentheses };
+
+    /// `comment_sign` begins a comment that runs to the end of its line: `//`, `#`.
+    explicit SourceText(std::string_view comment_sign, Breaks breaks = Breaks::anywhere)
+        : comment_sign_(comment_sign), breaks_(breaks) {}
+
+    void line(std::string_view text);
+    /// As it is, whatever its length; for lines with texts between quotation marks.
+    void whole_line(std::string_view text);
+    void blank() { text_ += '\n'; }
+    void comment(std::string_view text);
+    /// Lines that are the same in every program; their indentation is kept.
+    void block(std::string_view text) { text_ += text; }
+
+    void indent() { depth_ += 4; }
+    void outdent() { depth_ -= 4; }
+    /// Whether a line of so many characters would be wrapped.
+    bool is_too_long(std::size_t length) const { return depth_ + length > width; }
+
+    /// The text so far; what follows begins anew.
+    std::string take() { return std::exchange(text_, {}); }
+
+  private:
+    static constexpr std::size_t width = 100;
+
+    std::string comment_sign_;
+    Breaks breaks_;
+    std::string text_;
+    std::size_t depth_ = 0;
+};
+
+/// A text of the chart as a comment may hold it: control characters become blanks, signs that turn
+/// the direction of writing are spelt out, and no compiler takes the end for a continuation of the
+/// line.
+std::string comment_text(std::string_view text);
+
+/// Whether a program calls a function: its name, no part of a longer one, before a parenthesis.
+bool calls(std::string_view program, std::string_view function);
+
+}  // namespace grafwire
