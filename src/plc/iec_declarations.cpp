@@ -19,7 +19,10 @@ class IecDeclarations {
           names_(names),
           integer_(bits == 16   ? "INT"
                    : bits == 32 ? "DINT"
-                                : "LINT") {}
+                                : "LINT"),
+          index_(std::max(grafcet_.steps.size(), grafcet_.transitions.size()) < INT16_MAX
+                     ? "INT"
+                     : "DINT") {}
 
     std::string write(std::string_view language) {
         write_head(language);
