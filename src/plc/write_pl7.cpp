@@ -16,6 +16,7 @@
 #include <set>
 
 #include "grafcet/write_grafcet.h"
+#include "plc/pl7_head.h"
 #include "plc/pl7_objects.h"
 #include "plc/pl7_rungs.h"
 #include "plc/program_needs.h"
@@ -23,17 +24,6 @@
 namespace grafwire {
 
 namespace {
-
-constexpr std::string_view conventions = R"(
-Conventions of this listing: the program is entered with its charts and rungs drawn.
-   ** LABEL 3         a rung, or several; contacts in series are joined by . and in parallel by +,
-                      /I0,1 is a contact that is closed while the bit is 0, =1 is a wire, =0 none
-   --( ) --(S) --(R)  a coil; --(#) ends the rung of a transition
-   [W0 < 5]           a COMPAR block; --[W0 + 1 -> W0] an OPERATE block
-   --T0 TB=1s P=3     a timer block, E and C both driven by the rung; T0,D is 1 once 3 s are over
-   SY0                1 in the first scan after a cold start; the chart is initialised before it
-   SY21, SY22         1 in the preliminary processing: the chart is initialised, or has no step
-)";
 
 /// `T3` of `T3,D`.
 std::string timer_of(const std::string& done) {
@@ -66,8 +56,6 @@ class Pl7Writer {
     void write_time(const Statement& statement, Diagnostics& diagnostics);
     void run_timer(const std::string& timer, Time duration, const Condition& condition,
                    Location where, Diagnostics& diagnostics);
-    std::string head();
-    std::string chart();
     std::string steps(std::span<const StepId> ids);
 
     ScanProgram program_;
@@ -271,29 +259,6 @@ void Pl7Writer::write_time(const Statement& statement, Diagnostics& diagnostics)
     posterior_.line(timer + ",D", "(R) " + objects_.of(bit));
 }
 
-std::string Pl7Writer::head() {
-    std::string text = fmt::format(
-        "PL7-2   {}{}{}\n\nA GRAFCET (IEC 60848) for Telemecanique TSX 17-20, TSX 27 and TSX 47.\n",
-        grafcet_.name, grafcet_.title.empty() ? "" : ": ", grafcet_.title);
-    text += conventions;
-    text += "\nASSIGNMENT\n\n";
-    for (const auto& [object, name] : objects_.assignment()) {
-        text += fmt::format("   {:<8} {}\n", object, name);
-    }
-    return text;
-}
-
-/// The steps; `#` marks the initial ones, as in the printouts.
-std::string Pl7Writer::chart() {
-    std::string text;
-    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
-        const Step& step = grafcet_.steps[StepId{s}];
-        text += fmt::format("   {} {:<4} {}\n", step.initial ? '#' : ' ',
-                            objects_.of(Bit{BitKind::step, s}), quoted_where_needed(step.name));
-    }
-    return text;
-}
-
 std::string Pl7Writer::write(Diagnostics& diagnostics) {
     note_uses();
     name_timers();
@@ -305,39 +270,16 @@ std::string Pl7Writer::write(Diagnostics& diagnostics) {
     write_posterior(diagnostics);
     objects_.check_limits(diagnostics);
     if (diagnostics.has_errors()) return {};
-    return head() + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
-           "\nSEQUENTIAL PROCESSING\n\n" + chart() + transitions_ + "\nPOSTERIOR PROCESSING\n" +
-           posterior_.text();
-}
-
-/// What the controller's own GRAFCET does not know.
-void check_chart(const Grafcet& grafcet, Diagnostics& diagnostics) {
-    for (const Order& order : grafcet.orders) {
-        if (order.kind == OrderKind::freeze) continue;
-        diagnostics.error(
-            Code::unsupported_by_style, order.where,
-            fmt::format("PL7-2 has no forcing order; write {} with transitions of its "
-                        "own, or take another language",
-                        quoted_where_needed(grafcet.graphs[order.graph].name)));
-    }
-    for (const Enclosure& enclosure : grafcet.enclosures) {
-        diagnostics.error(Code::unsupported_by_style, enclosure.where,
-                          "PL7-2 has no enclosing step; take another language");
-    }
-    for (const Transition& transition : grafcet.transitions) {
-        if (transition.preceding_count != 0 && transition.following_count != 0) continue;
-        diagnostics.error(Code::unsupported_by_style, transition.where,
-                          transition.preceding_count == 0
-                              ? "PL7-2 has no source transition; put a step before it"
-                              : "PL7-2 has no sink transition; put a step after it");
-    }
+    return pl7_head(program_, objects_) + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
+           "\nSEQUENTIAL PROCESSING\n\n" + pl7_steps(program_, objects_) + transitions_ +
+           "\nPOSTERIOR PROCESSING\n" + posterior_.text();
 }
 
 }  // namespace
 
 std::string write_pl7(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
-    check_chart(*needed.grafcet, diagnostics);
+    check_pl7_chart(*needed.grafcet, diagnostics);
     if (integer_bits(needed) != 16U) {
         diagnostics.error(Code::unsupported_by_style, wide_integer(needed, 16),
                           "an integer needs more than the 16 bits of a word of PL7-2; make the "

@@ -1,31 +1,15 @@
 #include "plc/awl_machine.h"
 
 #include <array>
-#include <functional>
 
 #include "plc/awl_program.h"
+#include "plc/awl_timers.h"
 
 namespace grafwire::testing {
 
 namespace {
 
 using Bytes = std::array<std::uint8_t, 8192>;
-
-struct S5Timer {
-    bool last_rlo = true;  ///< at the last SE or SA
-    bool runs = false;
-    bool is_off_delay = false;
-    bool elapsed = true;  ///< as retentive memory may have it
-    Time since = 0;
-    Time length = 0;
-};
-
-struct IecTimer {
-    bool in = true;
-    bool runs = true;
-    bool q = true;
-    Time since = 0;
-};
 
 class AwlMachine : public PlcMachine {
   public:
@@ -106,13 +90,12 @@ class AwlMachine : public PlcMachine {
     void execute_integers(const AwlInstruction& instruction);
     void execute_timer(const AwlInstruction& instruction);
     void execute_call(const AwlInstruction& instruction);
-    bool status(const S5Timer& timer) const;
 
     AwlProgram program_;
     const Grafcet& grafcet_;
     Bytes inputs_{}, outputs_{}, memory_{};
-    std::array<S5Timer, 256> timers_{};
-    std::map<std::uint32_t, IecTimer> instances_;
+    std::array<AwlS5Timer, 256> timers_{};
+    std::map<std::uint32_t, AwlIecTimer> instances_;
     Time now_ = 0;
 
     // The status word, and what a parenthesis puts aside.
@@ -195,8 +178,9 @@ bool AwlMachine::execute_logic(const AwlInstruction& instruction) {
         first_check_ = true;
     } else if (std::string("UOX").find(operation.front()) != std::string::npos &&
                (operand.kind == AwlOperand::Kind::bit || operand.kind == AwlOperand::Kind::timer)) {
-        combine(operation, operand.kind == AwlOperand::Kind::bit ? read(operand)
-                                                                 : status(timers_[operand.number]));
+        combine(operation, operand.kind == AwlOperand::Kind::bit
+                               ? read(operand)
+                               : timers_[operand.number].status(now_));
     } else {
         return false;
     }
@@ -207,11 +191,7 @@ bool AwlMachine::execute_logic(const AwlInstruction& instruction) {
 void AwlMachine::execute_assignment(const AwlInstruction& instruction) {
     const AwlOperand& operand = instruction.operand;
     if (operand.kind == AwlOperand::Kind::timer) {
-        if (rlo_) {
-            timers_[operand.number].runs = false;
-            timers_[operand.number].elapsed = false;
-            timers_[operand.number].last_rlo = false;
-        }
+        if (rlo_) timers_[operand.number].reset();
     } else if (instruction.operation == "=") {
         write(operand, rlo_, instruction.line);
     } else if (rlo_) {
@@ -221,49 +201,17 @@ void AwlMachine::execute_assignment(const AwlInstruction& instruction) {
     or_ = false;
 }
 
-bool AwlMachine::status(const S5Timer& timer) const {
-    const bool over = timer.runs && now_ - timer.since >= timer.length;
-    if (timer.is_off_delay) return timer.last_rlo || (timer.runs && !over);
-    return timer.last_rlo && (timer.elapsed || over);
-}
-
-/// SE starts at a rise of the RLO and stops where it is 0; SA starts at a fall.
 void AwlMachine::execute_timer(const AwlInstruction& instruction) {
-    S5Timer& timer = timers_[instruction.operand.number];
-    const bool off = instruction.operation == "SA";
-    const bool starts = off ? timer.last_rlo && !rlo_ : !timer.last_rlo && rlo_;
-    if (starts) {
-        timer.runs = true;
-        timer.elapsed = false;
-        timer.since = now_;
-        timer.length = loaded_time_;
-    } else if (rlo_ == off) {
-        timer.runs = false;
-        timer.elapsed = false;
-    }
-    timer.is_off_delay = off;
-    timer.last_rlo = rlo_;
+    timers_[instruction.operand.number].run(instruction.operation == "SA", rlo_, loaded_time_,
+                                            now_);
     first_check_ = true;
     or_ = false;
 }
 
 void AwlMachine::execute_call(const AwlInstruction& instruction) {
-    IecTimer& timer = instances_[instruction.data_block];
-    const bool in = read(instruction.in);
-    const bool is_on_delay = instruction.operand.number == 4;
-    if (in == is_on_delay) {
-        if (!timer.runs && timer.q != is_on_delay) {
-            timer.runs = true;
-            timer.since = now_;
-        }
-        if (timer.runs && now_ - timer.since >= instruction.operand.value) {
-            timer.q = is_on_delay;
-            timer.runs = false;
-        }
-    } else {
-        timer.q = !is_on_delay;
-        timer.runs = false;
-    }
+    AwlIecTimer& timer = instances_[instruction.data_block];
+    timer.call(instruction.operand.number == 4, read(instruction.in), instruction.operand.value,
+               now_);
     write(instruction.out, timer.q, instruction.line);
     first_check_ = true;
     or_ = false;

@@ -4,24 +4,13 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <vector>
+
+#include "plc/pl7_listing.h"
 
 namespace grafwire::testing {
 
 namespace {
-
-struct Rung {
-    std::string contacts;
-    std::string coil;
-    std::size_t line = 0;
-};
-
-struct Transition {
-    std::vector<std::string> before;
-    std::vector<std::string> after;
-    Rung rung;
-};
 
 struct Timer {
     bool runs = false;
@@ -30,9 +19,9 @@ struct Timer {
 
 class Pl7Machine : public PlcMachine {
   public:
-    Pl7Machine(const std::string& text, const Grafcet& grafcet) : grafcet_(grafcet) {
-        read(text);
-        for (const std::string& step : initial_) bits_[step] = true;
+    Pl7Machine(const std::string& text, const Grafcet& grafcet)
+        : listing_(read_pl7(text)), grafcet_(grafcet) {
+        for (const std::string& step : listing_.initial) bits_[step] = true;
     }
 
     void set_input(std::uint32_t index, bool value) override {
@@ -42,9 +31,9 @@ class Pl7Machine : public PlcMachine {
         now_ = now;
         bits_["SY0"] = is_first_scan_;
         is_first_scan_ = false;
-        for (const Rung& rung : preliminary_) execute(rung);
+        for (const Pl7Rung& rung : listing_.preliminary) execute(rung);
         evolve();
-        for (const Rung& rung : posterior_) execute(rung);
+        for (const Pl7Rung& rung : listing_.posterior) execute(rung);
     }
     bool step(std::uint32_t index) const override {
         return bit(symbol("X" + grafcet_.steps[StepId{index}].name, 'X'));
@@ -61,10 +50,6 @@ class Pl7Machine : public PlcMachine {
     }
 
   private:
-    void read(const std::string& text);
-    void read_head_line(const std::string& line);
-    void read_transition(const std::string& line);
-    Rung read_rung(const std::string& line) const;
     const std::string& symbol(const std::string& name, char letter) const;
 
     bool bit(const std::string& object) const {
@@ -72,12 +57,12 @@ class Pl7Machine : public PlcMachine {
         return found != bits_.end() && found->second;
     }
     void evolve();
-    void execute(const Rung& rung);
+    void execute(const Pl7Rung& rung);
     void operate(const std::string& block);
     void run_timer(const std::smatch& parts, bool drives);
 
     // Contacts, by recursive descent over the text of a rung.
-    bool contacts(const Rung& rung);
+    bool contacts(const Pl7Rung& rung);
     bool parallel();
     bool series();
     bool contact();
@@ -90,99 +75,28 @@ class Pl7Machine : public PlcMachine {
     }
     [[noreturn]] void fail(const std::string& message) const { throw PlcError(line_, message); }
 
+    Pl7Listing listing_;
     const Grafcet& grafcet_;
-    std::map<std::pair<std::string, char>, std::string> symbols_;
-    std::vector<Rung> preliminary_, posterior_;
-    std::vector<Transition> transitions_;
-    std::set<std::string> steps_, initial_;
     std::map<std::string, bool> bits_;
     std::map<std::string, std::int64_t> words_;
     std::map<std::string, Timer> timers_;
     bool is_first_scan_ = true;
     Time now_ = 0;
-    const Rung* rung_ = nullptr;
+    const Pl7Rung* rung_ = nullptr;
     std::size_t at_ = 0;
     std::size_t line_ = 0;
 };
 
-const std::regex bit_form("(I|O)[0-3],(\\d|1\\d|2[0-3])|B\\d{1,3}|X\\d\\d?|T\\d\\d?,D|SY(0|21|22)");
-
-void Pl7Machine::read(const std::string& text) {
-    std::istringstream lines(text);
-    std::string part = "HEAD";
-    bool has_label = false;
-    for (std::string line; std::getline(lines, line);) {
-        ++line_;
-        if (line == "ASSIGNMENT" || line == "PRELIMINARY PROCESSING" ||
-            line == "SEQUENTIAL PROCESSING" || line == "POSTERIOR PROCESSING") {
-            part = line;
-            has_label = false;
-        } else if (line.empty() || part == "HEAD") {
-            continue;
-        } else if (part == "ASSIGNMENT") {
-            if (line.size() < 12) fail("an assignment");
-            const std::string object = line.substr(3, line.find(' ', 3) - 3);
-            symbols_.emplace(std::make_pair(line.substr(12), object.front()), object);
-        } else if (line.rfind("** LABEL ", 0) == 0 && part != "SEQUENTIAL PROCESSING") {
-            has_label = true;
-        } else if (part != "SEQUENTIAL PROCESSING") {
-            if (!has_label) fail("a rung without a label");
-            (part == "PRELIMINARY PROCESSING" ? preliminary_ : posterior_)
-                .push_back(read_rung(line));
-        } else if (line.rfind("** ", 0) == 0) {
-            read_transition(line);
-        } else if (transitions_.empty()) {
-            static const std::regex step_form("   ([ #]) (X\\d\\d?) .*");
-            std::smatch parts;
-            if (!std::regex_match(line, parts, step_form)) fail("a step");
-            if (!steps_.insert(parts[2]).second) fail("a step twice");
-            if (parts[1] == "#") initial_.insert(parts[2]);
-        } else {
-            if (!transitions_.back().rung.coil.empty()) fail("two rungs for a transition");
-            transitions_.back().rung = read_rung(line);
-            if (transitions_.back().rung.coil != "(#)") fail("not the coil of a transition");
-        }
-    }
-    for (const Transition& transition : transitions_) {
-        if (transition.rung.coil.empty()) fail("a transition without a rung");
-    }
-}
-
-void Pl7Machine::read_transition(const std::string& line) {
-    static const std::regex form("\\*\\* (X[X\\d ]*) --> (X[X\\d ]*)   .*");
-    std::smatch parts;
-    if (!std::regex_match(line, parts, form)) fail("a transition");
-    Transition transition;
-    const auto names = [&](const std::string& text) {
-        std::istringstream words(text);
-        std::vector<std::string> result;
-        for (std::string word; words >> word;) {
-            if (steps_.count(word) == 0) fail("the step " + word);
-            result.push_back(word);
-        }
-        return result;
-    };
-    transition.before = names(parts[1]);
-    transition.after = names(parts[2]);
-    transitions_.push_back(transition);
-}
-
-Rung Pl7Machine::read_rung(const std::string& line) const {
-    const std::size_t wire = line.find(" --");
-    if (line.rfind("   ", 0) != 0 || wire == std::string::npos) fail("a rung");
-    return {line.substr(3, wire - 3), line.substr(wire + 3), line_};
-}
-
 const std::string& Pl7Machine::symbol(const std::string& name, char letter) const {
-    const auto found = symbols_.find({name, letter});
-    if (found == symbols_.end()) throw PlcError(0, "no object for " + name);
+    const auto found = listing_.symbols.find({name, letter});
+    if (found == listing_.symbols.end()) throw PlcError(0, "no object for " + name);
     return found->second;
 }
 
 void Pl7Machine::evolve() {
     std::set<std::string> left;
     std::set<std::string> entered;
-    for (const Transition& transition : transitions_) {
+    for (const Pl7Transition& transition : listing_.transitions) {
         const bool holds = contacts(transition.rung);
         const bool enabled = std::all_of(transition.before.begin(), transition.before.end(),
                                          [&](const std::string& step) { return bit(step); });
@@ -190,15 +104,15 @@ void Pl7Machine::evolve() {
         left.insert(transition.before.begin(), transition.before.end());
         entered.insert(transition.after.begin(), transition.after.end());
     }
-    for (const std::string& step : steps_) {
+    for (const std::string& step : listing_.steps) {
         const bool stays = bit(step) && left.count(step) == 0;
         bits_[step] = stays || entered.count(step) != 0;
-        if (bit("SY21")) bits_[step] = initial_.count(step) != 0;
+        if (bit("SY21")) bits_[step] = listing_.initial.count(step) != 0;
         if (bit("SY22")) bits_[step] = false;
     }
 }
 
-void Pl7Machine::execute(const Rung& rung) {
+void Pl7Machine::execute(const Pl7Rung& rung) {
     const bool holds = contacts(rung);
     static const std::regex coil_form("\\(([ SR])\\) (.*)");
     static const std::regex timer_form("(T\\d\\d?) TB=(10ms|100ms|1s|1mn) P=(\\d{1,4})");
@@ -207,7 +121,7 @@ void Pl7Machine::execute(const Rung& rung) {
         const std::string object = parts[2];
         const bool is_written =
             object.front() == 'O' || object.front() == 'B' || object == "SY21" || object == "SY22";
-        if (!is_written || !std::regex_match(object, bit_form)) fail("a coil on " + object);
+        if (!is_written || !is_pl7_bit(object)) fail("a coil on " + object);
         if (parts[1] == " ") {
             bits_[object] = holds;
         } else if (holds) {
@@ -244,7 +158,7 @@ void Pl7Machine::run_timer(const std::smatch& parts, bool drives) {
     bits_[parts[1].str() + ",D"] = drives && now_ - timer.since >= std::stoll(parts[3]) * base;
 }
 
-bool Pl7Machine::contacts(const Rung& rung) {
+bool Pl7Machine::contacts(const Pl7Rung& rung) {
     rung_ = &rung;
     line_ = rung.line;
     at_ = 0;
@@ -290,7 +204,7 @@ bool Pl7Machine::contact() {
     const std::size_t end =
         std::min(rung_->contacts.find_first_of(" )", at_), rung_->contacts.size());
     const std::string object = rung_->contacts.substr(at_, end - at_);
-    if (!std::regex_match(object, bit_form)) fail("a contact on " + object);
+    if (!is_pl7_bit(object)) fail("a contact on " + object);
     at_ = end;
     return bit(object) != negated;
 }
