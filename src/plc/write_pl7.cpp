@@ -15,7 +15,6 @@
 
 #include <set>
 
-#include "grafcet/write_grafcet.h"
 #include "plc/pl7_head.h"
 #include "plc/pl7_objects.h"
 #include "plc/pl7_rungs.h"
