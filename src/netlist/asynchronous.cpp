@@ -16,6 +16,7 @@
 #include <cassert>
 
 #include "equations/logic.h"
+#include "equations/step_texts.h"
 #include "equations/write_equations.h"
 #include "netlist/asynchronous_frame.h"
 
@@ -161,12 +162,12 @@ PhaseSignals AsynchronousFrame::phase_of(StepId step) {
 }
 
 void AsynchronousFrame::make_steps() {
+    StepTexts texts(equations_);
     for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
         const StepId step = grafcet_.steps.id_at(i);
         const std::string name = "X" + grafcet_.steps[step].name;
-        const std::string comment = fmt::format(
-            "{} = {}", name, equation_text(equations_, step_expression(equations_, step)));
-        builder_.work_on(builder_.add_module(name, comment), builder_.origin_of_step(step));
+        builder_.work_on(builder_.add_module(name, texts.equation(step)),
+                         builder_.origin_of_step(step));
         logic_.owner = name;
         const PhaseSignals phase = phase_of(step);
         logic_.owner = name;
