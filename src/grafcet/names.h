@@ -2,9 +2,9 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "grafcet/name_table.h"
 #include "grafcet/syntax.h"
 #include "text/diagnostics.h"
 
@@ -16,18 +16,11 @@ struct Names {
         Variable variable;
         std::uint32_t declaration = none;  ///< place in Syntax::declarations; none: a control input
     };
-    std::unordered_map<std::string_view, Declared> variables;
-    std::unordered_map<std::string_view, std::uint32_t> nodes;       ///< of Syntax::nodes
-    std::unordered_map<std::string_view, std::uint32_t> graphs;      ///< of Syntax::blocks
-    std::unordered_map<std::string_view, std::uint32_t> expansions;  ///< of Syntax::blocks
+    NameTable<Declared> variables;
+    NameTable<std::uint32_t> nodes;       ///< of Syntax::nodes
+    NameTable<std::uint32_t> graphs;      ///< of Syntax::blocks
+    NameTable<std::uint32_t> expansions;  ///< of Syntax::blocks
 };
-
-template <typename Value>
-const Value* find_name(const std::unordered_map<std::string_view, Value>& names,
-                       std::string_view name) {
-    const auto found = names.find(name);
-    return found == names.end() ? nullptr : &found->second;
-}
 
 /// What an unknown name may have been meant to be.
 enum class Meant : std::uint8_t { variable, written, counter, step, graph, expansion };
@@ -110,7 +103,7 @@ void resolve_steps(const Checking& checking, Range list, const Accept& accept) {
     Syntax& syntax = checking.syntax;
     for (std::uint32_t i = list.first; i < list.first + list.count; ++i) {
         const std::string_view name = syntax.text(syntax.words[i]);
-        const std::uint32_t* node = find_name(checking.names.nodes, name);
+        const std::uint32_t* node = checking.names.nodes.find(name);
         if (node == nullptr) {
             checking.error(Code::unknown_name, syntax.words[i].where,
                            "unknown step " + checking.shown(syntax.words[i]) +

@@ -333,14 +333,13 @@ bool SyntaxParser::parse_write(WriteSyntax& write, const Word* target) {
     else if (!parse_name(write.target, "'set', 'reset' or a name and ':='", false))
         return false;
     if (!expect(TokenKind::assign, "':=' and the value")) return false;
-    const auto declared = declared_.find(syntax_.text(write.target));
+    const VariableKind* declared = declared_.find(syntax_.text(write.target));
     const auto is_counter = [this](std::string_view name) {
-        const auto found = declared_.find(name);
-        return found != declared_.end() && found->second == VariableKind::counter;
+        const VariableKind* found = declared_.find(name);
+        return found != nullptr && *found == VariableKind::counter;
     };
-    write.is_sum = declared != declared_.end()
-                       ? declared->second == VariableKind::counter
-                       : at(TokenKind::minus) || is_counter(text_of(token_));
+    write.is_sum = declared != nullptr ? *declared == VariableKind::counter
+                                       : at(TokenKind::minus) || is_counter(text_of(token_));
     return write.is_sum ? parse_sum(write.sum) : parse_expression(write.value);
 }
 

@@ -51,8 +51,7 @@ Names names_for_assumption(const Grafcet& grafcet, const Syntax& syntax,
                            std::vector<std::string>& step_variables) {
     Names names;
     const auto add = [&names](std::string_view name, VariableKind kind, std::size_t index) {
-        names.variables.emplace(name,
-                                Names::Declared{{kind, static_cast<std::uint32_t>(index)}, none});
+        names.variables.add(name, Names::Declared{{kind, static_cast<std::uint32_t>(index)}, none});
     };
     const auto add_all = [&add](const auto& items, VariableKind kind) {
         for (std::size_t i = 0; i < items.size(); ++i) add(items.items()[i].name, kind, i);
@@ -67,7 +66,7 @@ Names names_for_assumption(const Grafcet& grafcet, const Syntax& syntax,
         std::any_of(syntax.expression_nodes.begin(), syntax.expression_nodes.end(),
                     [&](const ExpressionNode& node) {
                         return node.kind == ExprKind::variable &&
-                               find_name(names.variables, syntax.text(node.word)) == nullptr;
+                               names.variables.find(syntax.text(node.word)) == nullptr;
                     });
     if (!reads_more) return names;
     const auto add_steps = [&step_variables](const auto& items) {

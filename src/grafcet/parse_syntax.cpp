@@ -80,7 +80,7 @@ bool SyntaxParser::parse_declaration() {
     do {
         if (!parse_name(declaration.name, what, false)) return false;
         syntax_.declarations.push_back(declaration);
-        declared_.emplace(syntax_.text(declaration.name), declaration.kind);
+        declared_.add(syntax_.text(declaration.name), declaration.kind);
     } while (take_if(TokenKind::comma));
     if (at_name() && !token_.first_on_line)
         return fail(fmt::format("expected ',' between the names, got {}", shown()));
@@ -94,7 +94,7 @@ bool SyntaxParser::parse_counter() {
     if (!parse_name(declaration.name, "a counter", false)) return false;
     const std::size_t index = syntax_.declarations.size();
     syntax_.declarations.push_back(declaration);
-    declared_.emplace(syntax_.text(declaration.name), declaration.kind);
+    declared_.add(syntax_.text(declaration.name), declaration.kind);
     const bool is_good =
         expect(TokenKind::colon, "':' and the range, as in counter c : 0..9") &&
         parse_bound(syntax_.declarations[index].low) &&

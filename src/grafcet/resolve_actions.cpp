@@ -54,7 +54,7 @@ class ActionResolver {
     }
 
     void resolve_continuous(ActionSyntax& action) {
-        const auto* found = find_name(checking_.names.variables, syntax_.text(action.name));
+        const auto* found = checking_.names.variables.find(syntax_.text(action.name));
         if (found != nullptr && found->variable.kind == VariableKind::output) {
             action.resolved = found->variable.index;
             Location& first = drives_[action.resolved].continuous;
@@ -79,11 +79,10 @@ class ActionResolver {
     // A name that no action of any kind can be about.
     void report_bad_target(const Word& word) {
         const std::string_view name = syntax_.text(word);
-        const auto* found = find_name(checking_.names.variables, name);
-        const bool is_step_variable =
-            found == nullptr && name.size() > 1 && name[0] == 'X' &&
-            (find_name(checking_.names.nodes, name.substr(1)) != nullptr ||
-             find_name(checking_.names.graphs, name.substr(1)) != nullptr);
+        const auto* found = checking_.names.variables.find(name);
+        const bool is_step_variable = found == nullptr && name.size() > 1 && name[0] == 'X' &&
+                                      (checking_.names.nodes.find(name.substr(1)) != nullptr ||
+                                       checking_.names.graphs.find(name.substr(1)) != nullptr);
         if (found != nullptr) {
             const bool is_input = found->variable.kind == VariableKind::input;
             checking_.error(
@@ -98,7 +97,7 @@ class ActionResolver {
                                         checking_.shown(word)));
         } else {
             std::string advice = checking_.suggestions.did_you_mean(name, Meant::written);
-            if (find_name(checking_.names.graphs, name) != nullptr)
+            if (checking_.names.graphs.find(name) != nullptr)
                 advice = fmt::format("; an order to graph {0} is written {1}{{…}}",
                                      checking_.shown(word), name);
             checking_.error(Code::unknown_name, word.where,
@@ -107,7 +106,7 @@ class ActionResolver {
     }
 
     void resolve_write(WriteSyntax& write) {
-        const auto* found = find_name(checking_.names.variables, syntax_.text(write.target));
+        const auto* found = checking_.names.variables.find(syntax_.text(write.target));
         const bool is_writable = found != nullptr && found->variable.kind != VariableKind::input &&
                                  found->variable.kind != VariableKind::control;
         if (!is_writable) {
@@ -150,9 +149,9 @@ class ActionResolver {
 
     const std::uint32_t* find_graph(const Word& word, Code code) {
         const std::string_view name = syntax_.text(word);
-        const auto* graph = find_name(checking_.names.graphs, name);
+        const auto* graph = checking_.names.graphs.find(name);
         if (graph != nullptr) return graph;
-        const bool is_expansion = find_name(checking_.names.expansions, name) != nullptr;
+        const bool is_expansion = checking_.names.expansions.find(name) != nullptr;
         checking_.error(code, word.where,
                         is_expansion
                             ? fmt::format("{} is an expansion; orders and enclosures name graphs",
@@ -209,7 +208,7 @@ class ActionResolver {
 
     const Drive* drive_of(const DeclarationSyntax& declaration) const {
         if (declaration.kind != VariableKind::output) return nullptr;
-        const auto* found = find_name(checking_.names.variables, syntax_.text(declaration.name));
+        const auto* found = checking_.names.variables.find(syntax_.text(declaration.name));
         if (found->declaration == none || &syntax_.declarations[found->declaration] != &declaration)
             return nullptr;
         return &drives_[found->variable.index];

@@ -17,9 +17,9 @@ void join_macro(const Checking& checking, std::uint32_t index) {
     if (macro.extra == none) return;
     const Word& word = syntax.words[macro.extra];
     const std::string_view name = syntax.text(word);
-    const std::uint32_t* expansion = find_name(checking.names.expansions, name);
+    const std::uint32_t* expansion = checking.names.expansions.find(name);
     if (expansion == nullptr) {
-        const bool is_graph = find_name(checking.names.graphs, name) != nullptr;
+        const bool is_graph = checking.names.graphs.find(name) != nullptr;
         checking.error(
             Code::unknown_name, word.where,
             is_graph ? fmt::format("{} is a graph; a macro-step is expanded by an "
@@ -126,7 +126,7 @@ void resolve_expansions(const Checking& checking) {
         const BlockSyntax& block = syntax.blocks[i];
         if (!block.is_expansion || block.name.length == 0) continue;
         check_ends(checking, i);
-        const std::uint32_t* named = find_name(checking.names.expansions, syntax.text(block.name));
+        const std::uint32_t* named = checking.names.expansions.find(syntax.text(block.name));
         if (block.macro == none && *named == i)
             checking.error(Code::expansion_use, block.name.where,
                            fmt::format("no macro-step uses expansion {}; declare one with 'macro M "

@@ -9,13 +9,13 @@ namespace {
 // The variable of a step, macro-step or graph: `X` and its name.
 bool resolve_step_variable(const Checking& checking, std::string_view name, ExpressionNode& node) {
     if (name.size() < 2 || name[0] != 'X') return false;
-    if (const auto* found = find_name(checking.names.nodes, name.substr(1))) {
+    if (const auto* found = checking.names.nodes.find(name.substr(1))) {
         const bool is_macro = checking.syntax.nodes[*found].kind == NodeKind::macro;
         node.variable = is_macro ? VariableKind::macro : VariableKind::step;
         node.value = *found;
         return true;
     }
-    if (const auto* found = find_name(checking.names.graphs, name.substr(1))) {
+    if (const auto* found = checking.names.graphs.find(name.substr(1))) {
         node.variable = VariableKind::graph;
         node.value = *found;
         return true;
@@ -26,9 +26,9 @@ bool resolve_step_variable(const Checking& checking, std::string_view name, Expr
 void report_unknown(const Checking& checking, const Word& word) {
     const std::string_view name = checking.syntax.text(word);
     std::string advice = checking.suggestions.did_you_mean(name, Meant::variable);
-    if (const auto* node = find_name(checking.names.nodes, name))
+    if (const auto* node = checking.names.nodes.find(name))
         advice = fmt::format("; the variable of {} is X{}", checking.shown_node(*node), name);
-    else if (const auto* graph = find_name(checking.names.graphs, name))
+    else if (const auto* graph = checking.names.graphs.find(name))
         advice = fmt::format("; the variable of {} is X{}", checking.shown_block(*graph), name);
     checking.error(Code::unknown_name, word.where,
                    fmt::format("unknown variable {}{}", checking.shown(word), advice));
@@ -43,7 +43,7 @@ void report_not_plant(const Checking& checking, Location where, const std::strin
 
 void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
     const std::string_view name = checking.syntax.text(node.word);
-    if (const auto* found = find_name(checking.names.variables, name)) {
+    if (const auto* found = checking.names.variables.find(name)) {
         node.variable = found->variable.kind;
         node.value = found->variable.index;
     } else if (!resolve_step_variable(checking, name, node)) {
@@ -113,7 +113,7 @@ void resolve_sum(const Checking& checking, Range sum) {
         if (!term.is_name) continue;
         const std::string_view name = syntax.text(term.word);
         ExpressionNode other;
-        const auto* found = find_name(checking.names.variables, name);
+        const auto* found = checking.names.variables.find(name);
         if (found != nullptr && found->variable.kind == VariableKind::counter)
             term.counter = found->variable.index;
         else if (found != nullptr || resolve_step_variable(checking, name, other))

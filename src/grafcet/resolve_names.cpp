@@ -41,17 +41,17 @@ void collect_variables(const Checking& checking) {
     auto& variables = checking.names.variables;
     constexpr std::string_view controls[control_input_count] = {"Init", "AUdur", "AUdoux"};
     for (std::uint32_t i = 0; i < control_input_count; ++i)
-        variables.emplace(controls[i], Names::Declared{{VariableKind::control, i}, none});
+        variables.add(controls[i], Names::Declared{{VariableKind::control, i}, none});
     std::uint32_t counts[5] = {};
     for (std::uint32_t i = 0; i < syntax.declarations.size(); ++i) {
         const DeclarationSyntax& declaration = syntax.declarations[i];
         if (declaration.kind == VariableKind::counter) check_counter(checking, declaration);
         std::uint32_t& count = counts[static_cast<std::size_t>(declaration.kind)];
-        const auto [place, is_new] = variables.emplace(
-            syntax.text(declaration.name), Names::Declared{{declaration.kind, count}, i});
+        const auto [first, is_new] = variables.add(syntax.text(declaration.name),
+                                                   Names::Declared{{declaration.kind, count}, i});
         ++count;
         if (is_new) continue;
-        if (place->second.declaration == none)
+        if (first.declaration == none)
             checking.error(Code::duplicate_name, declaration.name.where,
                            fmt::format("{} is a control input, which every GRAFCET has without "
                                        "declaring it; remove this declaration or choose another "
@@ -59,7 +59,7 @@ void collect_variables(const Checking& checking) {
                                        checking.shown(declaration.name)));
         else
             report_twice(checking, "the variable", declaration.name,
-                         syntax.declarations[place->second.declaration].name.where,
+                         syntax.declarations[first.declaration].name.where,
                          "rename one of the two");
     }
 }
@@ -70,10 +70,10 @@ void collect_blocks(const Checking& checking) {
         const BlockSyntax& block = syntax.blocks[i];
         if (block.name.length == 0) continue;
         auto& names = block.is_expansion ? checking.names.expansions : checking.names.graphs;
-        const auto [place, is_new] = names.emplace(syntax.text(block.name), i);
+        const auto [first, is_new] = names.add(syntax.text(block.name), i);
         if (!is_new)
             report_twice(checking, block.is_expansion ? "the expansion" : "the graph", block.name,
-                         syntax.blocks[place->second].name.where, "rename one of the two");
+                         syntax.blocks[first].name.where, "rename one of the two");
     }
 }
 
@@ -83,9 +83,9 @@ void collect_nodes(const Checking& checking) {
     nodes.reserve(syntax.nodes.size());
     for (std::uint32_t i = 0; i < syntax.nodes.size(); ++i) {
         const Word& name = syntax.nodes[i].name;
-        const auto [place, is_new] = nodes.emplace(syntax.text(name), i);
+        const auto [first, is_new] = nodes.add(syntax.text(name), i);
         if (!is_new)
-            report_twice(checking, "the step", name, syntax.nodes[place->second].name.where,
+            report_twice(checking, "the step", name, syntax.nodes[first].name.where,
                          "step names are unique in the whole file, so rename one of the two");
     }
 }
@@ -102,15 +102,15 @@ std::uint32_t rank_of(std::string_view label, std::size_t transition_count) {
 
 void collect_labels(const Checking& checking) {
     const Syntax& syntax = checking.syntax;
-    std::unordered_map<std::string_view, std::uint32_t> labels;
+    NameTable<std::uint32_t> labels;
     for (std::uint32_t i = 0; i < syntax.transitions.size(); ++i) {
         const TransitionSyntax& transition = syntax.transitions[i];
         if (!transition.labelled) continue;
         const std::string_view text = syntax.text(transition.label);
-        const auto [place, is_new] = labels.emplace(text, i);
+        const auto [first, is_new] = labels.add(text, i);
         if (!is_new) {
             report_twice(checking, "the transition", transition.label,
-                         syntax.transitions[place->second].label.where,
+                         syntax.transitions[first].label.where,
                          "transition names are unique in the whole file, so rename one of the two");
             continue;
         }
@@ -161,10 +161,10 @@ void check_clashes(const Checking& checking) {
         if (name.size() < 2 || name[0] != 'X') continue;
         const std::string shown =
             fmt::format("{} {}", kind_name(declaration.kind), checking.shown(declaration.name));
-        if (const auto* node = find_name(checking.names.nodes, name.substr(1)))
+        if (const auto* node = checking.names.nodes.find(name.substr(1)))
             report_clash(checking, name, shown, declaration.name.where, checking.shown_node(*node),
                          syntax.nodes[*node].name.where);
-        if (const auto* graph = find_name(checking.names.graphs, name.substr(1)))
+        if (const auto* graph = checking.names.graphs.find(name.substr(1)))
             report_clash(checking, name, shown, declaration.name.where,
                          checking.shown_block(*graph), syntax.blocks[*graph].name.where);
     }
@@ -172,7 +172,7 @@ void check_clashes(const Checking& checking) {
         const BlockSyntax& block = syntax.blocks[i];
         if (block.is_expansion || block.name.length == 0) continue;
         const std::string_view name = syntax.text(block.name);
-        if (const auto* node = find_name(checking.names.nodes, name))
+        if (const auto* node = checking.names.nodes.find(name))
             report_clash(checking, fmt::format("X{}", name), checking.shown_block(i),
                          block.name.where, checking.shown_node(*node),
                          syntax.nodes[*node].name.where);

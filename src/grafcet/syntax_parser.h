@@ -2,9 +2,9 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include "grafcet/lexer.h"
+#include "grafcet/name_table.h"
 #include "grafcet/syntax.h"
 #include "text/diagnostics.h"
 
@@ -99,7 +99,7 @@ class SyntaxParser {
     Token token_;
     Syntax syntax_;
     /// Tells a sum from a Boolean expression after `:=`.
-    std::unordered_map<std::string_view, VariableKind> declared_;
+    NameTable<VariableKind> declared_;
     std::uint32_t open_brace_line_ = 0;  ///< of the `{` of an order or enclosure being read, or 0
     int nesting_ = 0;
     int time_depth_ = 0;
