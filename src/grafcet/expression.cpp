@@ -1,6 +1,10 @@
 // Every node is found again by a hash of its kind and contents (hash-consing), so that equal
 // expressions are one node. Operands are interned before the node that uses them: comparing two
 // nodes compares ids, never trees.
+//
+// A chart is worked through from step to step, so that what is built next resembles what was built
+// before, with ids a little larger. The hash puts such expressions side by side, where one line of
+// the cache holds the places of several: see hash_of.
 
 #include "grafcet/expression.h"
 
@@ -29,6 +33,25 @@ std::uint64_t hash_of(const Sum& sum) {
         hash = mix(hash, static_cast<std::uint64_t>(term.value));
     }
     return hash;
+}
+
+// The last bits are those of the first operand, the others come from the rest of it and from how
+// far the other operands are from it: expressions of one shape over neighbouring variables are
+// neighbours. An operand that is far away (an input among steps) counts as it is.
+std::uint64_t hash_of(ExprKind kind, std::span<const ExprId> operands) {
+    constexpr unsigned neighbour_bits = 4;
+    constexpr std::int64_t far = 64;
+    const auto first = static_cast<std::int64_t>(operands.front());
+    std::uint64_t hash = mix(static_cast<std::uint64_t>(kind), operands.size());
+    hash = mix(hash, static_cast<std::uint64_t>(first >> neighbour_bits));
+    for (const ExprId operand : operands.subspan(1)) {
+        const std::int64_t distance = static_cast<std::int64_t>(operand) - first;
+        const bool is_near = -far < distance && distance < far;
+        hash = mix(hash, is_near ? ~static_cast<std::uint64_t>(distance)
+                                 : static_cast<std::uint64_t>(operand));
+    }
+    return hash << neighbour_bits |
+           (static_cast<std::uint64_t>(first) & ((1U << neighbour_bits) - 1));
 }
 
 }  // namespace
@@ -83,8 +106,7 @@ void Expressions::clear() {
 }
 
 ExprId Expressions::with_operands(ExprKind kind, std::span<const ExprId> operands) {
-    std::uint64_t hash = mix(static_cast<std::uint64_t>(kind), operands.size());
-    for (const ExprId operand : operands) hash = mix(hash, static_cast<std::uint64_t>(operand));
+    const std::uint64_t hash = hash_of(kind, operands);
     const ExprId found = find(hash, [&](const Node& other) {
         return other.kind == kind && other.count == operands.size() &&
                std::equal(operands.begin(), operands.end(),
