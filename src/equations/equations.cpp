@@ -15,6 +15,11 @@ Equations equations_from(const Grafcet& grafcet, const EquationOptions& options)
     Equations equations;
     equations.grafcet = &grafcet;
     equations.options = options;
+    // For most charts all there will be: the X of every step, and per transition a clearing
+    // condition and the conjunction of the steps that follow.
+    equations.expressions.reserve(
+        grafcet.expressions.size() + grafcet.steps.size() + 2 * grafcet.transitions.size(),
+        2 * grafcet.links.size() + 2 * grafcet.transitions.size());
     normalise_expressions(equations);
     derive_frozen(equations);
     derive_transitions(equations);

@@ -86,6 +86,11 @@ ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
     return id;
 }
 
+void Expressions::reserve(std::size_t nodes, std::size_t operands) {
+    nodes_.reserve(nodes);
+    operands_.reserve(operands);
+}
+
 void Expressions::clear() {
     for (const Node& node : nodes_) {
         if (node.kind != ExprKind::variable) continue;

@@ -98,6 +98,8 @@ class Expressions {
     ExprId time_condition(const TimeCondition& condition);
     ExprId comparison(const Comparison& comparison);
 
+    /// Makes room for so many nodes and operands in all.
+    void reserve(std::size_t nodes, std::size_t operands);
     std::size_t size() const { return nodes_.size(); }
     /// Drops all nodes; costs no more than they did.
     void clear();

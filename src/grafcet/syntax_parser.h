@@ -28,6 +28,7 @@ class SyntaxParser {
 
   private:
     // The file (parse_syntax.cpp).
+    void reserve();
     void parse_header();
     void parse_item();
     bool parse_declaration();

@@ -22,14 +22,14 @@ class Reachability {
           missing_(grafcet.transitions.size(), 0),
           reached_(grafcet.steps.size(), false) {
         index_transitions(constants);
-        for (std::size_t i = 0; i < grafcet.steps.size(); ++i)
-            if (grafcet.steps.items()[i].initial) reach(static_cast<StepId>(i));
         for (std::size_t i = 0; i < grafcet.transitions.size(); ++i)
             if (missing_[i] == 0) fire(static_cast<TransitionId>(i));
-        while (!open_.empty()) {
-            const StepId step = open_.back();
-            open_.pop_back();
-            follow(step);
+        follow_open();
+        // From each initial step as far as it leads before the next: near steps are met together.
+        for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
+            if (!grafcet.steps.items()[i].initial) continue;
+            reach(static_cast<StepId>(i));
+            follow_open();
         }
     }
 
@@ -61,6 +61,14 @@ class Reachability {
 
     void fire(TransitionId transition) {
         for (const StepId step : grafcet_.following(grafcet_.transitions[transition])) reach(step);
+    }
+
+    void follow_open() {
+        while (!open_.empty()) {
+            const StepId step = open_.back();
+            open_.pop_back();
+            follow(step);
+        }
     }
 
     void follow(StepId id) {
