@@ -1,15 +1,24 @@
 #include "export/net_spelling.h"
 
+#include <algorithm>
+
 namespace grafwire {
 
 NetSpelling::NetSpelling(const Netlist& netlist, Speller spell) {
-    std::vector<const std::string*> port_names(netlist.net_count());
-    for (const Port& port : netlist.inputs) port_names[index_of(port.net)] = &port.name;
+    // Input ports in the order of their nets; of two on one net the last one counts.
+    std::vector<const Port*> inputs;
+    for (const Port& port : netlist.inputs) inputs.push_back(&port);
+    std::stable_sort(inputs.begin(), inputs.end(),
+                     [](const Port* a, const Port* b) { return a->net < b->net; });
+    auto input = inputs.begin();
     begins_.reserve(netlist.net_count() + 1);
+    text_.reserve(netlist.names.length() + netlist.names.length() / 4);
     for (std::size_t i = 0; i < netlist.net_count(); ++i) {
+        const auto net = static_cast<NetId>(i);
         begins_.push_back(text_.size());
-        const std::string* port_name = port_names[i];
-        spell(text_, port_name != nullptr ? *port_name : netlist.names[static_cast<NetId>(i)]);
+        std::string_view name = netlist.names[net];
+        for (; input != inputs.end() && (*input)->net == net; ++input) name = (*input)->name;
+        spell(text_, name);
     }
     begins_.push_back(text_.size());
 }

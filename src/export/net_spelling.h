@@ -23,6 +23,9 @@ class NetSpelling {
         return std::string_view(text_).substr(begins_[index], begins_[index + 1] - begins_[index]);
     }
 
+    /// Of all nets together, in bytes.
+    std::size_t length() const { return text_.size(); }
+
   private:
     std::string text_;
     std::vector<std::uint64_t> begins_;

@@ -9,6 +9,7 @@
 
 #include "export/write_verilog.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,7 @@ class VerilogWriter {
     std::string write();
 
   private:
+    void reserve();
     void write_head();
     void write_changed_names();
     void write_port_list();
@@ -76,7 +78,7 @@ std::string VerilogWriter::write() {
     for (const Cell& cell : netlist_.cells) {
         has_scan_timer_ |= counts_scans(cell.type);
     }
-    out_.reserve(netlist_.cells.size() * 100);
+    reserve();
     write_head();
     if (netlist_.modules.size() <= modules_per_block) {
         write_flat();
@@ -85,6 +87,22 @@ std::string VerilogWriter::write() {
     }
     append_verilog_helpers(out_, netlist_, helpers_);
     return std::move(out_);
+}
+
+/// Makes room for about the whole text, so that it need not be moved as it grows. Room that stays
+/// empty is never touched and costs no memory.
+void VerilogWriter::reserve() {
+    constexpr std::size_t words_of_cell = 40;
+    constexpr std::size_t words_of_port = 30;
+    const std::size_t nets = std::max<std::size_t>(netlist_.net_count(), 1);
+    const std::size_t name = nets_.length() / nets + 2;
+    // A cell is declared, named and driven, and reads its pins; ports go by way of a block.
+    const std::size_t cells = netlist_.cells.size() * (3 * name + words_of_cell);
+    const std::size_t pins = netlist_.pins.size() * name;
+    const std::size_t ports = netlist_.outputs.size() * (6 * name + words_of_port);
+    std::size_t comments = 0;
+    for (const Module& module : netlist_.modules) comments += module.comment.size() + name;
+    out_.reserve(cells + pins + ports + comments);
 }
 
 void VerilogWriter::write_head() {

@@ -13,6 +13,11 @@ NetId NetNames::add(std::string_view name) {
     return static_cast<NetId>(ends_.size() - 1);
 }
 
+void NetNames::reserve(std::size_t names, std::size_t bytes) {
+    ends_.reserve(names);
+    text_.reserve(bytes);
+}
+
 std::string_view NetNames::operator[](NetId net) const {
     const std::size_t index = index_of(net);
     const std::size_t begin = index == 0 ? 0 : ends_[index - 1];

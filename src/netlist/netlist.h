@@ -87,8 +87,12 @@ struct Observed {
 class NetNames {
   public:
     NetId add(std::string_view name);
+    /// Makes room for so many names of so many bytes in all.
+    void reserve(std::size_t names, std::size_t bytes);
     std::string_view operator[](NetId net) const;
     std::size_t size() const { return ends_.size(); }
+    /// Of all names together, in bytes.
+    std::size_t length() const { return text_.size(); }
 
   private:
     std::string text_;

@@ -1,5 +1,6 @@
 #include "netlist/netlist_builder.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -9,6 +10,7 @@ NetlistBuilder::NetlistBuilder(const Grafcet& grafcet)
     : grafcet_(grafcet),
       step_origins_(grafcet.steps.size()),
       transition_origins_(grafcet.transitions.size()) {
+    reserve();
     netlist_.name = grafcet.name;
     netlist_.origins.push_back({});
     const auto note = [&](const std::string& prefix, const std::string& name) {
@@ -19,6 +21,23 @@ NetlistBuilder::NetlistBuilder(const Grafcet& grafcet)
     for (const Var& var : grafcet.vars) note("", var.name);
     for (const Step& step : grafcet.steps) note("X", step.name);
     module_ = add_module("inputs");
+}
+
+// Makes room for what most charts take, so that lists of millions need not be moved as they grow.
+// Room that stays empty is never touched and costs no memory.
+void NetlistBuilder::reserve() {
+    constexpr std::size_t cells_a_step = 8;
+    constexpr std::size_t pins_a_cell = 4;
+    constexpr std::size_t name_length = 24;
+    const std::size_t steps = grafcet_.steps.size();
+    const std::size_t cells = cells_a_step * steps;
+    netlist_.cells.items().reserve(cells);
+    cell_modules_.reserve(cells);
+    netlist_.pins.reserve(pins_a_cell * cells);
+    netlist_.names.reserve(cells, name_length * cells);
+    netlist_.outputs.reserve(steps + grafcet_.outputs.size());
+    netlist_.modules.reserve(steps + grafcet_.outputs.size() + grafcet_.vars.size() + 1);
+    netlist_.origins.reserve(steps + grafcet_.transitions.size() + 1);
 }
 
 NetlistBuilder::ModuleId NetlistBuilder::add_module(std::string name, std::string comment) {
@@ -156,14 +175,8 @@ NetId NetlistBuilder::high() {
     return high_;
 }
 
-Netlist NetlistBuilder::finish() {
-    // A counting sort by module, stable, drops the modules that stayed empty.
-    for (const std::uint32_t module : cell_modules_) ++netlist_.modules[module].cell_count;
-    std::uint32_t next = 0;
-    for (Module& module : netlist_.modules) {
-        module.first_cell = next;
-        next += module.cell_count;
-    }
+// A counting sort, stable: the modules know where their cells begin.
+void NetlistBuilder::sort_cells() {
     std::vector<std::uint32_t> position(netlist_.modules.size());
     for (std::size_t i = 0; i < position.size(); ++i) position[i] = netlist_.modules[i].first_cell;
     std::vector<Cell> sorted(netlist_.cells.size());
@@ -171,6 +184,16 @@ Netlist NetlistBuilder::finish() {
         sorted[position[cell_modules_[i]]++] = netlist_.cells.items()[i];
     }
     netlist_.cells.items() = std::move(sorted);
+}
+
+Netlist NetlistBuilder::finish() {
+    for (const std::uint32_t module : cell_modules_) ++netlist_.modules[module].cell_count;
+    std::uint32_t next = 0;
+    for (Module& module : netlist_.modules) {
+        module.first_cell = next;
+        next += module.cell_count;
+    }
+    if (!std::is_sorted(cell_modules_.begin(), cell_modules_.end())) sort_cells();
     std::erase_if(netlist_.modules, [](const Module& module) { return module.cell_count == 0; });
     return std::move(netlist_);
 }

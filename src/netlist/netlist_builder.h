@@ -63,6 +63,9 @@ class NetlistBuilder {
         NetId inverted = no_net;
         NetId delayed = no_net;
     };
+    void reserve();
+    /// Brings the cells of each module together.
+    void sort_cells();
     Companion& companion(NetId net);
     std::uint32_t add_pins(std::span<const NetId> pins);
 
