@@ -17,9 +17,10 @@ Equations equations_from(const Grafcet& grafcet, const EquationOptions& options)
     equations.options = options;
     // For most charts all there will be: the X of every step, and per transition a clearing
     // condition and the conjunction of the steps that follow.
+    const std::size_t transitions = grafcet.transitions.size();
     equations.expressions.reserve(
-        grafcet.expressions.size() + grafcet.steps.size() + 2 * grafcet.transitions.size(),
-        2 * grafcet.links.size() + 2 * grafcet.transitions.size());
+        grafcet.expressions.size() + grafcet.steps.size() + 2 * transitions, transitions,
+        2 * grafcet.links.size() + 2 * transitions);
     normalise_expressions(equations);
     derive_frozen(equations);
     derive_transitions(equations);
@@ -54,23 +55,24 @@ ExprId step_expression(Equations& equations, StepId step) {
 namespace {
 
 // One direction of the links between steps and transitions, turned round: per step, the transitions
-// that name it.
-template <typename StepsOf>
-void turn_round(const Grafcet& grafcet, StepsOf steps_of, std::vector<std::uint32_t>& first,
-                std::vector<TransitionId>& transitions) {
-    first.assign(grafcet.steps.size() + 1, 0);
-    for (const Transition& transition : grafcet.transitions)
-        for (const StepId step : steps_of(transition)) ++first[index_of(step) + 1];
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+// that name it. First every link is counted, then each is put in its place.
+struct TurnedRound {
+    std::vector<std::uint32_t>& first;
+    std::vector<TransitionId>& transitions;
+    std::vector<std::uint32_t> next{};  // per step: the next free place
 
-    transitions.resize(first.back());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t i = 0; i < grafcet.transitions.size(); ++i) {
-        const TransitionId id = grafcet.transitions.id_at(i);
-        for (const StepId step : steps_of(grafcet.transitions[id]))
-            transitions[next[index_of(step)]++] = id;
+    void count(std::span<const StepId> steps) {
+        for (const StepId step : steps) ++first[index_of(step) + 1];
     }
-}
+    void make_places() {
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        transitions.resize(first.back());
+        next.assign(first.begin(), first.end() - 1);
+    }
+    void put(std::span<const StepId> steps, TransitionId transition) {
+        for (const StepId step : steps) transitions[next[index_of(step)]++] = transition;
+    }
+};
 
 std::span<const TransitionId> range_of(const std::vector<std::uint32_t>& first,
                                        const std::vector<TransitionId>& all, StepId step) {
@@ -90,12 +92,21 @@ std::span<const TransitionId> StepTransitions::out_of_step(StepId step) const {
 
 StepTransitions transitions_by_step(const Grafcet& grafcet) {
     StepTransitions result;
-    turn_round(
-        grafcet, [&](const Transition& transition) { return grafcet.following(transition); },
-        result.first_into, result.into);
-    turn_round(
-        grafcet, [&](const Transition& transition) { return grafcet.preceding(transition); },
-        result.first_out_of, result.out_of);
+    result.first_into.assign(grafcet.steps.size() + 1, 0);
+    result.first_out_of.assign(grafcet.steps.size() + 1, 0);
+    TurnedRound into{result.first_into, result.into};
+    TurnedRound out_of{result.first_out_of, result.out_of};
+    for (const Transition& transition : grafcet.transitions) {
+        into.count(grafcet.following(transition));
+        out_of.count(grafcet.preceding(transition));
+    }
+    into.make_places();
+    out_of.make_places();
+    for (std::size_t i = 0; i < grafcet.transitions.size(); ++i) {
+        const TransitionId id = grafcet.transitions.id_at(i);
+        into.put(grafcet.following(grafcet.transitions[id]), id);
+        out_of.put(grafcet.preceding(grafcet.transitions[id]), id);
+    }
     return result;
 }
 

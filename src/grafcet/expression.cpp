@@ -39,7 +39,7 @@ std::uint64_t hash_of(const Sum& sum) {
 // far the other operands are from it: expressions of one shape over neighbouring variables are
 // neighbours. An operand that is far away (an input among steps) counts as it is.
 std::uint64_t hash_of(ExprKind kind, std::span<const ExprId> operands) {
-    constexpr unsigned neighbour_bits = 4;
+    constexpr unsigned neighbour_bits = 6;
     constexpr std::int64_t far = 64;
     const auto first = static_cast<std::int64_t>(operands.front());
     std::uint64_t hash = mix(static_cast<std::uint64_t>(kind), operands.size());
@@ -54,6 +54,12 @@ std::uint64_t hash_of(ExprKind kind, std::span<const ExprId> operands) {
            (static_cast<std::uint64_t>(first) & ((1U << neighbour_bits) - 1));
 }
 
+// Where the search for a hash begins. Two neighbours begin at one place: at least one id in two is
+// that of something else, a variable above all.
+std::size_t place_of(std::uint32_t hash) {
+    return hash >> 1U;
+}
+
 }  // namespace
 
 template <typename Same>
@@ -61,34 +67,39 @@ ExprId Expressions::find(std::uint64_t hash, const Same& same) const {
     if (slots_.empty()) return no_expr;
     const std::size_t mask = slots_.size() - 1;
     const auto short_hash = static_cast<std::uint32_t>(hash);
-    for (std::size_t i = short_hash & mask; slots_[i].id != no_expr; i = (i + 1) & mask)
+    for (std::size_t i = place_of(short_hash) & mask; slots_[i].id != no_expr; i = (i + 1) & mask)
         if (slots_[i].hash == short_hash && same(node(slots_[i].id))) return slots_[i].id;
     return no_expr;
 }
 
 void Expressions::insert(const Slot& slot) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t i = slot.hash & mask;
+    std::size_t i = place_of(slot.hash) & mask;
     while (slots_[i].id != no_expr) i = (i + 1) & mask;
     slots_[i] = slot;
+}
+
+void Expressions::grow(std::size_t slots) {
+    std::vector<Slot> old(slots);
+    old.swap(slots_);
+    for (const Slot& slot : old)
+        if (slot.id != no_expr) insert(slot);
 }
 
 ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
     const auto id = static_cast<ExprId>(nodes_.size());
     nodes_.push_back(new_node);
-    if (2 * ++hashed_ > slots_.size()) {
-        std::vector<Slot> old(std::max(2 * slots_.size(), smallest_table));
-        old.swap(slots_);
-        for (const Slot& slot : old)
-            if (slot.id != no_expr) insert(slot);
-    }
+    if (2 * ++hashed_ > slots_.size()) grow(std::max(2 * slots_.size(), smallest_table));
     insert({static_cast<std::uint32_t>(hash), id});
     return id;
 }
 
-void Expressions::reserve(std::size_t nodes, std::size_t operands) {
+void Expressions::reserve(std::size_t nodes, std::size_t hashed, std::size_t operands) {
     nodes_.reserve(nodes);
     operands_.reserve(operands);
+    std::size_t slots = smallest_table;
+    while (slots < hashed * 2) slots *= 2;
+    if (slots > slots_.size()) grow(slots);
 }
 
 void Expressions::clear() {

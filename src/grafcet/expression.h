@@ -98,8 +98,8 @@ class Expressions {
     ExprId time_condition(const TimeCondition& condition);
     ExprId comparison(const Comparison& comparison);
 
-    /// Makes room for so many nodes and operands in all.
-    void reserve(std::size_t nodes, std::size_t operands);
+    /// Makes room for so many nodes, those among them that are no variables, and operands.
+    void reserve(std::size_t nodes, std::size_t hashed, std::size_t operands);
     std::size_t size() const { return nodes_.size(); }
     /// Drops all nodes; costs no more than they did.
     void clear();
@@ -157,6 +157,7 @@ class Expressions {
     std::vector<Slot> slots_;
     std::size_t hashed_ = 0;  ///< slots in use
     void insert(const Slot& slot);
+    void grow(std::size_t slots);
     /// Variables are not hashed: per kind, their ids by index (no_expr: none yet).
     std::array<std::vector<ExprId>, variable_kind_count> variables_;
 };
