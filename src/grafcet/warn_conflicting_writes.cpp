@@ -183,7 +183,11 @@ class ConflictSearch {
 }  // namespace
 
 void warn_conflicting_writes(const Grafcet& grafcet, Diagnostics& diagnostics) {
-    ConflictSearch(grafcet).report(diagnostics);
+    const bool has_writes =
+        !grafcet.clearing_actions.empty() ||
+        std::any_of(grafcet.actions.begin(), grafcet.actions.end(),
+                    [](const Action& action) { return action.kind == ActionKind::stored; });
+    if (has_writes) ConflictSearch(grafcet).report(diagnostics);
 }
 
 }  // namespace grafwire

@@ -71,6 +71,20 @@ std::vector<double> measure(const std::string& path, std::size_t steps) {
     return times;
 }
 
+/// The quickest of some runs, each in a process of its own: what other work on the machine and cold
+/// memory add varies, what the program takes does not.
+ChildResult best_of_runs(const std::string& path, std::size_t steps) {
+    constexpr int attempts = 5;
+    ChildResult best;
+    for (int i = 0; i < attempts; ++i) {
+        ChildResult result = in_child([&] { return measure(path, steps); });
+        if (result.figures.empty()) return result;
+        if (best.figures.empty() || result.figures.back() < best.figures.back())
+            best = std::move(result);
+    }
+    return best;
+}
+
 void measure_shape(const char* shape, std::string (*chart)(std::size_t), const Options& options) {
     const std::string path = (std::filesystem::temp_directory_path() /
                               fmt::format("grafwire-bench-{}.grafcet", getpid()))
@@ -85,7 +99,7 @@ void measure_shape(const char* shape, std::string (*chart)(std::size_t), const O
             std::ofstream(path, std::ios::binary) << text;
             return std::vector<double>{};
         });
-        const ChildResult result = in_child([&] { return measure(path, steps); });
+        const ChildResult result = best_of_runs(path, steps);
         if (result.figures.empty()) {
             fmt::print("{:<6} {:>9}  failed\n", "", steps);
             continue;
@@ -113,7 +127,7 @@ void measure_pipeline(const Options& options) {
     fmt::print(
         "From a chart to Verilog (nand, with modes): processor time in ns a step, the total "
         "against\n"
-        "that of the smallest chart, seconds and peak memory in all.\n\n");
+        "that of the smallest chart, seconds and peak memory in all; the best of five runs.\n\n");
     measure_shape("ring", ring_chart, options);
     fmt::print("\n");
     measure_shape("tree", tree_chart, options);
