@@ -162,6 +162,7 @@ PhaseSignals AsynchronousFrame::phase_of(StepId step) {
 }
 
 void AsynchronousFrame::make_steps() {
+    // A module whose equation is too long to be read goes without a comment.
     StepTexts texts(equations_);
     for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
         const StepId step = grafcet_.steps.id_at(i);
