@@ -2,22 +2,26 @@
 //
 // A node is a stable state of the reference together with the settled state of the netlist that
 // came with it. Leaving it, a case changes any inputs at once (control inputs included) and lets
-// any running delays of time conditions end; delays count as free: they can end whenever their
-// operand has stayed as it is since, whatever their length. The netlist settles from its own state,
-// so that what it remembers beyond the X is explored too. If situation and outputs agree, the pair
-// reached is a new node unless it has been seen. If they do not, the way there is turned into
-// stimuli with real moments and replayed from power-up; only a difference that shows there is
-// reported. A difference that would need delays to end in an order their lengths do not allow is
-// counted, its state is not explored further, and the verdict is then not "equivalent" either.
+// any running delays of time conditions end. The netlist settles from its own state, so that what
+// it remembers beyond the X is explored too. If situation and outputs agree, the pair reached is a
+// new node unless it has been seen. If they do not, the way there is turned into stimuli with real
+// moments and replayed from power-up; only a difference that shows there is reported.
+//
+// At first the lengths of delays are ignored: a running delay can end at any instant. That takes
+// the fewest nodes, and what agrees then agrees whatever the lengths are. But a difference found
+// that way may need delays to end in an order which their real lengths exclude. Then the whole
+// begins anew with the lengths: a node also has a zone, all that can remain of its running delays,
+// and those delays end together, and before the others, of which the zone says that they can. A
+// node is new unless it has been seen with a zone that includes its own. So every way explored is
+// possible, and every possible one is explored (zone.h).
 //
 // An input that nobody reads in the state reached is forgotten there: it is left open, as it could
 // be changed now without any effect. So states that differ only in such inputs are one node. Nobody
 // reads it if a further scan of the reference does not consult it, and if the netlist, with the
 // input unknown, keeps the value of everything it remembers. Where the way to a difference needs
-// the other value after all, the change without effect is put in as an instant of its own.
+// the other value after all, the change without effect is put in as an instant of its own (ways.h).
 //
-// Breadth first, because the shortest way to a difference is the easiest to read. All nodes are
-// compared by their whole state, never by a digest: a collision would be a wrong verdict.
+// Breadth first, because the shortest way to a difference is the easiest to read.
 //
 // Which inputs are varied, and why that is enough: see reference_case.cpp.
 
@@ -26,66 +30,38 @@
 #include <algorithm>
 #include <deque>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "check/netlist_case.h"
+#include "check/pair_state.h"
 #include "check/reference_case.h"
+#include "check/ways.h"
 #include "evolution/evolution.h"
 
 namespace grafwire {
 
 namespace {
 
-constexpr std::uint32_t no_parent = 0xffffffffU;
-
 struct Node {
-    EvolutionState reference;
-    SimulatorState netlist;
-    PartialInputs inputs;
-    std::uint32_t path = no_parent;
+    PairState pair;
+    std::uint32_t way = Ways::start;
 };
 
-struct PathNode {
-    std::uint32_t parent = no_parent;
-    PathStep step;
+/// An instant that comes to a node: which delays end, and what can remain of the others.
+struct Departure {
+    const Node* node = nullptr;  ///< none: the first instant
+    EndedDelays ended;
+    std::vector<RunningDelay> running;
+    Zone zone;
+
+    std::uint32_t way() const { return node == nullptr ? Ways::start : node->way; }
 };
-
-void append_words(std::string& key, const BitTable& bits) {
-    const auto& words = bits.words();
-    key.append(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(words[0]));
-}
-
-void append_logic(std::string& key, const std::vector<Logic>& values) {
-    for (std::size_t i = 0; i < values.size(); i += 4) {
-        unsigned packed = 0;
-        for (std::size_t j = i; j < std::min(i + 4, values.size()); ++j) {
-            packed = packed * 4 + static_cast<unsigned>(values[j]);
-        }
-        key += static_cast<char>(packed);
-    }
-}
-
-/// Everything that decides how a node goes on; moments do not, because delays are free.
-std::string key_of(const Node& node) {
-    std::string key;
-    const EvolutionState& state = node.reference;
-    for (const BitTable* bits : {&state.situation, &state.may_evolve, &state.stored_outputs,
-                                 &state.vars, &state.edge_memory, &state.time_values}) {
-        append_words(key, *bits);
-    }
-    key.append(reinterpret_cast<const char*>(state.counters.data()),
-               state.counters.size() * sizeof(std::int64_t));
-    for (const Time due : state.due) key += due == never ? '.' : '!';
-    for (const Time due : node.netlist.due) key += due == never ? '.' : '!';
-    append_logic(key, node.inputs);
-    append_logic(key, node.netlist.values);
-    return key;
-}
 
 class Exploration {
   public:
     Exploration(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                const CheckOptions& options)
+                const CheckOptions& options, Lengths lengths)
         : grafcet_(grafcet),
           netlist_(netlist),
           delays_(delays),
@@ -93,37 +69,46 @@ class Exploration {
           evolution_(grafcet),
           reference_(evolution_, netlist.is_clocked()),
           gates_(grafcet, netlist, delays),
-          assumptions_(grafcet) {}
+          condition_of_timer_(gates_.conditions_of_timers()),
+          no_delays_(grafcet.expressions.time_conditions().size(), condition_of_timer_.size(),
+                     common_grain(grafcet, netlist), lengths),
+          assumptions_(grafcet),
+          ways_(assumptions_) {}
 
     CheckResult run() {
-        explore_instant(nullptr, {});
+        explore_instant({});
         while (!done_ && !waiting_.empty()) {
             const Node node = std::move(waiting_.front());
             waiting_.pop_front();
-            leave(node);
+            if (!is_covered(node.pair)) leave(node);
         }
         result_.complete = waiting_.empty() && !done_;
         if (result_.witness) {
             result_.verdict = Verdict::different;
-        } else if (result_.complete && result_.impossible_timings == 0) {
+        } else if (result_.complete) {
             result_.verdict = Verdict::equivalent;
         }
         result_.coverage.waiting = waiting_.size();
         return std::move(result_);
     }
 
+    bool is_given_up() const { return is_given_up_; }
+
   private:
     void leave(const Node& node);
-    void explore_instant(const Node* node, const std::vector<std::uint32_t>& ended);
-    void compare(const Node* node, const std::vector<std::uint32_t>& ended,
-                 const ReferenceOutcome& expected);
-    void arrive(const Node* node, const PathStep& step, const ReferenceOutcome& expected,
+    void choose_ends(const Node& node, const Zone& zone, std::size_t left, std::vector<bool>& ends);
+    void explore_instant(const Departure& departure);
+    void compare(const Departure& departure, const ReferenceOutcome& expected);
+    void arrive(const Departure& departure, const PathStep& step, const ReferenceOutcome& expected,
                 SimulatorState&& netlist_state);
-    void forget_unread_inputs(Node& node);
-    void found_difference(const Node* node, const PathStep& step);
-    void note_unstable(const Node* node, const PathStep& step, const ReferenceOutcome& expected);
+    bool is_new(const PairState& pair);
+    bool is_covered(const PairState& pair) const;
+    void forget_unread_inputs(PairState& pair);
+    bool show_difference(const Departure& departure, const PathStep& step);
+    void give_up();
+    void note_unstable(const Departure& departure, const PathStep& step,
+                       const ReferenceOutcome& expected);
     void count_case(bool stable);
-    std::vector<PathStep> path_to(const Node* node, const PathStep& last) const;
     PartialInputs all_open() const;
 
     const Grafcet& grafcet_;
@@ -133,13 +118,16 @@ class Exploration {
     Evolution evolution_;
     ReferenceCases reference_;
     NetlistCases gates_;
+    std::vector<std::uint32_t> condition_of_timer_;
+    RunningDelays no_delays_;
     Assumptions assumptions_;
     std::deque<Node> waiting_;
-    std::unordered_set<std::string> seen_;
+    std::unordered_map<std::string, std::vector<Zone>> seen_;
     std::unordered_set<std::string> situations_;
-    std::vector<PathNode> paths_;
+    Ways ways_;
     CheckResult result_;
     bool done_ = false;
+    bool is_given_up_ = false;
 };
 
 PartialInputs Exploration::all_open() const {
@@ -152,44 +140,49 @@ PartialInputs Exploration::all_open() const {
     return inputs;
 }
 
-/// Every set of running delays may end at the next instant, the empty set included.
 void Exploration::leave(const Node& node) {
-    std::vector<std::uint32_t> running;
-    for (std::uint32_t i = 0; i < node.reference.due.size(); ++i) {
-        if (Evolution::is_running(node.reference, i)) running.push_back(i);
+    const Zone& later = node.pair.delays.zone();
+    std::vector<bool> ends(later.delays());
+    choose_ends(node, later, ends.size(), ends);
+}
+
+/// Every set of delays that can end together, and before the others, ends at the next instant; the
+/// empty set too, as far as there is time before the first must end. The first `left` delays are
+/// still to be decided.
+void Exploration::choose_ends(const Node& node, const Zone& zone, std::size_t left,
+                              std::vector<bool>& ends) {
+    if (left == 0) {
+        const RunningDelays& delays = node.pair.delays;
+        explore_instant({&node, delays.named(ends), delays.listed(ends), zone});
+        return;
     }
-    std::vector<std::uint32_t> ended;
-    // The subsets in the order of a binary counter, held as the list of its ones.
-    std::vector<bool> chosen(running.size());
-    for (;;) {
-        ended.clear();
-        for (std::size_t i = 0; i < running.size(); ++i) {
-            if (chosen[i]) ended.push_back(running[i]);
-        }
-        explore_instant(&node, ended);
-        std::size_t bit = 0;
-        while (bit < chosen.size() && chosen[bit]) chosen[bit++] = false;
-        if (done_ || bit == chosen.size()) return;
-        chosen[bit] = true;
+    const std::size_t delay = left - 1;
+    for (const bool end : {false, true}) {
+        Zone rest = zone;
+        const bool possible = end ? rest.let_end(delay) : rest.let_run_on(delay);
+        if (!possible || done_) continue;
+        ends[delay] = end;
+        choose_ends(node, rest, delay, ends);
     }
 }
 
 /// All cases of one instant: see reference_case.cpp for how the inputs are split.
-void Exploration::explore_instant(const Node* node, const std::vector<std::uint32_t>& ended) {
+void Exploration::explore_instant(const Departure& departure) {
+    const EvolutionState* start =
+        departure.node == nullptr ? nullptr : &departure.node->pair.reference;
     std::vector<PartialInputs> remaining{all_open()};
     while (!remaining.empty() && !done_) {
         const PartialInputs inputs = std::move(remaining.back());
         remaining.pop_back();
         if (!assumptions_.can_hold(inputs)) continue;
-        const ReferenceOutcome outcome =
-            reference_.run(node == nullptr ? nullptr : &node->reference, ended, inputs);
+        const ReferenceOutcome outcome = reference_.run(start, departure.ended.conditions, inputs);
         PartialInputs other = inputs;
         for (const std::uint32_t input : outcome.closed) {
             other[input] = Logic::one;
             remaining.push_back(other);
             other[input] = Logic::zero;
         }
-        if (assumptions_.can_hold(outcome.inputs)) compare(node, ended, outcome);
+        if (assumptions_.can_hold(outcome.inputs)) compare(departure, outcome);
     }
 }
 
@@ -206,24 +199,24 @@ void Exploration::count_case(bool stable) {
 
 /// Compares the netlist in a case of the reference, closing the open inputs it turns out to react
 /// to.
-void Exploration::compare(const Node* node, const std::vector<std::uint32_t>& ended,
-                          const ReferenceOutcome& expected) {
-    const PartialInputs& left = node == nullptr ? expected.inputs : node->inputs;
-    std::vector<PathStep> remaining{{left, expected.inputs, ended}};
+void Exploration::compare(const Departure& departure, const ReferenceOutcome& expected) {
+    const Node* node = departure.node;
+    const PartialInputs& left = node == nullptr ? expected.inputs : node->pair.inputs;
+    std::vector<PathStep> remaining{{left, expected.inputs, departure.ended, departure.running}};
     while (!remaining.empty() && !done_) {
         PathStep step = std::move(remaining.back());
         remaining.pop_back();
         if (node == nullptr) step.before = step.inputs;
         if (!assumptions_.can_hold(step.inputs) || !assumptions_.can_hold(step.before)) continue;
         if (!expected.stable) {
-            note_unstable(node, step, expected);
+            note_unstable(departure, step, expected);
             if (!netlist_.is_clocked()) {
                 count_case(false);
                 continue;
             }
         }
         NetlistOutcome outcome =
-            gates_.run(node == nullptr ? nullptr : &node->netlist, left, step, expected);
+            gates_.run(node == nullptr ? nullptr : &node->pair.netlist, left, step, expected);
         if (outcome.kind == NetlistOutcome::Kind::open) {
             PartialInputs& split = outcome.split_before ? step.before : step.inputs;
             for (const Logic value : {Logic::one, Logic::zero}) {
@@ -234,37 +227,64 @@ void Exploration::compare(const Node* node, const std::vector<std::uint32_t>& en
         }
         count_case(expected.stable);
         if (outcome.kind == NetlistOutcome::Kind::differs) {
-            found_difference(node, step);
-        } else if (expected.stable) {
-            arrive(node, step, expected, std::move(outcome.state));
+            if (!show_difference(departure, step)) give_up();
+            return;
         }
+        // What a clocked netlist does within an instant counts if a run scan by scan can show it.
+        if (outcome.kind == NetlistOutcome::Kind::differs_within &&
+            show_difference(departure, step)) {
+            return;
+        }
+        if (expected.stable && !done_) arrive(departure, step, expected, std::move(outcome.state));
     }
 }
 
-void Exploration::arrive(const Node* node, const PathStep& step, const ReferenceOutcome& expected,
-                         SimulatorState&& netlist_state) {
-    Node next{expected.state, std::move(netlist_state), step.inputs, 0};
-    if (!seen_.insert(key_of(next)).second) return;
+void Exploration::arrive(const Departure& departure, const PathStep& step,
+                         const ReferenceOutcome& expected, SimulatorState&& netlist_state) {
+    PairState next{expected.state, std::move(netlist_state), step.inputs, {}};
+    const RunningDelays& before =
+        departure.node == nullptr ? no_delays_ : departure.node->pair.delays;
+    next.delays = before.after(departure.zone, next.reference, next.netlist, condition_of_timer_,
+                               ways_.next());
+    if (!is_new(next)) return;
     forget_unread_inputs(next);
-    if (next.inputs != step.inputs && !seen_.insert(key_of(next)).second) return;
+    if (next.inputs != step.inputs && !is_new(next)) return;
     std::string situation;
-    append_words(situation, next.reference.situation);
+    append_key(situation, next.reference.situation);
     if (situations_.insert(std::move(situation)).second) ++result_.coverage.situations;
-    paths_.push_back({node == nullptr ? no_parent : node->path, step});
-    next.path = static_cast<std::uint32_t>(paths_.size() - 1);
-    waiting_.push_back(std::move(next));
+    const std::uint32_t way = ways_.next();
+    ways_.add(departure.way(), step);
+    waiting_.push_back({std::move(next), way});
 }
 
-void Exploration::forget_unread_inputs(Node& node) {
-    std::vector<std::uint32_t> unread = reference_.unread_inputs(node.reference, node.inputs);
+/// Notes a pair as seen; false where it has been, with all that can remain of its delays now.
+bool Exploration::is_new(const PairState& pair) {
+    const Zone& zone = pair.delays.zone();
+    std::vector<Zone>& zones = seen_[key_of(pair)];
+    for (const Zone& seen : zones) {
+        if (seen.includes(zone)) return false;
+    }
+    std::erase_if(zones, [&](const Zone& seen) { return zone.includes(seen); });
+    zones.push_back(zone);
+    return true;
+}
+
+/// Whether a pair with a larger zone has taken the place of one that waits.
+bool Exploration::is_covered(const PairState& pair) const {
+    const std::vector<Zone>& zones = seen_.at(key_of(pair));
+    return std::find(zones.begin(), zones.end(), pair.delays.zone()) == zones.end();
+}
+
+void Exploration::forget_unread_inputs(PairState& pair) {
+    std::vector<std::uint32_t> unread = reference_.unread_inputs(pair.reference, pair.inputs);
     if (unread.empty()) return;
-    auto forgotten = gates_.forget(node.netlist, unread);
+    auto forgotten = gates_.forget(pair.netlist, unread);
     if (!forgotten) {
         // Together they matter to the netlist; some of them may not.
         std::vector<std::uint32_t> rest;
         for (const std::uint32_t input : unread) {
             rest.push_back(input);
-            if (auto more = gates_.forget(node.netlist, rest)) {
+            if (auto more = gates_.forget(pair.netlist, rest)) {
                 forgotten = std::move(more);
             } else {
                 rest.pop_back();
@@ -273,55 +293,41 @@ void Exploration::forget_unread_inputs(Node& node) {
         unread = std::move(rest);
     }
     if (!forgotten) return;
-    for (const std::uint32_t input : unread) node.inputs[input] = Logic::unknown;
-    node.netlist = std::move(*forgotten);
+    for (const std::uint32_t input : unread) pair.inputs[input] = Logic::unknown;
+    pair.netlist = std::move(*forgotten);
 }
 
-/// The first inputs where they say something, else the second.
-PartialInputs merged(PartialInputs first, const PartialInputs& second) {
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] == Logic::unknown) first[i] = second[i];
-    }
-    return first;
-}
-
-std::vector<PathStep> Exploration::path_to(const Node* node, const PathStep& last) const {
-    std::vector<PathStep> path{last};
-    for (std::uint32_t at = node == nullptr ? no_parent : node->path; at != no_parent;
-         at = paths_[at].parent) {
-        // What a later step closes in the state it leaves was open there; so it is closed in the
-        // step that led there, or changes without effect in between.
-        PathStep step = paths_[at].step;
-        const PartialInputs wanted = merged(path.back().before, step.inputs);
-        const PartialInputs reached = merged(step.inputs, path.back().before);
-        if (wanted != reached) path.push_back({reached, wanted, {}});
-        step.inputs = reached;
-        if (paths_[at].parent == no_parent) step.before = step.inputs;
-        path.push_back(std::move(step));
-    }
-    std::reverse(path.begin(), path.end());
-    return path;
-}
-
-void Exploration::found_difference(const Node* node, const PathStep& step) {
-    const std::vector<PathStep> path = path_to(node, step);
-    for (const Time gap : {100 * millisecond, millisecond, 10 * microsecond, microsecond}) {
+/// Turns a difference into the witness, which ends the exploration; false where no run with real
+/// moments shows it.
+bool Exploration::show_difference(const Departure& departure, const PathStep& step) {
+    const std::vector<PathStep> path = ways_.path(departure.way(), step);
+    bool has_moments = false;
+    for (const Time gap : gaps_for(path)) {
         const auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap);
         if (!stimuli) continue;
+        has_moments = true;
         result_.witness = replay(grafcet_, netlist_, delays_, *stimuli);
         if (result_.witness) {
             done_ = true;
-            return;
+            return true;
         }
     }
-    ++result_.impossible_timings;
+    if (!has_moments) give_up();
+    return false;
 }
 
-void Exploration::note_unstable(const Node* node, const PathStep& step,
+/// Ends the exploration without a verdict. That happens where the lengths of delays were ignored
+/// and matter.
+void Exploration::give_up() {
+    done_ = true;
+    is_given_up_ = true;
+}
+
+void Exploration::note_unstable(const Departure& departure, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (result_.first_unstable) return;
-    const std::vector<PathStep> path = path_to(node, step);
-    for (const Time gap : {100 * millisecond, millisecond, 10 * microsecond, microsecond}) {
+    const std::vector<PathStep> path = ways_.path(departure.way(), step);
+    for (const Time gap : gaps_for(path)) {
         if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
             result_.first_unstable = CheckResult::Unstable{std::move(*stimuli), expected.changing};
             return;
@@ -333,7 +339,14 @@ void Exploration::note_unstable(const Node* node, const PathStep& step,
 
 CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const CheckOptions& options) {
-    return Exploration(grafcet, netlist, delays, options).run();
+    Exploration first(grafcet, netlist, delays, options, Lengths::ignored);
+    CheckResult result = first.run();
+    if (!first.is_given_up()) return result;
+    CheckOptions rest = options;
+    if (rest.max_cases != 0) {
+        rest.max_cases -= std::min(rest.max_cases - 1, result.coverage.cases);
+    }
+    return Exploration(grafcet, netlist, delays, rest, Lengths::exact).run();
 }
 
 }  // namespace grafwire

@@ -41,9 +41,6 @@ struct CheckResult {
         std::vector<std::string> changing;
     };
     std::optional<Unstable> first_unstable;
-    /// Differences that need delays of time conditions to end in an order which their lengths do
-    /// not allow along the way found; while there are any, the verdict is not "equivalent".
-    std::uint64_t impossible_timings = 0;
 };
 
 /// Compares a netlist with the reference evolution in every reachable stable situation, under every

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/graph/strong_components.hpp>
 
+#include "check/running_delays.h"
 #include "netlist/boost_graph.h"
 
 namespace grafwire {
@@ -49,7 +50,7 @@ void NetlistCases::find_watched_nets() {
 std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
                                                    const std::vector<std::uint32_t>& inputs) {
     simulator_.restore(state);
-    simulator_.begin_instant(simulator_.now());
+    begin_instant();
     for (const std::uint32_t input : inputs) {
         if (ports_.inputs[input] == no_net) continue;
         simulator_.set_input(ports_.inputs[input], Logic::unknown);
@@ -58,7 +59,9 @@ std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
     for (const NetId net : remembered_) {
         if (simulator_.value(net) != state.values[index_of(net)]) return std::nullopt;
     }
-    return simulator_.save();
+    SimulatorState forgetful = kept_state();
+    if (forgetful.due != state.due) return std::nullopt;
+    return forgetful;
 }
 
 void NetlistCases::set_inputs(const PartialInputs& inputs) {
@@ -67,32 +70,53 @@ void NetlistCases::set_inputs(const PartialInputs& inputs) {
     }
 }
 
-void NetlistCases::apply(const SimulatorState* start, const PartialInputs& left,
+/// Power-up, initialisation, and the inputs of the first instant.
+Settling NetlistCases::start_up(const PathStep& step) {
+    simulator_.power_up();
+    Settling settling = initialise(simulator_, grafcet_, netlist_, ports_, step.inputs);
+    begin_instant();
+    set_inputs(step.inputs);
+    return settling;
+}
+
+/// The state left, with the change of the case.
+void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
                          const PathStep& step) {
-    if (start == nullptr) {
-        simulator_.power_up();
-        initialise(simulator_, grafcet_, netlist_, ports_, step.inputs);
-        simulator_.begin_instant(simulator_.now());
-        set_inputs(step.inputs);
-        return;
-    }
-    simulator_.restore(*start);
+    simulator_.restore(start);
     if (step.before != left) {
         simulator_.hold_pulses(true);
         set_inputs(step.before);
         simulator_.settle();
         simulator_.hold_pulses(false);
     }
-    simulator_.begin_instant(simulator_.now());
-    const std::vector<CellId>& timers = simulator_.timers();
-    for (std::size_t i = 0; i < timers.size(); ++i) {
-        const std::uint32_t ordinal = netlist_.timings[netlist_.cells[timers[i]].timing].ordinal;
-        const bool ends =
-            std::find(step.ended.begin(), step.ended.end(), ordinal) != step.ended.end();
-        if (ends && simulator_.is_running(i)) simulator_.end_delay(i);
-    }
+    begin_instant();
+    for (const std::uint32_t timer : step.ended.timers) simulator_.end_delay(timer);
     set_inputs(step.inputs);
     simulator_.doubt_unknown_pulses();
+}
+
+void NetlistCases::begin_instant() {
+    instant_ = simulator_.now();
+    simulator_.begin_instant(instant_);
+}
+
+/// What is to be kept of the present state: the clock goes back to 0, and the moments of delays
+/// that began at the instant become their lengths.
+SimulatorState NetlistCases::kept_state() const {
+    SimulatorState state = simulator_.save();
+    state.now = 0;
+    for (Time& due : state.due) {
+        if (due != never && due != some_time) due -= instant_;
+    }
+    return state;
+}
+
+std::vector<std::uint32_t> NetlistCases::conditions_of_timers() const {
+    std::vector<std::uint32_t> conditions;
+    for (const CellId timer : simulator_.timers()) {
+        conditions.push_back(netlist_.timings[netlist_.cells[timer].timing].ordinal);
+    }
+    return conditions;
 }
 
 bool NetlistCases::same(const BitTable& situation, const OutputValues& outputs) const {
@@ -153,33 +177,48 @@ NetlistOutcome NetlistCases::blame(const std::vector<NetId>& nets, const PathSte
     return outcome;
 }
 
+/// Compares what the netlist shows, settled, with what it should.
+NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues& outputs,
+                                  const PathStep& step) const {
+    NetlistOutcome outcome;
+    // A memory that no open input explains has never been given a value. That matters once an X
+    // or an output depends on it, and may stay so until then.
+    if (const std::vector<NetId> unknown = unknown_nets(); !unknown.empty()) {
+        outcome = blame(unknown, step);
+        if (outcome.kind == NetlistOutcome::Kind::open) return outcome;
+        const bool visible = std::any_of(unknown.begin(), unknown.end(),
+                                         [&](NetId net) { return is_compared(net); });
+        if (visible) return outcome;
+    }
+    outcome.kind =
+        same(situation, outputs) ? NetlistOutcome::Kind::agrees : NetlistOutcome::Kind::differs;
+    return outcome;
+}
+
 NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInputs& left,
                                  const PathStep& step, const ReferenceOutcome& expected) {
-    apply(start, left, step);
+    if (start == nullptr) {
+        const Settling settling = start_up(step);
+        if (!settling.settled) return blame(settling.oscillating, step);
+    } else {
+        leave(*start, left, step);
+    }
+    NetlistOutcome outcome;
     const std::size_t scans = netlist_.is_clocked() ? expected.scans.size() : 1;
     for (std::size_t scan = 0; scan < scans; ++scan) {
         const Settling settling =
             netlist_.is_clocked() ? simulator_.clock_cycle() : simulator_.settle();
         if (!settling.settled) return blame(settling.oscillating, step);
-        // A memory that no open input explains has never been given a value. That matters once an X
-        // or an output depends on it, and may stay so until then.
-        if (const std::vector<NetId> unknown = unknown_nets(); !unknown.empty()) {
-            NetlistOutcome outcome = blame(unknown, step);
-            const bool visible = std::any_of(unknown.begin(), unknown.end(),
-                                             [&](NetId net) { return is_compared(net); });
-            if (outcome.kind == NetlistOutcome::Kind::open || visible) return outcome;
-        }
-        const bool agrees = netlist_.is_clocked()
-                                ? same(expected.scans[scan].situation, expected.scans[scan].outputs)
-                                : same(expected.state.situation, expected.outputs);
-        if (!agrees) {
-            NetlistOutcome outcome;
-            outcome.kind = NetlistOutcome::Kind::differs;
-            return outcome;
-        }
+        const NetlistOutcome now =
+            netlist_.is_clocked()
+                ? look(expected.scans[scan].situation, expected.scans[scan].outputs, step)
+                : look(expected.state.situation, expected.outputs, step);
+        if (now.kind == NetlistOutcome::Kind::open) return now;
+        if (now.kind == NetlistOutcome::Kind::agrees) continue;
+        if (expected.stable && scan + 1 == scans) return now;
+        outcome.kind = NetlistOutcome::Kind::differs_within;
     }
-    NetlistOutcome outcome;
-    outcome.state = simulator_.save();
+    outcome.state = kept_state();
     return outcome;
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "check/path.h"
 #include "check/reference_case.h"
-#include "check/witness.h"
 #include "netlist/netlist.h"
 #include "simulate/simulate.h"
 #include "simulate/simulator.h"
@@ -15,14 +15,16 @@ namespace grafwire {
 struct NetlistOutcome {
     enum class Kind {
         agrees,
-        open,     ///< depends on an input that is still open: see `split`
-        differs,  ///< no open input is to blame
+        open,            ///< depends on an input that is still open: see `split`
+        differs,         ///< no open input is to blame
+        differs_within,  ///< in a scan of the instant, but not at its end (if it has one)
     };
     Kind kind = Kind::agrees;
     /// open: the input to close, in the state left (`split_before`) or in the case.
     std::uint32_t split = 0;
     bool split_before = false;
-    SimulatorState state;  ///< agrees: the state reached
+    /// agrees, differs_within: the state reached, with `due` as RunningDelays wants it.
+    SimulatorState state;
 };
 
 /// Takes a netlist through cases: restores the state left, applies the change, lets it settle, and
@@ -36,14 +38,22 @@ class NetlistCases {
     NetlistOutcome run(const SimulatorState* start, const PartialInputs& left, const PathStep& step,
                        const ReferenceOutcome& expected);
 
+    /// Per timer cell, in the order of Simulator::timers: the time condition it stands for.
+    std::vector<std::uint32_t> conditions_of_timers() const;
+
     /// Opens inputs in a state, if none of the nets on which the future depends (the outputs aside)
     /// comes to depend on them; nothing otherwise.
     std::optional<SimulatorState> forget(const SimulatorState& state,
                                          const std::vector<std::uint32_t>& inputs);
 
   private:
-    void apply(const SimulatorState* start, const PartialInputs& left, const PathStep& step);
+    Settling start_up(const PathStep& step);
+    void leave(const SimulatorState& start, const PartialInputs& left, const PathStep& step);
+    void begin_instant();
+    SimulatorState kept_state() const;
     void set_inputs(const PartialInputs& inputs);
+    NetlistOutcome look(const BitTable& situation, const OutputValues& outputs,
+                        const PathStep& step) const;
     bool same(const BitTable& situation, const OutputValues& outputs) const;
     std::vector<NetId> unknown_nets() const;
     bool is_compared(NetId net) const;
@@ -56,6 +66,7 @@ class NetlistCases {
     const Netlist& netlist_;
     Simulator simulator_;
     PortMap ports_;
+    Time instant_ = 0;  ///< of the case, on the clock of the simulation
     Table<NetId, CellId> drivers_;
     std::vector<std::uint32_t> input_of_net_;  ///< per net: the input it carries, or none
     /// Nets on which the future depends: X, outputs, memories, feedback loops, operands of timers.

@@ -72,15 +72,6 @@ std::string coverage_text(const CheckResult& result, bool french) {
                        : "  exploration incomplete: {} states reached are still to be left\n"),
             coverage.waiting);
     }
-    if (result.impossible_timings != 0) {
-        text += fmt::format(
-            fmt::runtime(
-                french ? "  {} différences demandent que des temporisations finissent dans un "
-                         "ordre que leurs durées excluent sur le chemin trouvé\n"
-                       : "  {} differences need delays to end in an order that their lengths "
-                         "exclude on the way found\n"),
-            result.impossible_timings);
-    }
     return text;
 }
 

@@ -1,20 +1,24 @@
 // From a path of the exploration to stimuli with moments.
 //
-// In the exploration delays end when they please. Here every instant of the path gets a moment such
-// that exactly those delays end that are to end: a system of difference constraints
+// The exploration knows which orders of events are possible, but no moments. Here every instant of
+// the path gets one such that exactly those delays end that are to end: a system of difference
+// constraints
 //
 //     t(i+1) >= t(i) + gap                       instants follow one another
 //     t(i)    = t(s) + d                         a delay of length d, begun at s, ends at i
 //     t(i)   <= t(s) + d - gap                   one that is still running at i has not ended
 //
 // solved as longest paths (Bellman-Ford); a cycle that keeps growing means that no moments fit.
-// When a delay began is told by the evolution itself: it is run along the path with the number of
-// the instant as its clock, so that the moment at which a delay is due gives away its beginning.
+//
+// With an arbitrarily small gap every path of the exploration fits. How small is enough? A cycle of
+// constraints is possible if the lengths in it, some added and some subtracted, leave room for the
+// gaps in it. All lengths are multiples of their greatest common divisor, so a cycle that leaves
+// any room leaves that much; and it holds one gap per instant at most.
 
 #include <algorithm>
+#include <numeric>
 
-#include "check/witness.h"
-#include "evolution/evolution.h"
+#include "check/path.h"
 
 namespace grafwire {
 
@@ -27,64 +31,29 @@ struct Constraint {
     Time distance = 0;
 };
 
-class Timeline {
-  public:
-    Timeline(const Grafcet& grafcet, Time gap)
-        : grafcet_(grafcet), evolution_(grafcet), gap_(gap) {}
-
-    /// Follows the path and collects the constraints; false where the path is not a path.
-    bool follow(const std::vector<PathStep>& path, const std::vector<InputValues>& values);
-    std::optional<std::vector<Time>> solve(std::size_t instants) const;
-
-  private:
-    void constrain_delays(const EvolutionState& state, std::size_t instant,
-                          const std::vector<std::uint32_t>& ended);
-
-    const Grafcet& grafcet_;
-    Evolution evolution_;
-    Time gap_;
-    std::vector<Constraint> constraints_;
-};
-
-void Timeline::constrain_delays(const EvolutionState& state, std::size_t instant,
-                                const std::vector<std::uint32_t>& ended) {
-    const Expressions& pool = grafcet_.expressions;
-    for (std::uint32_t k = 0; k < state.due.size(); ++k) {
-        if (!Evolution::is_running(state, k)) continue;
-        const TimeCondition& condition = pool.time_condition_of(pool.time_conditions()[k]);
-        const Time length = state.time_values.test(k) ? condition.off_delay : condition.on_delay;
-        const auto begun = static_cast<std::size_t>(state.due[k] - length);
-        if (std::find(ended.begin(), ended.end(), k) != ended.end()) {
-            constraints_.push_back({begun, instant, length});
-            constraints_.push_back({instant, begun, -length});
-        } else {
-            constraints_.push_back({instant, begun, -(length - gap_)});
-        }
-    }
-}
-
-bool Timeline::follow(const std::vector<PathStep>& path, const std::vector<InputValues>& values) {
-    EvolutionState state = evolution_.start({values[0]});
+std::vector<Constraint> constraints_of(const std::vector<PathStep>& path, Time gap) {
+    std::vector<Constraint> constraints;
     for (std::size_t i = 0; i < path.size(); ++i) {
-        if (i != 0) {
-            constraints_.push_back({i - 1, i, gap_});
-            constrain_delays(state, i, path[i].ended);
-            for (const std::uint32_t k : path[i].ended) {
-                if (!Evolution::is_running(state, k)) return false;
-                evolution_.end_delay(state, k);
+        if (i != 0) constraints.push_back({i - 1, i, gap});
+        for (const RunningDelay& delay : path[i].running) {
+            if (delay.ends) {
+                constraints.push_back({delay.begun, i, delay.length});
+                constraints.push_back({i, delay.begun, -delay.length});
+            } else {
+                constraints.push_back({i, delay.begun, gap - delay.length});
             }
         }
-        const auto clock = static_cast<Time>(i);
-        if (!evolution_.settle(state, {values[i]}, clock).stable) return i + 1 == path.size();
     }
-    return true;
+    return constraints;
 }
 
-std::optional<std::vector<Time>> Timeline::solve(std::size_t instants) const {
+/// The earliest moments, from 0 on.
+std::optional<std::vector<Time>> solve(const std::vector<Constraint>& constraints,
+                                       std::size_t instants) {
     std::vector<Time> at(instants, 0);
     for (std::size_t round = 0; round <= instants; ++round) {
         bool changed = false;
-        for (const Constraint& constraint : constraints_) {
+        for (const Constraint& constraint : constraints) {
             const Time earliest = at[constraint.from] + constraint.distance;
             if (earliest <= at[constraint.to]) continue;
             at[constraint.to] = earliest;
@@ -101,6 +70,20 @@ std::optional<std::vector<Time>> Timeline::solve(std::size_t instants) const {
 
 }  // namespace
 
+std::vector<Time> gaps_for(const std::vector<PathStep>& path) {
+    std::vector<Time> gaps{100 * millisecond, millisecond, 10 * microsecond, microsecond};
+    Time grain = 0;
+    for (const PathStep& step : path) {
+        for (const RunningDelay& delay : step.running) grain = std::gcd(grain, delay.length);
+    }
+    if (grain == 0) return gaps;
+    const Time enough = grain / static_cast<Time>(path.size() + 1);
+    Time smallest = gaps.back();
+    while (smallest > enough && smallest > 1) smallest /= 10;
+    if (smallest < gaps.back()) gaps.push_back(smallest);
+    return gaps;
+}
+
 std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& assumptions,
                                    const std::vector<PathStep>& path, Time gap) {
     std::vector<InputValues> values;
@@ -111,9 +94,7 @@ std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& as
         previous = *complete;
         values.push_back(std::move(*complete));
     }
-    Timeline timeline(grafcet, gap);
-    if (!timeline.follow(path, values)) return std::nullopt;
-    const auto moments = timeline.solve(path.size());
+    const auto moments = solve(constraints_of(path, gap), path.size());
     if (!moments) return std::nullopt;
 
     Stimuli stimuli;
@@ -128,7 +109,7 @@ std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& as
         previous = values[i];
         // An instant at which only a delay ends, or nothing changes, comes about by itself; but the
         // latter would not, so its line stays.
-        const bool comes_by_itself = change.assignments.empty() && !path[i].ended.empty();
+        const bool comes_by_itself = change.assignments.empty() && !path[i].ended.none();
         if (!comes_by_itself) stimuli.changes.push_back(std::move(change));
     }
     stimuli.end = moments->back();

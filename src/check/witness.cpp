@@ -1,6 +1,6 @@
 // A difference counts only if it can be shown again: the stimuli are run once more from the start,
 // through the reference on the one side and from power-up through the gates on the other, with real
-// moments and real lengths of delays, and the first row in which the two differ is the witness.
+// moments and real lengths of delays, and the first moment at which the two differ is the witness.
 
 #include "check/witness.h"
 
@@ -64,43 +64,83 @@ Stimuli cut_after(Stimuli stimuli, Time end) {
     return stimuli;
 }
 
-/// The first row in which two runs differ, or where the gates do not settle.
-std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& netlist,
-                                        const Stimuli& stimuli, const Trace& expected,
-                                        const SimulateResult& got) {
-    const std::size_t rows = std::min(expected.row_count(), got.trace.row_count());
-    for (std::size_t row = 0; row < rows; ++row) {
-        const Row wanted{expected, row};
-        const Row shown{got.trace, row};
-        const auto kind = difference(grafcet, wanted, shown);
-        if (!kind) continue;
-        Witness witness;
-        witness.kind = *kind;
-        witness.stimuli = cut_after(stimuli, expected.times[row]);
-        fill_values(grafcet, witness, wanted, &shown);
-        return witness;
+/// The rows of two runs side by side. A netlist can have instants of its own, at which a delay ends
+/// that the reference does not have, and the reverse; what a side shows holds until its next row.
+class SideBySide {
+  public:
+    SideBySide(const Trace& left, const Trace& right) : left_{left, 0}, right_{right, 0} {}
+
+    Row left() const { return left_; }
+    Row right() const { return right_; }
+    /// The moment of the later of the two rows.
+    Time now() const { return std::max(time_of(left_), time_of(right_)); }
+    /// On to the next moment at which either has a row; `never` after the last.
+    Time next() const { return std::min(next_of(left_), next_of(right_)); }
+    void advance() {
+        const Time moment = next();
+        for (Row* row : {&left_, &right_}) {
+            if (next_of(*row) == moment) ++row->row;
+        }
     }
-    if (!got.unsettled_at || rows >= expected.row_count()) return std::nullopt;
+
+  private:
+    static Time time_of(const Row& row) { return row.trace.times[row.row]; }
+    static Time next_of(const Row& row) {
+        return row.row + 1 < row.trace.row_count() ? row.trace.times[row.row + 1] : never;
+    }
+    Row left_;
+    Row right_;
+};
+
+/// The gates do not settle at a moment at which the reference does.
+Witness oscillation(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
+                    const Trace& expected, const SimulateResult& got) {
     Witness witness;
     witness.kind = DifferenceKind::oscillation;
     witness.stimuli = cut_after(stimuli, *got.unsettled_at);
-    fill_values(grafcet, witness, {expected, rows}, nullptr);
+    const auto after =
+        std::upper_bound(expected.times.begin(), expected.times.end(), *got.unsettled_at);
+    const auto row = static_cast<std::size_t>(after - expected.times.begin()) - 1;
+    fill_values(grafcet, witness, {expected, row}, nullptr);
     const Table<NetId, CellId> drivers = drivers_of(netlist);
     for (const NetId net : got.oscillating) {
-        if (drivers[net] == no_cell) continue;
-        witness.oscillating.push_back(drivers[net]);
+        if (drivers[net] != no_cell) witness.oscillating.push_back(drivers[net]);
     }
     return witness;
 }
 
-/// A scan period that leaves room for a hundred scans between two changes of the inputs, and for
-/// not more than some hundred thousand rows altogether.
-Time scan_period_for(const Stimuli& stimuli) {
+/// The first moment at which two runs differ, or where the gates do not settle; nothing where the
+/// reference finds no stable situation before.
+std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& netlist,
+                                        const Stimuli& stimuli, const RunResult& expected,
+                                        const SimulateResult& got) {
+    const Time unsettled = got.unsettled_at.value_or(never);
+    const Time unstable = expected.unstable_at.value_or(never);
+    if (std::min(unsettled, unstable) > 0) {
+        for (SideBySide rows(expected.trace, got.trace);; rows.advance()) {
+            if (const auto kind = difference(grafcet, rows.left(), rows.right())) {
+                Witness witness;
+                witness.kind = *kind;
+                witness.stimuli = cut_after(stimuli, rows.now());
+                const Row got_row = rows.right();
+                fill_values(grafcet, witness, rows.left(), &got_row);
+                return witness;
+            }
+            if (rows.next() == never || rows.next() >= std::min(unsettled, unstable)) break;
+        }
+    }
+    if (unsettled >= unstable) return std::nullopt;
+    return oscillation(grafcet, netlist, stimuli, expected.trace, got);
+}
+
+/// A scan period that leaves room for so many scans between two changes of the inputs, and for not
+/// more than some hundred thousand rows altogether.
+Time scan_period_for(const Stimuli& stimuli, Time room) {
     Time spacing = 100 * millisecond;
     for (std::size_t i = 1; i < stimuli.changes.size(); ++i) {
         spacing = std::min(spacing, stimuli.changes[i].at - stimuli.changes[i - 1].at);
     }
-    return std::max({spacing / 100, stimuli.end / 100'000, nanosecond});
+    return std::max({spacing / room, stimuli.end / 100'000, nanosecond});
 }
 
 }  // namespace
@@ -109,18 +149,24 @@ std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli) {
     const RunResult expected = run_until_stable(grafcet, stimuli);
     const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, SimulateOptions());
-    auto witness = first_difference(grafcet, netlist, stimuli, expected.trace, got);
+    auto witness = first_difference(grafcet, netlist, stimuli, expected, got);
     if (witness || !netlist.is_clocked()) return witness;
 
-    // A clocked netlist may go astray within an instant and find back. Then the scans show it.
-    const Time period = scan_period_for(stimuli);
-    Stimuli by_scan = stimuli;
-    by_scan.end = add_times(stimuli.end, 100 * period);
-    const RunResult scans = run_scans(grafcet, by_scan, period);
-    const SimulateResult cycles = simulate(grafcet, netlist, delays, by_scan, {false, period, {}});
-    witness = first_difference(grafcet, netlist, by_scan, scans.trace, cycles);
-    if (witness) witness->scan_period = period;
-    return witness;
+    // A clocked netlist may go astray within an instant and find back. Then the scans show it. A
+    // hundred are usually enough for what happens within an instant.
+    for (const Time room : {100, 10'000}) {
+        const Time period = scan_period_for(stimuli, room);
+        Stimuli by_scan = stimuli;
+        by_scan.end = add_times(stimuli.end, room * period);
+        const RunResult scans = run_scans(grafcet, by_scan, period);
+        const SimulateResult cycles =
+            simulate(grafcet, netlist, delays, by_scan, {false, period, {}});
+        witness = first_difference(grafcet, netlist, by_scan, scans, cycles);
+        if (!witness) continue;
+        witness->scan_period = period;
+        return witness;
+    }
+    return std::nullopt;
 }
 
 }  // namespace grafwire

@@ -1,4 +1,5 @@
 #include "check/partial_inputs.h"
+#include "check/path.h"
 #include "check/witness.h"
 #include "netlist/netlists.h"
 #include "trace/stimuli.h"
@@ -11,50 +12,66 @@ constexpr Logic o = Logic::zero;
 constexpr Logic i = Logic::one;
 constexpr Logic x = Logic::unknown;
 
-const std::string delayed = R"(
-input a
-graph G { initial 0 step 1 step 2
-  0 -> 1 : a
-  1 -> 2 : 3s/X1
-  2 -> 0 : 1s/X2 . /a }
-)";
+const Grafcet one_input = grafcet_of("input a graph G { initial 0 }");
+const PartialInputs low{o, o, o, o};
+const PartialInputs high{i, o, o, o};
 
-std::string timed(const std::string& chart, const std::vector<PathStep>& path) {
-    const Grafcet grafcet = grafcet_of(chart);
-    const auto stimuli = stimuli_for(grafcet, Assumptions(grafcet), path, 100 * millisecond);
+/// An instant at which nothing but delays ends.
+PathStep ends(const std::vector<RunningDelay>& running) {
+    PathStep step{low, low, {}, running};
+    for (std::uint32_t k = 0; k < running.size(); ++k) {
+        if (running[k].ends) step.ended.conditions.push_back(k);
+    }
+    return step;
+}
+
+std::string timed(const std::vector<PathStep>& path, Time gap = 100 * millisecond) {
+    const auto stimuli = stimuli_for(one_input, Assumptions(one_input), path, gap);
     if (!stimuli) return "impossible";
-    return write_stimuli(*stimuli, grafcet);
+    return write_stimuli(*stimuli, one_input);
 }
 
 }  // namespace
 
 TEST_CASE("a path becomes stimuli with the lengths of the delays") {
     // Start; a; 3 s are over; 1 s is over; a back to 0.
-    CHECK(timed(delayed, {{{o, o, o, o}, {o, o, o, o}, {}},
-                          {{o, o, o, o}, {i, o, o, o}, {}},
-                          {{i, o, o, o}, {i, o, o, o}, {0}},
-                          {{i, o, o, o}, {i, o, o, o}, {1}},
-                          {{i, o, o, o}, {o, o, o, o}, {}}}) ==
-          "0s :\n100ms : a=1\n4.2s : a=0\n4.2s : end\n");
+    CHECK(timed({{low, low, {}, {}},
+                 {low, high, {}, {}},
+                 {high, high, {{0}, {}}, {{1, 3 * second, true}}},
+                 {high, high, {{1}, {}}, {{2, second, true}}},
+                 {high, low, {}, {}}}) == "0s :\n100ms : a=1\n4.2s : a=0\n4.2s : end\n");
 }
 
 TEST_CASE("a delay that is not to end yet leaves no more time than it takes") {
     // a goes down while the 3 s are still running: 100 ms later.
-    CHECK(timed(delayed, {{{i, o, o, o}, {i, o, o, o}, {}}, {{i, o, o, o}, {o, o, o, o}, {}}}) ==
+    CHECK(timed({{high, high, {}, {}}, {high, low, {}, {{0, 3 * second, false}}}}) ==
           "0s : a=1\n100ms : a=0\n100ms : end\n");
 }
 
 TEST_CASE("delays in an order that their lengths do not allow have no stimuli") {
-    const std::string chart = R"(
-input a
-output lamp
-graph G { initial 0 : lamp if 1s/X0 . 5s/X0 }
-)";
-    const PartialInputs none_set{o, o, o, o};
-    CHECK(timed(chart, {{none_set, none_set, {}}, {none_set, none_set, {0}}}) ==
-          "0s :\n1s : end\n");
-    CHECK(timed(chart, {{none_set, none_set, {}}, {none_set, none_set, {1}}}) == "impossible");
-    CHECK(timed(chart, {{none_set, none_set, {}}, {none_set, none_set, {0, 1}}}) == "impossible");
+    const PathStep start{low, low, {}, {}};
+    const auto both = [](bool first, bool second_one) {
+        return ends({{0, second, first}, {0, 5 * second, second_one}});
+    };
+    CHECK(timed({start, both(true, false)}) == "0s :\n1s : end\n");
+    CHECK(timed({start, both(false, true)}) == "impossible");
+    CHECK(timed({start, both(true, true)}) == "impossible");
+    CHECK(timed({start, both(false, false)}) == "0s :\n100ms :\n100ms : end\n");
+}
+
+TEST_CASE("the last gap that is tried is small enough for any path that is possible") {
+    // Ten changes within a delay of 5 us: with gaps of less than half a microsecond only.
+    std::vector<PathStep> path{{low, low, {}, {}}};
+    for (std::size_t k = 0; k < 10; ++k) {
+        const bool up = k % 2 == 0;
+        path.push_back({up ? low : high, up ? high : low, {}, {{0, 5 * microsecond, false}}});
+    }
+    path.push_back(ends({{0, 5 * microsecond, true}}));
+    const std::vector<Time> gaps = gaps_for(path);
+    CHECK(timed(path, gaps.front()) == "impossible");
+    CHECK(timed(path, microsecond) == "impossible");
+    CHECK(timed(path, gaps.back()) != "impossible");
+    CHECK(gaps.back() == 100 * nanosecond);
 }
 
 TEST_CASE("open inputs are given values that the plant allows") {
@@ -99,6 +116,24 @@ TEST_CASE("a replay shows a difference where there is one, and only there") {
     CHECK(witness->values[1].name == "lamp");
     CHECK(witness->values[1].expected == Logic::one);
     CHECK(witness->values[1].got == Logic::zero);
+}
+
+TEST_CASE("rows are compared by their moments, where a side has instants of its own") {
+    // The netlist's delay is shorter; the reference has no instant at its end.
+    const std::string tail = "/X0 } ";
+    const std::string head = "input a output lamp graph G { initial 0 : lamp if ";
+    const Grafcet grafcet = grafcet_of(head + "3s" + tail);
+    const Netlist hasty = netlist_of(grafcet_of(head + "1s" + tail), Style::gates);
+    const auto stimuli = read_stimuli("0s :\n10s : end\n", grafcet);
+    REQUIRE(stimuli);
+    const auto witness = replay(grafcet, hasty, unit_delays(hasty), *stimuli);
+    REQUIRE(witness);
+    CHECK(write_stimuli(witness->stimuli, grafcet) == "0s :\n1s : end\n");
+    CHECK(witness->values[1].expected == Logic::zero);
+    CHECK(witness->values[1].got == Logic::one);
+    // With another delay that makes no difference, only the instants differ.
+    const Netlist busy = netlist_of(grafcet_of(head + "3s/X0 . (1s/X0 + X0)" + "}"), Style::gates);
+    CHECK_FALSE(replay(grafcet, busy, unit_delays(busy), *stimuli));
 }
 
 }  // namespace grafwire::testing

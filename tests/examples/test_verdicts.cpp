@@ -62,7 +62,6 @@ TEST_CASE("every example is equivalent in the styles in which it is sound, and i
                 continue;
             }
             const CheckResult result = check(example, *netlist);
-            CHECK(result.impossible_timings == 0);
             if (is_sound(example, row.name)) {
                 CHECK(!result.witness);
                 if (result.complete) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/partial_inputs.h"
+#include "grafcet/grafcet.h"
+#include "text/time.h"
+#include "trace/stimuli.h"
+
+namespace grafwire {
+
+/// The delays that end at one instant.
+struct EndedDelays {
+    std::vector<std::uint32_t> conditions;  ///< of the reference: numbers of time conditions
+    std::vector<std::uint32_t> timers;      ///< of the netlist: numbers of timer cells
+    bool none() const { return conditions.empty() && timers.empty(); }
+};
+
+/// A delay that is running when an instant comes.
+struct RunningDelay {
+    std::size_t begun = 0;  ///< the instant at which it began
+    Time length = 0;
+    bool ends = false;  ///< at this instant; or it goes on beyond it
+};
+
+/// One step of a way through the exploration: inputs that change and delays that end, all at one
+/// instant.
+struct PathStep {
+    PartialInputs before;  ///< what the inputs were in the state left (open: any)
+    PartialInputs inputs;  ///< what they become
+    EndedDelays ended;
+    std::vector<RunningDelay> running;  ///< the delays of both sides when the instant comes
+};
+
+/// Finds moments and full input values for a path, so that exactly the delays that are to end do
+/// so, and instants are at least `gap` apart; nothing where that cannot be. Instants are numbered
+/// from 0 in the order of the path.
+std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& assumptions,
+                                   const std::vector<PathStep>& path, Time gap);
+
+/// The gaps worth trying, from one that people like to read to the smallest that can be needed: if
+/// a path is possible at all, it is so with the last.
+std::vector<Time> gaps_for(const std::vector<PathStep>& path);
+
+}  // namespace grafwire

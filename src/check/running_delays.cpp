@@ -1,0 +1,97 @@
+#include "check/running_delays.h"
+
+#include <numeric>
+#include <string>
+
+namespace grafwire {
+
+EndedDelays RunningDelays::named(const std::vector<bool>& ends) const {
+    EndedDelays ended;
+    for (std::uint32_t k = 0; k < of_condition_.size(); ++k) {
+        if (of_condition_[k] != none && ends[of_condition_[k]]) ended.conditions.push_back(k);
+    }
+    for (std::uint32_t i = 0; i < of_timer_.size(); ++i) {
+        if (of_timer_[i] != none && ends[of_timer_[i]]) ended.timers.push_back(i);
+    }
+    return ended;
+}
+
+std::vector<RunningDelay> RunningDelays::listed(const std::vector<bool>& ends) const {
+    std::vector<RunningDelay> list;
+    for (std::size_t i = 0; i < delays_.size(); ++i) {
+        list.push_back({delays_[i].begun, delays_[i].length, ends[i]});
+    }
+    return list;
+}
+
+/// Of a delay that is running: it goes on where it was, or has just begun.
+Zone::Origin RunningDelays::origin_of(std::uint32_t place, Time due) const {
+    if (due == some_time) return {place, 0};
+    return {Zone::Origin::begins, due / grain_};
+}
+
+std::uint32_t RunningDelays::add(RunningDelays& next, std::vector<Zone::Origin>& origins,
+                                 Zone::Origin origin, std::size_t instant) const {
+    origins.push_back(origin);
+    if (origin.delay == Zone::Origin::begins) {
+        next.delays_.push_back({instant, origin.grains * grain_});
+    } else {
+        next.delays_.push_back(delays_[origin.delay]);
+    }
+    return static_cast<std::uint32_t>(origins.size() - 1);
+}
+
+RunningDelays RunningDelays::after(const Zone& at_instant, EvolutionState& reference,
+                                   SimulatorState& netlist,
+                                   const std::vector<std::uint32_t>& condition_of_timer,
+                                   std::size_t instant) const {
+    RunningDelays next(of_condition_.size(), of_timer_.size(), grain_, lengths_);
+    std::vector<Zone::Origin> origins;
+    for (std::size_t k = 0; k < of_condition_.size(); ++k) {
+        Time& due = reference.due[k];
+        if (due == never) continue;
+        next.of_condition_[k] = add(next, origins, origin_of(of_condition_[k], due), instant);
+        due = some_time;
+    }
+    for (std::size_t i = 0; i < of_timer_.size(); ++i) {
+        Time& due = netlist.due[i];
+        if (due == never) continue;
+        const Zone::Origin origin = origin_of(of_timer_[i], due);
+        const std::uint32_t shared = next.of_condition_[condition_of_timer[i]];
+        const bool shares = shared != none && origins[shared] == origin;
+        next.of_timer_[i] = shares ? shared : add(next, origins, origin, instant);
+        due = some_time;
+    }
+    if (origins.empty()) return next;
+    next.zone_ = lengths_ == Lengths::exact ? at_instant.with(origins).later()
+                                            : Zone::unbounded(origins.size());
+    return next;
+}
+
+void RunningDelays::append_key(std::string& key) const {
+    std::uint32_t places = 0;
+    for (const std::uint32_t place : of_condition_) {
+        key += place == none ? '.' : '!';
+        if (place != none) ++places;
+    }
+    // Timers with places of their own take them in order, so it is enough to say which do.
+    for (const std::uint32_t place : of_timer_) {
+        key += place == none ? '.' : place < places ? '=' : '!';
+    }
+}
+
+Time common_grain(const Grafcet& grafcet, const Netlist& netlist) {
+    Time grain = 0;
+    for (const ExprId id : grafcet.expressions.time_conditions()) {
+        const TimeCondition& condition = grafcet.expressions.time_condition_of(id);
+        grain = std::gcd(grain, std::gcd(condition.on_delay, condition.off_delay));
+    }
+    for (const Cell& cell : netlist.cells) {
+        if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
+        const auto& timing = netlist.timings[cell.timing];
+        grain = std::gcd(grain, std::gcd(timing.rise, timing.fall));
+    }
+    return grain == 0 ? 1 : grain;
+}
+
+}  // namespace grafwire
