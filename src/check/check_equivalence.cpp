@@ -34,6 +34,7 @@
 #include <unordered_set>
 
 #include "check/netlist_case.h"
+#include "check/netlist_witness.h"
 #include "check/pair_state.h"
 #include "check/reference_case.h"
 #include "check/ways.h"

@@ -1,47 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "check/witness.h"
+#include "check/check_result.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"
 
 namespace grafwire {
-
-enum class Verdict { equivalent, different, undecided };
-
-/// How much of the exploration is done.
-struct Coverage {
-    std::uint64_t situations = 0;  ///< distinct stable situations reached
-    std::uint64_t cases = 0;       ///< changes of the inputs that were compared
-    std::uint64_t unstable = 0;    ///< cases in which the reference finds no stable situation
-    std::uint64_t waiting = 0;     ///< states reached but not yet left
-};
-
-struct CheckOptions {
-    std::uint64_t max_cases = 0;  ///< stop undecided after so many; 0: no bound
-    /// Asked now and then; the exploration stops undecided when it says no.
-    std::function<bool(const Coverage&)> keep_going;
-};
-
-struct CheckResult {
-    Verdict verdict = Verdict::undecided;
-    Coverage coverage;
-    bool complete = false;  ///< every reachable case was explored
-    std::optional<Witness> witness;
-    /// A case in which the reference itself is unstable: the stimuli that lead there, and what
-    /// keeps changing.
-    struct Unstable {
-        Stimuli stimuli;
-        std::vector<std::string> changing;
-    };
-    std::optional<Unstable> first_unstable;
-};
 
 /// Compares a netlist with the reference evolution in every reachable stable situation, under every
 /// change of the inputs that can matter there. The ports must fit (compare_ports), and every timer

@@ -81,14 +81,34 @@ std::string names_text(const std::vector<std::string>& names) {
 
 }  // namespace
 
+CheckSubject netlist_subject(const std::string& file, const std::string& style,
+                             const std::string& cdx, const std::string& delay) {
+    return {file,
+            {{"style", "style", "style", style},
+             {"cdx", "CDX", "CDX", cdx},
+             {"delay", "delays", "retards", delay}},
+            {}};
+}
+
+CheckSubject device_subject(const std::string& file, const std::string& device, Time period) {
+    return {file,
+            {{"device", "device", "automate", device},
+             {"period", "a scan every", "un cycle toutes les", format_duration(period)}},
+            {}};
+}
+
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,
                              const CheckResult& result, const std::string& story,
                              Language language) {
     const bool french = language == Language::french;
+    std::vector<std::string> properties;
+    for (const CheckSubject::Property& property : subject.properties) {
+        properties.push_back((french ? property.french : property.english) + " " + property.value);
+    }
     std::string text =
-        fmt::format("{}: {} ({} {}, CDX {}, {} {})\n", subject.file,
-                    french ? french_verdict(result.verdict) : verdict_name(result.verdict), "style",
-                    subject.style, subject.cdx, french ? "retards" : "delays", subject.delay);
+        fmt::format("{}: {} ({})\n", subject.file,
+                    french ? french_verdict(result.verdict) : verdict_name(result.verdict),
+                    fmt::join(properties, ", "));
     text += coverage_text(result, french);
     if (result.first_unstable) {
         text += french ? "\nRemarque : le GRAFCET n'a pas de situation stable ici ("
@@ -109,9 +129,9 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
                              const CheckResult& result) {
     nlohmann::ordered_json json;
     json["verdict"] = verdict_name(result.verdict);
-    json["style"] = subject.style;
-    json["cdx"] = subject.cdx;
-    json["delay"] = subject.delay;
+    for (const CheckSubject::Property& property : subject.properties) {
+        json[property.key] = property.value;
+    }
     json["situations"] = result.coverage.situations;
     json["cases"] = result.coverage.cases;
     json["unstable"] = result.coverage.unstable;
@@ -181,9 +201,12 @@ std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafce
     text += fmt::format(
         "<testsuite name=\"grafwire check\" tests=\"1\" failures=\"{}\" errors=\"{}\">\n",
         failed ? 1 : 0, error ? 1 : 0);
-    text +=
-        fmt::format("  <testcase classname=\"{}\" name=\"{} {} {}\">\n", xml_escaped(subject.file),
-                    xml_escaped(subject.style), subject.cdx, subject.delay);
+    std::vector<std::string> values;
+    for (const CheckSubject::Property& property : subject.properties) {
+        values.push_back(xml_escaped(property.value));
+    }
+    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\">\n", xml_escaped(subject.file),
+                        fmt::join(values, " "));
     const std::string details =
         write_check_text(subject, grafcet, result, story, Language::english);
     if (failed || error) {

@@ -2,20 +2,34 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "check/check_equivalence.h"
+#include "check/check_result.h"
+#include "grafcet/grafcet.h"
 #include "text/language.h"
 
 namespace grafwire {
 
 /// What a check was made of, for its report.
 struct CheckSubject {
-    std::string file;   ///< the GRAFCET's file
-    std::string style;  ///< `nand`; for a netlist from elsewhere its file
-    std::string cdx;    ///< `successor` or `transition`
-    std::string delay = "unit";
+    std::string file;  ///< the GRAFCET's file
+    /// What it was compared with, in the order in which it is said.
+    struct Property {
+        std::string key;      ///< in JSON
+        std::string english;  ///< the words before the value
+        std::string french;
+        std::string value;
+    };
+    std::vector<Property> properties;
     std::vector<std::string> witness_files;  ///< what was written for the witness
 };
+
+/// A netlist. `style`: `nand`, for a netlist from elsewhere its file; `cdx`: `successor` or
+/// `transition`; `delay`: `unit`.
+CheckSubject netlist_subject(const std::string& file, const std::string& style,
+                             const std::string& cdx, const std::string& delay);
+/// A program that is executed scan by scan. `device`: what executes it, or its file.
+CheckSubject device_subject(const std::string& file, const std::string& device, Time period);
 
 /// The report for people: verdict, coverage, the witness and what it shows.
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,

@@ -1,13 +1,6 @@
-// A difference counts only if it can be shown again: the stimuli are run once more from the start,
-// through the reference on the one side and from power-up through the gates on the other, with real
-// moments and real lengths of delays, and the first moment at which the two differ is the witness.
-
 #include "check/witness.h"
 
 #include <algorithm>
-
-#include "evolution/run.h"
-#include "simulate/simulate.h"
 
 namespace grafwire {
 
@@ -92,32 +85,27 @@ class SideBySide {
     Row right_;
 };
 
-/// The gates do not settle at a moment at which the reference does.
-Witness oscillation(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
-                    const Trace& expected, const SimulateResult& got) {
+/// It does not settle at a moment at which the reference does.
+Witness oscillation(const Grafcet& grafcet, const Stimuli& stimuli, const Trace& expected,
+                    Time unsettled) {
     Witness witness;
     witness.kind = DifferenceKind::oscillation;
-    witness.stimuli = cut_after(stimuli, *got.unsettled_at);
-    const auto after =
-        std::upper_bound(expected.times.begin(), expected.times.end(), *got.unsettled_at);
+    witness.stimuli = cut_after(stimuli, unsettled);
+    const auto after = std::upper_bound(expected.times.begin(), expected.times.end(), unsettled);
     const auto row = static_cast<std::size_t>(after - expected.times.begin()) - 1;
     fill_values(grafcet, witness, {expected, row}, nullptr);
-    const Table<NetId, CellId> drivers = drivers_of(netlist);
-    for (const NetId net : got.oscillating) {
-        if (drivers[net] != no_cell) witness.oscillating.push_back(drivers[net]);
-    }
     return witness;
 }
 
-/// The first moment at which two runs differ, or where the gates do not settle; nothing where the
-/// reference finds no stable situation before.
-std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& netlist,
-                                        const Stimuli& stimuli, const RunResult& expected,
-                                        const SimulateResult& got) {
-    const Time unsettled = got.unsettled_at.value_or(never);
+}  // namespace
+
+std::optional<Witness> first_difference(const Grafcet& grafcet, const Stimuli& stimuli,
+                                        const RunResult& expected, const Trace& got,
+                                        std::optional<Time> unsettled_at) {
+    const Time unsettled = unsettled_at.value_or(never);
     const Time unstable = expected.unstable_at.value_or(never);
     if (std::min(unsettled, unstable) > 0) {
-        for (SideBySide rows(expected.trace, got.trace);; rows.advance()) {
+        for (SideBySide rows(expected.trace, got);; rows.advance()) {
             if (const auto kind = difference(grafcet, rows.left(), rows.right())) {
                 Witness witness;
                 witness.kind = *kind;
@@ -130,43 +118,7 @@ std::optional<Witness> first_difference(const Grafcet& grafcet, const Netlist& n
         }
     }
     if (unsettled >= unstable) return std::nullopt;
-    return oscillation(grafcet, netlist, stimuli, expected.trace, got);
-}
-
-/// A scan period that leaves room for so many scans between two changes of the inputs, and for not
-/// more than some hundred thousand rows altogether.
-Time scan_period_for(const Stimuli& stimuli, Time room) {
-    Time spacing = 100 * millisecond;
-    for (std::size_t i = 1; i < stimuli.changes.size(); ++i) {
-        spacing = std::min(spacing, stimuli.changes[i].at - stimuli.changes[i - 1].at);
-    }
-    return std::max({spacing / room, stimuli.end / 100'000, nanosecond});
-}
-
-}  // namespace
-
-std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli) {
-    const RunResult expected = run_until_stable(grafcet, stimuli);
-    const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, SimulateOptions());
-    auto witness = first_difference(grafcet, netlist, stimuli, expected, got);
-    if (witness || !netlist.is_clocked()) return witness;
-
-    // A clocked netlist may go astray within an instant and find back. Then the scans show it. A
-    // hundred are usually enough for what happens within an instant.
-    for (const Time room : {100, 10'000}) {
-        const Time period = scan_period_for(stimuli, room);
-        Stimuli by_scan = stimuli;
-        by_scan.end = add_times(stimuli.end, room * period);
-        const RunResult scans = run_scans(grafcet, by_scan, period);
-        const SimulateResult cycles =
-            simulate(grafcet, netlist, delays, by_scan, {false, period, {}});
-        witness = first_difference(grafcet, netlist, by_scan, scans, cycles);
-        if (!witness) continue;
-        witness->scan_period = period;
-        return witness;
-    }
-    return std::nullopt;
+    return oscillation(grafcet, stimuli, expected.trace, unsettled);
 }
 
 }  // namespace grafwire

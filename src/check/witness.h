@@ -1,23 +1,23 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "evolution/run.h"
 #include "grafcet/grafcet.h"
-#include "netlist/netlist.h"
-#include "simulate/simulator.h"
-#include "text/language.h"
+#include "netlist/cell_types.h"
+#include "text/time.h"
 #include "trace/stimuli.h"
+#include "trace/trace.h"
 
 namespace grafwire {
 
 enum class DifferenceKind {
-    situation,    ///< an X differs once everything has settled
+    situation,    ///< an X differs, once everything has settled or after a scan
     output,       ///< an output differs
-    oscillation,  ///< the netlist does not settle
-    race,         ///< the netlist settles at a value that the gates leave open
+    oscillation,  ///< a netlist does not settle
+    race,         ///< a netlist settles at a value that the gates leave open
 };
 
 /// A difference that replays: stimuli, and what the two sides show at their end.
@@ -32,18 +32,14 @@ struct Witness {
         Logic expected = Logic::unknown;
         Logic got = Logic::unknown;
     };
-    std::vector<Value> values;        ///< X of every step, then the outputs
-    std::vector<CellId> oscillating;  ///< the cells that keep changing
+    std::vector<Value> values;  ///< X of every step, then the outputs
 };
 
-/// Runs reference and netlist over the stimuli of a path, from power-up, and reports the difference
-/// at their end; nothing where none shows.
-std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli);
-
-/// The witness in words: what changes at the last instant, which transitions the reference clears,
-/// which gates change first, and where the two sides part.
-std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         const Witness& witness, Language language);
+/// The first moment at which a run of the reference and one of what is compared with it differ, or
+/// where the latter does not settle; nothing where the reference finds no stable situation before.
+/// The two may have rows at different moments.
+std::optional<Witness> first_difference(const Grafcet& grafcet, const Stimuli& stimuli,
+                                        const RunResult& expected, const Trace& got,
+                                        std::optional<Time> unsettled_at = std::nullopt);
 
 }  // namespace grafwire

@@ -6,6 +6,7 @@
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
+#include "check/netlist_witness.h"
 #include "check/report.h"
 #include "command/command.h"
 #include "evolution/run.h"
@@ -131,12 +132,9 @@ int exit_status(Verdict verdict) {
 
 int report(const Request& request, const LoadedGrafcet& loaded, const Netlist& netlist,
            const CellDelays& delays, const CheckResult& result, Language language) {
-    CheckSubject subject{request.path,
-                         request.netlist.style,
-                         std::string(request.netlist.cdx_name()),
-                         request.delay,
-                         {}};
-    if (!request.against.empty()) subject.style = request.against;
+    CheckSubject subject = netlist_subject(
+        request.path, request.against.empty() ? request.netlist.style : request.against,
+        std::string(request.netlist.cdx_name()), request.delay);
     OutputFiles files;
     std::string story;
     if (result.witness) {

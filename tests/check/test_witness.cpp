@@ -1,6 +1,6 @@
+#include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "check/path.h"
-#include "check/witness.h"
 #include "netlist/netlists.h"
 #include "trace/stimuli.h"
 

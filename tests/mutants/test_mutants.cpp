@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
 #include "grafcet/parse_grafcet.h"
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
 #include "netlist/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"

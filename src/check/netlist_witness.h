@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "check/witness.h"
+#include "grafcet/grafcet.h"
+#include "netlist/netlist.h"
+#include "simulate/simulator.h"
+#include "text/language.h"
+#include "trace/stimuli.h"
+
+namespace grafwire {
+
+/// Runs reference and netlist over the stimuli of a path, from power-up, and reports the difference
+/// at their end; nothing where none shows.
+std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
+                              const CellDelays& delays, const Stimuli& stimuli);
+
+/// The witness in words: what changes at the last instant, which transitions the reference clears,
+/// which gates change first, and where the two sides part.
+std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                         const Witness& witness, Language language);
+
+}  // namespace grafwire
