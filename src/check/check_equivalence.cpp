@@ -33,6 +33,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "check/keys.h"
 #include "check/netlist_case.h"
 #include "check/netlist_witness.h"
 #include "check/pair_state.h"

@@ -1,8 +1,8 @@
-// Pairs are compared by their whole state, never by a digest: a collision would be a wrong verdict.
-
 #include "check/pair_state.h"
 
 #include <algorithm>
+
+#include "check/keys.h"
 
 namespace grafwire {
 
@@ -21,20 +21,9 @@ void append_logic(std::string& key, const std::vector<Logic>& values) {
 
 }  // namespace
 
-void append_key(std::string& key, const BitTable& bits) {
-    const auto& words = bits.words();
-    key.append(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(words[0]));
-}
-
 std::string key_of(const PairState& pair) {
     std::string key;
-    const EvolutionState& state = pair.reference;
-    for (const BitTable* bits : {&state.situation, &state.may_evolve, &state.stored_outputs,
-                                 &state.vars, &state.edge_memory, &state.time_values}) {
-        append_key(key, *bits);
-    }
-    key.append(reinterpret_cast<const char*>(state.counters.data()),
-               state.counters.size() * sizeof(std::int64_t));
+    append_key(key, pair.reference);
     pair.delays.append_key(key);
     append_logic(key, pair.inputs);
     append_logic(key, pair.netlist.values);

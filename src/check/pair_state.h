@@ -21,7 +21,4 @@ struct PairState {
 /// Everything that decides how a pair goes on, but for what remains of its delays.
 std::string key_of(const PairState& pair);
 
-/// Appends the bits of a table, all of them.
-void append_key(std::string& key, const BitTable& bits);
-
 }  // namespace grafwire

@@ -23,15 +23,39 @@
 
 namespace grafwire {
 
+namespace {
+
+/// What the reference reads in a case: open inputs as 0, and which inputs it looks at.
+struct CaseInputs {
+    explicit CaseInputs(const PartialInputs& inputs)
+        : partial(inputs), values(inputs.size()), consulted(inputs.size()) {
+        for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
+    }
+    EvolutionInputs read() { return {values, &consulted}; }
+
+    /// Tells an outcome which open inputs were looked at.
+    void close(ReferenceOutcome& outcome) const {
+        outcome.inputs = partial;
+        for (std::uint32_t i = 0; i < partial.size(); ++i) {
+            if (consulted[i] == 0 || partial[i] != Logic::unknown) continue;
+            outcome.inputs[i] = Logic::zero;
+            outcome.closed.push_back(i);
+        }
+    }
+
+    const PartialInputs& partial;
+    InputValues values;
+    std::vector<std::uint8_t> consulted;
+};
+
+}  // namespace
+
 ReferenceOutcome ReferenceCases::run(const EvolutionState* start,
                                      const std::vector<std::uint32_t>& ended,
                                      const PartialInputs& inputs) const {
     ReferenceOutcome outcome;
-    InputValues values(inputs.size());
-    std::vector<std::uint8_t> consulted(inputs.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
-    const EvolutionInputs read{values, &consulted};
-
+    CaseInputs given(inputs);
+    const EvolutionInputs read = given.read();
     outcome.state = start == nullptr ? evolution_.start(read) : *start;
     for (const std::uint32_t condition : ended) evolution_.end_delay(outcome.state, condition);
     if (scan_by_scan_) {
@@ -43,25 +67,30 @@ ReferenceOutcome ReferenceCases::run(const EvolutionState* start,
         if (outcome.stable) outcome.outputs = evolution_.outputs(outcome.state, read);
     }
 
-    outcome.inputs = inputs;
-    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-        if (consulted[i] == 0 || inputs[i] != Logic::unknown) continue;
-        outcome.inputs[i] = Logic::zero;
-        outcome.closed.push_back(i);
-    }
+    given.close(outcome);
+    return outcome;
+}
+
+ReferenceOutcome ReferenceCases::scan(const EvolutionState* start, const PartialInputs& inputs,
+                                      Time now) const {
+    ReferenceOutcome outcome;
+    CaseInputs given(inputs);
+    const EvolutionInputs read = given.read();
+    outcome.state = start == nullptr ? evolution_.start(read) : *start;
+    evolution_.scan(outcome.state, read, now);
+    outcome.outputs = evolution_.outputs(outcome.state, read);
+    given.close(outcome);
     return outcome;
 }
 
 std::vector<std::uint32_t> ReferenceCases::unread_inputs(const EvolutionState& state,
                                                          const PartialInputs& inputs) const {
-    InputValues values(inputs.size());
-    std::vector<std::uint8_t> consulted(inputs.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
+    CaseInputs given(inputs);
     EvolutionState again = state;
-    evolution_.scan(again, {values, &consulted}, 0);
+    evolution_.scan(again, given.read(), 0);
     std::vector<std::uint32_t> unread;
     for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-        if (consulted[i] == 0 && inputs[i] != Logic::unknown) unread.push_back(i);
+        if (given.consulted[i] == 0 && inputs[i] != Logic::unknown) unread.push_back(i);
     }
     return unread;
 }

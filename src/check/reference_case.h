@@ -39,6 +39,10 @@ class ReferenceCases {
     ReferenceOutcome run(const EvolutionState* start, const std::vector<std::uint32_t>& ended,
                          const PartialInputs& inputs) const;
 
+    /// One scan at moment `now`, with the lengths of delays, for devices that are executed scan by
+    /// scan; otherwise the same.
+    ReferenceOutcome scan(const EvolutionState* start, const PartialInputs& inputs, Time now) const;
+
     /// The inputs, among those not open, that a further instant with the same inputs does not look
     /// at (nor does the GRAFCET while nothing else changes). Outputs do not count.
     std::vector<std::uint32_t> unread_inputs(const EvolutionState& state,

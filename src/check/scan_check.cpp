@@ -1,0 +1,238 @@
+// Equivalence scan by scan, by exploration, breadth first, of the pairs (reference, device).
+//
+// Reference and device are executed with one period, and a node is what both remember after a scan.
+// A case is the next scan under some inputs; if X and outputs agree after it, the pair reached is a
+// new node unless it has been seen. Time is real here, not free as in check_equivalence.cpp: what
+// remains of a running delay is part of the node, as a time; a device knows no instants between
+// its scans at which a delay could end, so with a period there are finitely many. That makes more
+// nodes, but every way through them is a run that `run --scan` repeats.
+//
+// Which inputs are varied: those that the reference looks at, as in reference_case.cpp, and those
+// that the device says it needs. All others are left open. Nothing is remembered of an open input
+// on either side, so a node holds no inputs: each scan is given its own.
+
+#include "check/scan_check.h"
+
+#include <algorithm>
+#include <cassert>
+#include <deque>
+#include <unordered_set>
+
+#include "check/keys.h"
+#include "check/reference_case.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::uint32_t no_parent = 0xffffffffU;
+
+/// What both sides remember after a scan.
+struct Node {
+    EvolutionState reference;
+    std::string memory;
+    Time now = 0;  ///< the moment of that scan
+    std::uint32_t scan = no_parent;
+};
+
+std::string key_of(const Node& node, const ScannedDevice& device) {
+    std::string key;
+    append_key(key, node.reference);
+    for (const Time due : node.reference.due) {
+        const Time remaining = due == never ? never : due - node.now;
+        key.append(reinterpret_cast<const char*>(&remaining), sizeof(remaining));
+    }
+    return key + device.key(node.memory, node.now);
+}
+
+class ScanExploration {
+  public:
+    ScanExploration(const Grafcet& grafcet, const ScannedDevice& device, Time period,
+                    const CheckOptions& options)
+        : grafcet_(grafcet),
+          device_(device),
+          period_(period),
+          options_(options),
+          evolution_(grafcet),
+          reference_(evolution_, true),
+          assumptions_(grafcet) {}
+
+    CheckResult run() {
+        explore_scan(nullptr);
+        while (!done_ && !waiting_.empty()) {
+            const Node node = std::move(waiting_.front());
+            waiting_.pop_front();
+            explore_scan(&node);
+        }
+        result_.complete = waiting_.empty() && !done_;
+        if (result_.witness) {
+            result_.verdict = Verdict::different;
+        } else if (result_.complete) {
+            result_.verdict = Verdict::equivalent;
+        }
+        result_.coverage.waiting = waiting_.size();
+        return std::move(result_);
+    }
+
+  private:
+    /// A scan on the way to a node, and the one before.
+    struct Scan {
+        std::uint32_t before;
+        PartialInputs inputs;
+    };
+
+    void explore_scan(const Node* node);
+    void compare(const Node* node, const ReferenceOutcome& expected);
+    void arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs);
+    void found_difference(std::uint32_t before, const PartialInputs& inputs);
+    Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
+    bool agree(const ReferenceOutcome& expected, const ScannedDevice::Outcome& got) const;
+    void count_case();
+    PartialInputs all_open() const;
+
+    const Grafcet& grafcet_;
+    const ScannedDevice& device_;
+    Time period_;
+    const CheckOptions& options_;
+    Evolution evolution_;
+    ReferenceCases reference_;
+    Assumptions assumptions_;
+    std::deque<Node> waiting_;
+    std::unordered_set<std::string> seen_;
+    std::unordered_set<std::string> situations_;
+    std::vector<Scan> scans_;
+    CheckResult result_;
+    bool done_ = false;
+};
+
+PartialInputs ScanExploration::all_open() const {
+    PartialInputs inputs(grafcet_.all_input_count(), Logic::unknown);
+    if (!device_.has_modes()) {
+        for (std::size_t i = grafcet_.inputs.size(); i < inputs.size(); ++i) {
+            inputs[i] = Logic::zero;
+        }
+    }
+    return inputs;
+}
+
+/// All cases of the scan after a node, or of the first.
+void ScanExploration::explore_scan(const Node* node) {
+    const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
+    const Time now = node == nullptr ? 0 : node->now + period_;
+    std::vector<PartialInputs> remaining{all_open()};
+    while (!remaining.empty() && !done_) {
+        const PartialInputs inputs = std::move(remaining.back());
+        remaining.pop_back();
+        if (!assumptions_.can_hold(inputs)) continue;
+        const ReferenceOutcome outcome = reference_.scan(start, inputs, now);
+        PartialInputs other = inputs;
+        for (const std::uint32_t input : outcome.closed) {
+            other[input] = Logic::one;
+            remaining.push_back(other);
+            other[input] = Logic::zero;
+        }
+        if (assumptions_.can_hold(outcome.inputs)) compare(node, outcome);
+    }
+}
+
+void ScanExploration::count_case() {
+    Coverage& coverage = result_.coverage;
+    ++coverage.cases;
+    coverage.waiting = waiting_.size();
+    if (options_.max_cases != 0 && coverage.cases >= options_.max_cases) done_ = true;
+    if (coverage.cases % 256 == 0 && options_.keep_going && !options_.keep_going(coverage)) {
+        done_ = true;
+    }
+}
+
+/// Compares the device in a case of the reference, closing the open inputs it turns out to need.
+void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected) {
+    const std::string memory = node == nullptr ? device_.start() : node->memory;
+    const Time now = node == nullptr ? 0 : node->now + period_;
+    const std::uint32_t before = node == nullptr ? no_parent : node->scan;
+    std::vector<PartialInputs> remaining{expected.inputs};
+    while (!remaining.empty() && !done_) {
+        PartialInputs inputs = std::move(remaining.back());
+        remaining.pop_back();
+        if (!assumptions_.can_hold(inputs)) continue;
+        ScannedDevice::Outcome got = device_.scan(memory, inputs, now);
+        if (got.needs) {
+            assert(inputs[*got.needs] == Logic::unknown);
+            for (const Logic value : {Logic::one, Logic::zero}) {
+                inputs[*got.needs] = value;
+                remaining.push_back(inputs);
+            }
+            continue;
+        }
+        count_case();
+        if (agree(expected, got)) {
+            arrive({expected.state, std::move(got.memory), now}, before, inputs);
+        } else {
+            found_difference(before, inputs);
+        }
+    }
+}
+
+bool ScanExploration::agree(const ReferenceOutcome& expected,
+                            const ScannedDevice::Outcome& got) const {
+    const auto same = [](const BitTable& bits, const std::vector<Logic>& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (values[i] != (bits.test(i) ? Logic::one : Logic::zero)) return false;
+        }
+        return true;
+    };
+    assert(got.steps.size() == grafcet_.steps.size());
+    assert(got.outputs.size() == grafcet_.outputs.size());
+    return same(expected.state.situation, got.steps) && same(expected.outputs, got.outputs);
+}
+
+void ScanExploration::arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs) {
+    if (!seen_.insert(key_of(next, device_)).second) return;
+    std::string situation;
+    append_key(situation, next.reference.situation);
+    if (situations_.insert(std::move(situation)).second) ++result_.coverage.situations;
+    next.scan = static_cast<std::uint32_t>(scans_.size());
+    scans_.push_back({before, inputs});
+    waiting_.push_back(std::move(next));
+}
+
+/// Stimuli with a line for every scan in which inputs change, and one for the first.
+Stimuli ScanExploration::stimuli_of(std::vector<PartialInputs> scans) const {
+    Stimuli stimuli;
+    InputValues previous(grafcet_.all_input_count(), 0);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        stimuli.end = static_cast<Time>(i) * period_;
+        Stimuli::Change change;
+        change.at = stimuli.end;
+        const InputValues values = *assumptions_.complete(scans[i], previous);
+        for (std::uint32_t input = 0; input < values.size(); ++input) {
+            if (values[input] == previous[input]) continue;
+            change.assignments.push_back({input, values[input] != 0});
+        }
+        previous = values;
+        if (i == 0 || !change.assignments.empty()) stimuli.changes.push_back(std::move(change));
+    }
+    return stimuli;
+}
+
+/// Ends the exploration with the witness. A device whose outcome depends on something that it does
+/// not tell may fail to show the difference again; then the exploration ends without a verdict.
+void ScanExploration::found_difference(std::uint32_t before, const PartialInputs& inputs) {
+    std::vector<PartialInputs> path{inputs};
+    for (std::uint32_t at = before; at != no_parent; at = scans_[at].before) {
+        path.push_back(scans_[at].inputs);
+    }
+    std::reverse(path.begin(), path.end());
+    result_.witness = replay_scans(grafcet_, device_, stimuli_of(std::move(path)), period_);
+    done_ = true;
+}
+
+}  // namespace
+
+CheckResult check_scans(const Grafcet& grafcet, const ScannedDevice& device, Time period,
+                        const CheckOptions& options) {
+    assert(period > 0);
+    return ScanExploration(grafcet, device, period, options).run();
+}
+
+}  // namespace grafwire
