@@ -76,15 +76,15 @@ std::string Story::transition_text(TransitionId id) const {
 
 /// One scan, if it does something; false if it was the last of its instant.
 bool Story::tell_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
-                      Time at, std::size_t number) {
+                      Time at, const std::string& label) {
     const auto cleared = evolution.cleared_by_scan(state, {inputs}, at);
     const EvolutionState before = state;
     evolution.scan(state, {inputs}, at);
     if (before.situation != state.situation || !cleared.empty()) {
         std::vector<std::string> names;
         for (const TransitionId id : cleared) names.push_back(transition_text(id));
-        text_ += fmt::format("  {} {}{} {}{} -> {}\n", choose("scan", "cycle"), number,
-                             choose(":", " :"), names.empty() ? "" : choose("clears ", "franchit "),
+        text_ += fmt::format("  {}{} {}{} -> {}\n", label, choose(":", " :"),
+                             names.empty() ? "" : choose("clears ", "franchit "),
                              names.empty() ? std::string(choose("orders", "ordres"))
                                            : fmt::format("{}", fmt::join(names, "; ")),
                              situation_text(state.situation));
@@ -112,7 +112,8 @@ void Story::follow_instants(const Evolution& evolution) {
         text_ +=
             fmt::format("  {}: {}\n", choose("before", "avant "), situation_text(state.situation));
         for (std::size_t scan = 1; scan <= most_scans; ++scan) {
-            if (!tell_scan(evolution, state, values, at, scan)) break;
+            const std::string label = fmt::format("{} {}", choose("scan", "cycle"), scan);
+            if (!tell_scan(evolution, state, values, at, label)) break;
         }
     }
 }
@@ -137,8 +138,9 @@ void Story::follow_scans(const Evolution& evolution) {
             text_ += fmt::format("  {}: {}\n", choose("before", "avant "),
                                  situation_text(state.situation));
         }
-        const auto number = static_cast<std::size_t>(scan - first) + 1;
-        tell_scan(evolution, state, values, scan * period, number);
+        const Time now = scan * period;
+        tell_scan(evolution, state, values, now,
+                  fmt::format("{} {} ms", choose("scan at", "cycle à"), format_milliseconds(now)));
     }
 }
 

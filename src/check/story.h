@@ -35,7 +35,7 @@ class Story {
     void follow_instants(const Evolution& evolution);
     void follow_scans(const Evolution& evolution);
     bool tell_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
-                   Time at, std::size_t number);
+                   Time at, const std::string& label);
     std::string situation_text(const BitTable& situation) const;
     std::string transition_text(TransitionId id) const;
 
