@@ -29,11 +29,7 @@
 
 #include <algorithm>
 #include <deque>
-#include <string>
-#include <unordered_map>
-#include <unordered_set>
 
-#include "check/keys.h"
 #include "check/netlist_case.h"
 #include "check/netlist_witness.h"
 #include "check/pair_state.h"
@@ -50,12 +46,10 @@ struct Node {
     std::uint32_t way = Ways::start;
 };
 
-/// An instant that comes to a node: which delays end, and what can remain of the others.
+/// An instant that comes to a node (none: the first instant).
 struct Departure {
-    const Node* node = nullptr;  ///< none: the first instant
-    EndedDelays ended;
-    std::vector<RunningDelay> running;
-    Zone zone;
+    const Node* node = nullptr;
+    RunningDelays::Ending ending;
 
     std::uint32_t way() const { return node == nullptr ? Ways::start : node->way; }
 };
@@ -67,7 +61,6 @@ class Exploration {
         : grafcet_(grafcet),
           netlist_(netlist),
           delays_(delays),
-          options_(options),
           evolution_(grafcet),
           reference_(evolution_, netlist.is_clocked()),
           gates_(grafcet, netlist, delays),
@@ -75,22 +68,17 @@ class Exploration {
           no_delays_(grafcet.expressions.time_conditions().size(), condition_of_timer_.size(),
                      common_grain(grafcet, netlist), lengths),
           assumptions_(grafcet),
-          ways_(assumptions_) {}
+          ways_(assumptions_),
+          counter_(options, result_.coverage) {}
 
     CheckResult run() {
         explore_instant({});
         while (!done_ && !waiting_.empty()) {
             const Node node = std::move(waiting_.front());
             waiting_.pop_front();
-            if (!is_covered(node.pair)) leave(node);
+            if (!seen_.is_covered(node.pair)) leave(node);
         }
-        result_.complete = waiting_.empty() && !done_;
-        if (result_.witness) {
-            result_.verdict = Verdict::different;
-        } else if (result_.complete) {
-            result_.verdict = Verdict::equivalent;
-        }
-        result_.coverage.waiting = waiting_.size();
+        conclude(result_, waiting_.empty() && !done_, waiting_.size());
         return std::move(result_);
     }
 
@@ -98,25 +86,20 @@ class Exploration {
 
   private:
     void leave(const Node& node);
-    void choose_ends(const Node& node, const Zone& zone, std::size_t left, std::vector<bool>& ends);
     void explore_instant(const Departure& departure);
     void compare(const Departure& departure, const ReferenceOutcome& expected);
     void arrive(const Departure& departure, const PathStep& step, const ReferenceOutcome& expected,
                 SimulatorState&& netlist_state);
-    bool is_new(const PairState& pair);
-    bool is_covered(const PairState& pair) const;
     void forget_unread_inputs(PairState& pair);
     bool show_difference(const Departure& departure, const PathStep& step);
     void give_up();
+    void count(const ReferenceOutcome& expected);
     void note_unstable(const Departure& departure, const PathStep& step,
                        const ReferenceOutcome& expected);
-    void count_case(bool stable);
-    PartialInputs all_open() const;
 
     const Grafcet& grafcet_;
     const Netlist& netlist_;
     const CellDelays& delays_;
-    const CheckOptions& options_;
     Evolution evolution_;
     ReferenceCases reference_;
     NetlistCases gates_;
@@ -124,79 +107,38 @@ class Exploration {
     RunningDelays no_delays_;
     Assumptions assumptions_;
     std::deque<Node> waiting_;
-    std::unordered_map<std::string, std::vector<Zone>> seen_;
-    std::unordered_set<std::string> situations_;
+    SeenPairs seen_;
     Ways ways_;
     CheckResult result_;
+    CaseCounter counter_;
     bool done_ = false;
     bool is_given_up_ = false;
 };
 
-PartialInputs Exploration::all_open() const {
-    PartialInputs inputs(grafcet_.all_input_count(), Logic::unknown);
-    if (!netlist_.has_modes) {
-        for (std::size_t i = grafcet_.inputs.size(); i < inputs.size(); ++i) {
-            inputs[i] = Logic::zero;
-        }
-    }
-    return inputs;
-}
-
 void Exploration::leave(const Node& node) {
-    const Zone& later = node.pair.delays.zone();
-    std::vector<bool> ends(later.delays());
-    choose_ends(node, later, ends.size(), ends);
+    node.pair.delays.for_each_ending([&](const RunningDelays::Ending& ending) {
+        explore_instant({&node, ending});
+        return !done_;
+    });
 }
 
-/// Every set of delays that can end together, and before the others, ends at the next instant; the
-/// empty set too, as far as there is time before the first must end. The first `left` delays are
-/// still to be decided.
-void Exploration::choose_ends(const Node& node, const Zone& zone, std::size_t left,
-                              std::vector<bool>& ends) {
-    if (left == 0) {
-        const RunningDelays& delays = node.pair.delays;
-        explore_instant({&node, delays.named(ends), delays.listed(ends), zone});
-        return;
-    }
-    const std::size_t delay = left - 1;
-    for (const bool end : {false, true}) {
-        Zone rest = zone;
-        const bool possible = end ? rest.let_end(delay) : rest.let_run_on(delay);
-        if (!possible || done_) continue;
-        ends[delay] = end;
-        choose_ends(node, rest, delay, ends);
-    }
-}
-
-/// All cases of one instant: see reference_case.cpp for how the inputs are split.
+/// All cases of one instant.
 void Exploration::explore_instant(const Departure& departure) {
-    const EvolutionState* start =
-        departure.node == nullptr ? nullptr : &departure.node->pair.reference;
-    std::vector<PartialInputs> remaining{all_open()};
-    while (!remaining.empty() && !done_) {
-        const PartialInputs inputs = std::move(remaining.back());
-        remaining.pop_back();
-        if (!assumptions_.can_hold(inputs)) continue;
-        const ReferenceOutcome outcome = reference_.run(start, departure.ended.conditions, inputs);
-        PartialInputs other = inputs;
-        for (const std::uint32_t input : outcome.closed) {
-            other[input] = Logic::one;
-            remaining.push_back(other);
-            other[input] = Logic::zero;
-        }
-        if (assumptions_.can_hold(outcome.inputs)) compare(departure, outcome);
-    }
+    const Node* node = departure.node;
+    const EvolutionState* start = node == nullptr ? nullptr : &node->pair.reference;
+    for_each_case(
+        assumptions_, open_inputs(grafcet_, netlist_.has_modes),
+        [&](const PartialInputs& inputs) {
+            return reference_.run(start, departure.ending.ended.conditions, inputs);
+        },
+        [&](const ReferenceOutcome& expected) {
+            compare(departure, expected);
+            return !done_;
+        });
 }
 
-void Exploration::count_case(bool stable) {
-    Coverage& coverage = result_.coverage;
-    ++coverage.cases;
-    if (!stable) ++coverage.unstable;
-    coverage.waiting = waiting_.size();
-    if (options_.max_cases != 0 && coverage.cases >= options_.max_cases) done_ = true;
-    if (coverage.cases % 256 == 0 && options_.keep_going && !options_.keep_going(coverage)) {
-        done_ = true;
-    }
+void Exploration::count(const ReferenceOutcome& expected) {
+    if (!counter_.count(expected.stable, waiting_.size())) done_ = true;
 }
 
 /// Compares the netlist in a case of the reference, closing the open inputs it turns out to react
@@ -204,7 +146,8 @@ void Exploration::count_case(bool stable) {
 void Exploration::compare(const Departure& departure, const ReferenceOutcome& expected) {
     const Node* node = departure.node;
     const PartialInputs& left = node == nullptr ? expected.inputs : node->pair.inputs;
-    std::vector<PathStep> remaining{{left, expected.inputs, departure.ended, departure.running}};
+    std::vector<PathStep> remaining{
+        {left, expected.inputs, departure.ending.ended, departure.ending.running}};
     while (!remaining.empty() && !done_) {
         PathStep step = std::move(remaining.back());
         remaining.pop_back();
@@ -213,7 +156,7 @@ void Exploration::compare(const Departure& departure, const ReferenceOutcome& ex
         if (!expected.stable) {
             note_unstable(departure, step, expected);
             if (!netlist_.is_clocked()) {
-                count_case(false);
+                count(expected);
                 continue;
             }
         }
@@ -227,7 +170,7 @@ void Exploration::compare(const Departure& departure, const ReferenceOutcome& ex
             }
             continue;
         }
-        count_case(expected.stable);
+        count(expected);
         if (outcome.kind == NetlistOutcome::Kind::differs) {
             if (!show_difference(departure, step)) give_up();
             return;
@@ -237,7 +180,7 @@ void Exploration::compare(const Departure& departure, const ReferenceOutcome& ex
             show_difference(departure, step)) {
             return;
         }
-        if (expected.stable && !done_) arrive(departure, step, expected, std::move(outcome.state));
+        if (expected.stable) arrive(departure, step, expected, std::move(outcome.state));
     }
 }
 
@@ -246,35 +189,15 @@ void Exploration::arrive(const Departure& departure, const PathStep& step,
     PairState next{expected.state, std::move(netlist_state), step.inputs, {}};
     const RunningDelays& before =
         departure.node == nullptr ? no_delays_ : departure.node->pair.delays;
-    next.delays = before.after(departure.zone, next.reference, next.netlist, condition_of_timer_,
-                               ways_.next());
-    if (!is_new(next)) return;
+    next.delays = before.after(departure.ending.zone, next.reference, next.netlist,
+                               condition_of_timer_, ways_.next());
+    if (!seen_.add(next)) return;
     forget_unread_inputs(next);
-    if (next.inputs != step.inputs && !is_new(next)) return;
-    std::string situation;
-    append_key(situation, next.reference.situation);
-    if (situations_.insert(std::move(situation)).second) ++result_.coverage.situations;
+    if (next.inputs != step.inputs && !seen_.add(next)) return;
+    counter_.note(next.reference.situation);
     const std::uint32_t way = ways_.next();
     ways_.add(departure.way(), step);
     waiting_.push_back({std::move(next), way});
-}
-
-/// Notes a pair as seen; false where it has been, with all that can remain of its delays now.
-bool Exploration::is_new(const PairState& pair) {
-    const Zone& zone = pair.delays.zone();
-    std::vector<Zone>& zones = seen_[key_of(pair)];
-    for (const Zone& seen : zones) {
-        if (seen.includes(zone)) return false;
-    }
-    std::erase_if(zones, [&](const Zone& seen) { return zone.includes(seen); });
-    zones.push_back(zone);
-    return true;
-}
-
-/// Whether a pair with a larger zone has taken the place of one that waits.
-bool Exploration::is_covered(const PairState& pair) const {
-    const std::vector<Zone>& zones = seen_.at(key_of(pair));
-    return std::find(zones.begin(), zones.end(), pair.delays.zone()) == zones.end();
 }
 
 void Exploration::forget_unread_inputs(PairState& pair) {

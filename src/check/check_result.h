@@ -4,9 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "check/witness.h"
+#include "evolution/bit_table.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -40,5 +42,25 @@ struct CheckResult {
     };
     std::optional<Unstable> first_unstable;
 };
+
+/// Counts the cases of an exploration and keeps it within its bounds.
+class CaseCounter {
+  public:
+    CaseCounter(const CheckOptions& options, Coverage& coverage)
+        : options_(options), coverage_(coverage) {}
+
+    /// One more case; false where the exploration has to end with it.
+    bool count(bool is_stable, std::size_t waiting);
+    /// The situation of a state that was reached.
+    void note(const BitTable& situation);
+
+  private:
+    const CheckOptions& options_;
+    Coverage& coverage_;
+    std::unordered_set<std::string> situations_;
+};
+
+/// Sets what follows from how an exploration ended: verdict, completeness, states left waiting.
+void conclude(CheckResult& result, bool is_complete, std::size_t waiting);
 
 }  // namespace grafwire

@@ -30,4 +30,20 @@ std::string key_of(const PairState& pair) {
     return key;
 }
 
+bool SeenPairs::add(const PairState& pair) {
+    const Zone& zone = pair.delays.zone();
+    std::vector<Zone>& zones = zones_[key_of(pair)];
+    for (const Zone& seen : zones) {
+        if (seen.includes(zone)) return false;
+    }
+    std::erase_if(zones, [&](const Zone& seen) { return zone.includes(seen); });
+    zones.push_back(zone);
+    return true;
+}
+
+bool SeenPairs::is_covered(const PairState& pair) const {
+    const std::vector<Zone>& zones = zones_.at(key_of(pair));
+    return std::find(zones.begin(), zones.end(), pair.delays.zone()) == zones.end();
+}
+
 }  // namespace grafwire

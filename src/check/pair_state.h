@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
+#include <vector>
 
 #include "check/partial_inputs.h"
 #include "check/running_delays.h"
@@ -20,5 +22,18 @@ struct PairState {
 
 /// Everything that decides how a pair goes on, but for what remains of its delays.
 std::string key_of(const PairState& pair);
+
+/// The pairs that an exploration has reached.
+class SeenPairs {
+  public:
+    /// Notes a pair; false where it has been reached before, with all that can remain of its delays
+    /// now.
+    bool add(const PairState& pair);
+    /// Whether a pair that was added has since been reached with more that can remain.
+    bool is_covered(const PairState& pair) const;
+
+  private:
+    std::unordered_map<std::string, std::vector<Zone>> zones_;  ///< none includes another
+};
 
 }  // namespace grafwire

@@ -28,6 +28,13 @@ Logic invert(Logic value) {
 
 }  // namespace
 
+PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes) {
+    PartialInputs inputs(grafcet.all_input_count(), Logic::unknown);
+    if (has_modes) return inputs;
+    for (std::size_t i = grafcet.inputs.size(); i < inputs.size(); ++i) inputs[i] = Logic::zero;
+    return inputs;
+}
+
 Assumptions::Assumptions(const Grafcet& grafcet) : grafcet_(grafcet) {
     for (const Assumption& assumption : grafcet.assumptions) {
         collect_inputs(grafcet, assumption.expression, mentioned_);

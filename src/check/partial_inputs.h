@@ -14,6 +14,9 @@ namespace grafwire {
 /// open: `Logic::unknown` stands for "0 or 1, it does not matter which".
 using PartialInputs = std::vector<Logic>;
 
+/// All open; but Init, AUdur and AUdoux are 0 where a device has no modes.
+PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes);
+
 /// The assumptions of a GRAFCET, asked about inputs that are partly open.
 class Assumptions {
   public:

@@ -112,4 +112,23 @@ void ReferenceCases::run_scans(ReferenceOutcome& outcome, const EvolutionInputs&
     outcome.changing = evolution_.settle(again, inputs, 0).changing;
 }
 
+void for_each_case(const Assumptions& assumptions, const PartialInputs& inputs,
+                   const std::function<ReferenceOutcome(const PartialInputs&)>& run,
+                   const std::function<bool(const ReferenceOutcome&)>& visit) {
+    std::vector<PartialInputs> remaining{inputs};
+    while (!remaining.empty()) {
+        const PartialInputs some = std::move(remaining.back());
+        remaining.pop_back();
+        if (!assumptions.can_hold(some)) continue;
+        const ReferenceOutcome outcome = run(some);
+        PartialInputs other = some;
+        for (const std::uint32_t input : outcome.closed) {
+            other[input] = Logic::one;
+            remaining.push_back(other);
+            other[input] = Logic::zero;
+        }
+        if (assumptions.can_hold(outcome.inputs) && !visit(outcome)) return;
+    }
+}
+
 }  // namespace grafwire

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "check/partial_inputs.h"
@@ -54,5 +56,12 @@ class ReferenceCases {
     const Evolution& evolution_;
     bool scan_by_scan_;
 };
+
+/// All cases that inputs, some of them open, stand for: `run` runs the reference under them (see
+/// ReferenceCases), and `visit` is given what came of it, once for every way to close the inputs
+/// that were looked at; it says whether to go on. What breaks the assumptions is left out.
+void for_each_case(const Assumptions& assumptions, const PartialInputs& inputs,
+                   const std::function<ReferenceOutcome(const PartialInputs&)>& run,
+                   const std::function<bool(const ReferenceOutcome&)>& visit);
 
 }  // namespace grafwire

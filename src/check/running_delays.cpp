@@ -5,23 +5,39 @@
 
 namespace grafwire {
 
-EndedDelays RunningDelays::named(const std::vector<bool>& ends) const {
-    EndedDelays ended;
-    for (std::uint32_t k = 0; k < of_condition_.size(); ++k) {
-        if (of_condition_[k] != none && ends[of_condition_[k]]) ended.conditions.push_back(k);
-    }
-    for (std::uint32_t i = 0; i < of_timer_.size(); ++i) {
-        if (of_timer_[i] != none && ends[of_timer_[i]]) ended.timers.push_back(i);
-    }
-    return ended;
+void RunningDelays::for_each_ending(const std::function<bool(const Ending&)>& visit) const {
+    std::vector<bool> ends(zone_.delays());
+    choose(zone_, ends.size(), ends, visit);
 }
 
-std::vector<RunningDelay> RunningDelays::listed(const std::vector<bool>& ends) const {
-    std::vector<RunningDelay> list;
-    for (std::size_t i = 0; i < delays_.size(); ++i) {
-        list.push_back({delays_[i].begun, delays_[i].length, ends[i]});
+/// Decides for the first `left` delays whether they end; false once nothing more is wanted.
+bool RunningDelays::choose(const Zone& zone, std::size_t left, std::vector<bool>& ends,
+                           const std::function<bool(const Ending&)>& visit) const {
+    if (left == 0) return visit(ending(zone, ends));
+    const std::size_t delay = left - 1;
+    for (const bool end : {false, true}) {
+        Zone rest = zone;
+        const bool possible = end ? rest.let_end(delay) : rest.let_run_on(delay);
+        if (!possible) continue;
+        ends[delay] = end;
+        if (!choose(rest, delay, ends, visit)) return false;
     }
-    return list;
+    return true;
+}
+
+RunningDelays::Ending RunningDelays::ending(const Zone& zone, const std::vector<bool>& ends) const {
+    Ending ending{{}, {}, zone};
+    for (std::uint32_t k = 0; k < of_condition_.size(); ++k) {
+        if (of_condition_[k] != none && ends[of_condition_[k]])
+            ending.ended.conditions.push_back(k);
+    }
+    for (std::uint32_t i = 0; i < of_timer_.size(); ++i) {
+        if (of_timer_[i] != none && ends[of_timer_[i]]) ending.ended.timers.push_back(i);
+    }
+    for (std::size_t i = 0; i < delays_.size(); ++i) {
+        ending.running.push_back({delays_[i].begun, delays_[i].length, ends[i]});
+    }
+    return ending;
 }
 
 /// Of a delay that is running: it goes on where it was, or has just begun.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "check/path.h"
@@ -37,10 +39,15 @@ class RunningDelays {
     /// What can remain at the next instant, before it is known which delays end at it.
     const Zone& zone() const { return zone_; }
 
-    /// The conditions and timers whose delays have these places in the zone.
-    EndedDelays named(const std::vector<bool>& ends) const;
-    /// All of them, as the path to a difference wants them; `ends` as above.
-    std::vector<RunningDelay> listed(const std::vector<bool>& ends) const;
+    /// One way in which the next instant can come.
+    struct Ending {
+        EndedDelays ended;
+        std::vector<RunningDelay> running;  ///< all delays, the instants as given to after()
+        Zone zone;                          ///< what can remain of them at the instant
+    };
+    /// Every set of delays that can end together, and before the others; the empty set too, as far
+    /// as there is time before the first must end. `visit` says whether to go on.
+    void for_each_ending(const std::function<bool(const Ending&)>& visit) const;
 
     /// The delays after an instant. `at_instant` is the zone at it; both states are as the instant
     /// left them, `due` being `some_time` for a delay that goes on and the length of one that began
@@ -59,6 +66,9 @@ class RunningDelays {
         std::size_t begun;
         Time length;
     };
+    bool choose(const Zone& zone, std::size_t left, std::vector<bool>& ends,
+                const std::function<bool(const Ending&)>& visit) const;
+    Ending ending(const Zone& zone, const std::vector<bool>& ends) const;
     Zone::Origin origin_of(std::uint32_t place, Time due) const;
     std::uint32_t add(RunningDelays& next, std::vector<Zone::Origin>& origins, Zone::Origin origin,
                       std::size_t instant) const;

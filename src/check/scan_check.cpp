@@ -52,10 +52,10 @@ class ScanExploration {
         : grafcet_(grafcet),
           device_(device),
           period_(period),
-          options_(options),
           evolution_(grafcet),
           reference_(evolution_, true),
-          assumptions_(grafcet) {}
+          assumptions_(grafcet),
+          counter_(options, result_.coverage) {}
 
     CheckResult run() {
         explore_scan(nullptr);
@@ -64,13 +64,7 @@ class ScanExploration {
             waiting_.pop_front();
             explore_scan(&node);
         }
-        result_.complete = waiting_.empty() && !done_;
-        if (result_.witness) {
-            result_.verdict = Verdict::different;
-        } else if (result_.complete) {
-            result_.verdict = Verdict::equivalent;
-        }
-        result_.coverage.waiting = waiting_.size();
+        conclude(result_, waiting_.empty() && !done_, waiting_.size());
         return std::move(result_);
     }
 
@@ -87,62 +81,32 @@ class ScanExploration {
     void found_difference(std::uint32_t before, const PartialInputs& inputs);
     Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
     bool agree(const ReferenceOutcome& expected, const ScannedDevice::Outcome& got) const;
-    void count_case();
-    PartialInputs all_open() const;
 
     const Grafcet& grafcet_;
     const ScannedDevice& device_;
     Time period_;
-    const CheckOptions& options_;
     Evolution evolution_;
     ReferenceCases reference_;
     Assumptions assumptions_;
     std::deque<Node> waiting_;
     std::unordered_set<std::string> seen_;
-    std::unordered_set<std::string> situations_;
     std::vector<Scan> scans_;
     CheckResult result_;
+    CaseCounter counter_;
     bool done_ = false;
 };
-
-PartialInputs ScanExploration::all_open() const {
-    PartialInputs inputs(grafcet_.all_input_count(), Logic::unknown);
-    if (!device_.has_modes()) {
-        for (std::size_t i = grafcet_.inputs.size(); i < inputs.size(); ++i) {
-            inputs[i] = Logic::zero;
-        }
-    }
-    return inputs;
-}
 
 /// All cases of the scan after a node, or of the first.
 void ScanExploration::explore_scan(const Node* node) {
     const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
     const Time now = node == nullptr ? 0 : node->now + period_;
-    std::vector<PartialInputs> remaining{all_open()};
-    while (!remaining.empty() && !done_) {
-        const PartialInputs inputs = std::move(remaining.back());
-        remaining.pop_back();
-        if (!assumptions_.can_hold(inputs)) continue;
-        const ReferenceOutcome outcome = reference_.scan(start, inputs, now);
-        PartialInputs other = inputs;
-        for (const std::uint32_t input : outcome.closed) {
-            other[input] = Logic::one;
-            remaining.push_back(other);
-            other[input] = Logic::zero;
-        }
-        if (assumptions_.can_hold(outcome.inputs)) compare(node, outcome);
-    }
-}
-
-void ScanExploration::count_case() {
-    Coverage& coverage = result_.coverage;
-    ++coverage.cases;
-    coverage.waiting = waiting_.size();
-    if (options_.max_cases != 0 && coverage.cases >= options_.max_cases) done_ = true;
-    if (coverage.cases % 256 == 0 && options_.keep_going && !options_.keep_going(coverage)) {
-        done_ = true;
-    }
+    for_each_case(
+        assumptions_, open_inputs(grafcet_, device_.has_modes()),
+        [&](const PartialInputs& inputs) { return reference_.scan(start, inputs, now); },
+        [&](const ReferenceOutcome& expected) {
+            compare(node, expected);
+            return !done_;
+        });
 }
 
 /// Compares the device in a case of the reference, closing the open inputs it turns out to need.
@@ -164,7 +128,7 @@ void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected
             }
             continue;
         }
-        count_case();
+        if (!counter_.count(true, waiting_.size())) done_ = true;
         if (agree(expected, got)) {
             arrive({expected.state, std::move(got.memory), now}, before, inputs);
         } else {
@@ -188,9 +152,7 @@ bool ScanExploration::agree(const ReferenceOutcome& expected,
 
 void ScanExploration::arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs) {
     if (!seen_.insert(key_of(next, device_)).second) return;
-    std::string situation;
-    append_key(situation, next.reference.situation);
-    if (situations_.insert(std::move(situation)).second) ++result_.coverage.situations;
+    counter_.note(next.reference.situation);
     next.scan = static_cast<std::uint32_t>(scans_.size());
     scans_.push_back({before, inputs});
     waiting_.push_back(std::move(next));
