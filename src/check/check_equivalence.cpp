@@ -78,7 +78,7 @@ class Exploration {
             waiting_.pop_front();
             if (!seen_.is_covered(node.pair)) leave(node);
         }
-        conclude(result_, waiting_.empty() && !done_, waiting_.size());
+        conclude(result_, waiting_.empty() && !done_ && !is_unexplained_, waiting_.size());
         return std::move(result_);
     }
 
@@ -113,6 +113,9 @@ class Exploration {
     CaseCounter counter_;
     bool done_ = false;
     bool is_given_up_ = false;
+    /// A difference was found that no replay from power-up shows. That should not be; if nothing
+    /// else is found, there is no verdict.
+    bool is_unexplained_ = false;
 };
 
 void Exploration::leave(const Node& node) {
@@ -172,8 +175,9 @@ void Exploration::compare(const Departure& departure, const ReferenceOutcome& ex
         }
         count(expected);
         if (outcome.kind == NetlistOutcome::Kind::differs) {
-            if (!show_difference(departure, step)) give_up();
-            return;
+            if (show_difference(departure, step)) return;
+            is_unexplained_ = true;
+            continue;
         }
         // What a clocked netlist does within an instant counts if a run scan by scan can show it.
         if (outcome.kind == NetlistOutcome::Kind::differs_within &&

@@ -8,6 +8,23 @@
 
 namespace grafwire {
 
+namespace {
+
+/// Moments aside.
+bool goes_on_alike(const SimulatorState& a, const SimulatorState& b) {
+    return a.values == b.values && a.due == b.due && a.towards == b.towards;
+}
+
+std::vector<NetId> differing_nets(const SimulatorState& a, const SimulatorState& b) {
+    std::vector<NetId> nets;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        if (a.values[i] != b.values[i]) nets.push_back(static_cast<NetId>(i));
+    }
+    return nets;
+}
+
+}  // namespace
+
 NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays)
     : grafcet_(grafcet),
       netlist_(netlist),
@@ -203,20 +220,42 @@ NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInput
     } else {
         leave(*start, left, step);
     }
+    if (netlist_.is_clocked()) return run_cycles(step, expected);
+    const Settling settling = simulator_.settle();
+    if (!settling.settled) return blame(settling.oscillating, step);
+    NetlistOutcome outcome = look(expected.state.situation, expected.outputs, step);
+    if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();
+    return outcome;
+}
+
+/// A clock cycle for every scan of the reference, and more until the netlist is at rest as well. If
+/// it comes back to a state instead (found by Brent's scheme), it does not settle.
+NetlistOutcome NetlistCases::run_cycles(const PathStep& step, const ReferenceOutcome& expected) {
     NetlistOutcome outcome;
-    const std::size_t scans = netlist_.is_clocked() ? expected.scans.size() : 1;
-    for (std::size_t scan = 0; scan < scans; ++scan) {
-        const Settling settling =
-            netlist_.is_clocked() ? simulator_.clock_cycle() : simulator_.settle();
+    SimulatorState landmark;
+    std::size_t next_landmark = expected.scans.size();
+    for (std::size_t cycle = 1; expected.stable || cycle <= expected.scans.size(); ++cycle) {
+        const bool reference_rests = expected.stable && cycle >= expected.scans.size();
+        const SimulatorState before = reference_rests ? simulator_.save() : SimulatorState();
+        const Settling settling = simulator_.clock_cycle();
         if (!settling.settled) return blame(settling.oscillating, step);
-        const NetlistOutcome now =
-            netlist_.is_clocked()
-                ? look(expected.scans[scan].situation, expected.scans[scan].outputs, step)
-                : look(expected.state.situation, expected.outputs, step);
+        const auto& scan = expected.scans[std::min(cycle, expected.scans.size()) - 1];
+        const NetlistOutcome now = look(scan.situation, scan.outputs, step);
         if (now.kind == NetlistOutcome::Kind::open) return now;
-        if (now.kind == NetlistOutcome::Kind::agrees) continue;
-        if (expected.stable && scan + 1 == scans) return now;
-        outcome.kind = NetlistOutcome::Kind::differs_within;
+        if (now.kind == NetlistOutcome::Kind::differs) {
+            outcome.kind = NetlistOutcome::Kind::differs_within;
+        }
+        if (!reference_rests) continue;
+        const SimulatorState after = simulator_.save();
+        if (goes_on_alike(before, after)) {
+            if (now.kind == NetlistOutcome::Kind::differs) return now;
+            break;
+        }
+        if (goes_on_alike(landmark, after)) return blame(differing_nets(before, after), step);
+        if (cycle == next_landmark) {
+            landmark = after;
+            next_landmark *= 2;
+        }
     }
     outcome.state = kept_state();
     return outcome;

@@ -17,7 +17,7 @@ struct NetlistOutcome {
         agrees,
         open,            ///< depends on an input that is still open: see `split`
         differs,         ///< no open input is to blame
-        differs_within,  ///< in a scan of the instant, but not at its end (if it has one)
+        differs_within,  ///< in a scan of an instant, but not at its end (if it has one)
     };
     Kind kind = Kind::agrees;
     /// open: the input to close, in the state left (`split_before`) or in the case.
@@ -52,6 +52,7 @@ class NetlistCases {
     void begin_instant();
     SimulatorState kept_state() const;
     void set_inputs(const PartialInputs& inputs);
+    NetlistOutcome run_cycles(const PathStep& step, const ReferenceOutcome& expected);
     NetlistOutcome look(const BitTable& situation, const OutputValues& outputs,
                         const PathStep& step) const;
     bool same(const BitTable& situation, const OutputValues& outputs) const;
