@@ -75,7 +75,7 @@ PortComparison compare_ports(const Grafcet& grafcet, const Netlist& netlist) {
     comparison.extra_outputs = extra(netlist.outputs, outputs, false);
 
     for (const Cell& cell : netlist.cells) {
-        if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
+        if (!is_timer(cell.type)) continue;
         if (netlist.timings[cell.timing].ordinal >= grafcet.expressions.time_conditions().size()) {
             comparison.unrelated_timers.emplace_back(netlist.names[cell.output]);
         }

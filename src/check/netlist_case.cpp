@@ -53,7 +53,7 @@ void NetlistCases::find_watched_nets() {
         const bool own_reader = std::find(readers.begin(), readers.end(), i) != readers.end();
         const bool in_loop = size[component[i]] > 1 || own_reader;
         if (in_loop || row_of(cell.type).has_memory) watched_.push_back(cell.output);
-        if (cell.type == CellType::timer || cell.type == CellType::scan_timer) {
+        if (is_timer(cell.type)) {
             watched_.push_back(netlist_.pins_of(cell)[0]);
         }
     }

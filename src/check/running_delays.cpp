@@ -103,7 +103,7 @@ Time common_grain(const Grafcet& grafcet, const Netlist& netlist) {
         grain = std::gcd(grain, std::gcd(condition.on_delay, condition.off_delay));
     }
     for (const Cell& cell : netlist.cells) {
-        if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
+        if (!is_timer(cell.type)) continue;
         const auto& timing = netlist.timings[cell.timing];
         grain = std::gcd(grain, std::gcd(timing.rise, timing.fall));
     }
