@@ -202,7 +202,13 @@ void Simulator::Kernel::doubt_unknown_pulses() {
 
 void Simulator::Kernel::hold_pulses(bool on) {
     pulses_held_ = on;
-    if (!on) pulses_remember_ = false;
+    if (on) return;
+    // Cells that remember what they saw before the initialisation look again once they may fire:
+    // an input that has come to rest since would give them no other occasion.
+    if (pulses_remember_) {
+        for (const Pulse& pulse : pulses_) touch(memories_[pulse.memory].node);
+    }
+    pulses_remember_ = false;
 }
 
 void Simulator::Kernel::remember_pulse_inputs() {

@@ -4,8 +4,8 @@
 
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/write_grafcet.h"
-#include "random/random_cases.h"
 #include "properties/same_model.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 #include "trace/stimuli.h"
 
