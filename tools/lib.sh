@@ -18,8 +18,10 @@ nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
 '
 packages_to_test='
 doctest-dev          /usr/include/doctest/doctest.h
+fp-compiler          /usr/bin/fpc
 iverilog             /usr/bin/iverilog
 ngspice              /usr/bin/ngspice
+python3              /usr/bin/python3
 yosys                /usr/bin/yosys
 '
 packages_to_check='

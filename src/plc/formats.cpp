@@ -1,5 +1,6 @@
 #include "plc/formats.h"
 
+#include "plc/languages.h"
 #include "plc/write_il.h"
 #include "plc/write_pl7.h"
 #include "plc/write_st.h"
@@ -20,6 +21,10 @@ constexpr PlcFormat table[] = {
      write_pl7},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
     {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl},
+    {"c", ".c", "C99, and C++", write_c},
+    {"arduino", ".ino", "a sketch for Arduino boards", write_arduino},
+    {"pascal", ".pas", "Free Pascal", write_pascal},
+    {"python", ".py", "Python 3", write_python},
 };
 
 }  // namespace

@@ -98,6 +98,7 @@ std::vector<ProgramBuild::StoredAction> ProgramBuild::stored_actions() const {
     std::vector<StoredAction> actions;
     const auto add_write = [&](const Write& write, Condition trigger, std::string comment,
                                Location where) {
+        if (trigger.is_constant(false)) return;
         StoredAction action;
         action.target = write.target;
         action.trigger = std::move(trigger);
@@ -178,7 +179,6 @@ void ProgramBuild::read_before_writing(std::vector<StoredAction>& actions) {
 
 void ProgramBuild::write(const StoredAction& action) {
     if (action.target.kind == VariableKind::counter) {
-        if (action.trigger.is_constant(false)) return;
         const Counter& counter = grafcet_.counters[CounterId{action.target.index}];
         Statement& statement = add(Statement::Kind::move, action.comment, action.where);
         statement.condition = action.trigger;

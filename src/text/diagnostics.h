@@ -63,6 +63,8 @@ enum class Code {
     // Netlists.
     bad_netlist,
     unsupported_by_style,
+    // Programs.
+    unsupported_by_language,
 };
 
 /// One message with its place. Notes name the other parties (the earlier declaration, the other

@@ -1,5 +1,5 @@
 // tools/bench [--quick] [--steps N] [--no-icarus] [SECTION…]: measures what the product is to be
-// fast at. Sections: pipeline, evolution, cases, events; all where none is named.
+// fast at. Sections: pipeline, evolution, programs, cases, events; all where none is named.
 
 #include <fmt/format.h>
 
@@ -24,19 +24,20 @@ int main(int argc, char** argv) {
             options.sizes = options.event_sizes = {steps};
         } else if (word == "--no-icarus") {
             options.largest_for_icarus = 0;
-        } else if (word == "pipeline" || word == "evolution" || word == "cases" ||
-                   word == "events") {
+        } else if (word == "pipeline" || word == "evolution" || word == "programs" ||
+                   word == "cases" || word == "events") {
             sections.insert(word);
         } else {
             fmt::print(stderr,
                        "usage: bench [--quick] [--steps N] [--no-icarus] "
-                       "[pipeline|evolution|cases|events]…\n");
+                       "[pipeline|evolution|programs|cases|events]…\n");
             return 2;
         }
     }
     const auto wanted = [&](const char* name) { return sections.empty() || sections.count(name); };
     if (wanted("pipeline")) bench::measure_pipeline(options);
     if (wanted("evolution")) bench::measure_evolution();
+    if (wanted("programs")) bench::measure_programs();
     if (wanted("cases")) bench::measure_cases();
     if (wanted("events")) bench::measure_gate_events(options);
 }

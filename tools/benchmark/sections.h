@@ -17,6 +17,9 @@ void measure_pipeline(const Options& options);
 /// Scans of the reference evolution.
 void measure_evolution();
 
+/// Scans a second of the programs written, against the reference evolution.
+void measure_programs();
+
 /// Cases checked a second.
 void measure_cases();
 

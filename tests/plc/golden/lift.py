@@ -1,0 +1,299 @@
+# lift: Monte-charge
+#
+# A GRAFCET (IEC 60848) as a program in Python 3, written by grafwire. A scan is one
+# of the table method (Cordier, "Méthode d'implémentation du GRAFCET", 1998); each of
+# its parts says which subroutine of the method it is, SBR 0 to SBR 8.
+#
+# To use it:
+#   inputs = Inputs(...)       those that are not named are False
+#   chart = Grafcet(inputs)
+#   chart.scan(inputs, now)    over and over; now: a clock in us
+#   chart.outputs
+# To try it on scans from a trace of the reference:
+#   grafwire run CHART STIMULI --scan 10ms -o trace.csv
+#   python3 THIS_FILE < trace.csv | diff - trace.csv
+#
+# Names that are spelt differently in the GRAFCET:
+#   arret  arrêt
+
+import sys
+from decimal import Decimal, InvalidOperation
+from types import SimpleNamespace
+
+# The steps, as bits of the tables.
+X0 = 1 << 0
+X1 = 1 << 1
+X2 = 1 << 2
+X10 = 1 << 3
+X11 = 1 << 4
+X12 = 1 << 5
+STEP_COUNT = 6
+
+
+def is_in(step, table):
+    return table & step != 0
+
+
+def through(first, last):
+    """The steps from first to last, both included, as one table."""
+    return (last << 1) - first
+
+
+class TimeCondition:
+    """t1/e/t2: True once e has been True for t1, False once it has been False for t2."""
+
+    def __init__(self):
+        self.value = False
+        self.since = None  # the moment since which e differs from the value
+
+    def observe(self, e, on_delay, off_delay, now):
+        if e == self.value:
+            self.since = None
+            return
+        if self.since is None:
+            self.since = now
+        if now - self.since >= (on_delay if e else off_delay):
+            self.value = e
+            self.since = None
+
+
+class Inputs(SimpleNamespace):
+    crate = False
+    top = False
+    arret = False
+    int = False
+    Init = False
+    AUdur = False
+    AUdoux = False
+
+
+class Grafcet:
+    # SBR 0: before the first scan, the initial situation
+    def __init__(self, inputs):
+        self.inputs = inputs
+        self.now = 0  # the moment of the scan, in us
+        # Outputs.
+        self.outputs = SimpleNamespace(UP=False, blow=False, lamp=False)
+        self.Ts = 0  # the situation
+        self.Tp = 0  # the situation that the scan began with
+        self.Ta = self.Td = 0  # to activate, to deactivate
+        self.Tf1 = self.Tf0 = 0  # forced to 1, forced to 0
+        self.Tpulse = 0  # activated in this scan
+        # The receptivities of the transitions.
+        self.Tt = SimpleNamespace(t0=False, t1=False, t2=False, t_go=False, t4=False, t5=False)
+        # Edges, True in the scan in which they occur, and
+        self.edge = SimpleNamespace(rise_top=False, rise_crate=False)
+        # what their operands were in the scan before.
+        self.memory = SimpleNamespace(rise_top=False, rise_crate=False)
+        # Time conditions.
+        self.time = SimpleNamespace(t1_5s_top_20ms=TimeCondition())
+        # Internal variables.
+        self.vars = SimpleNamespace(full=False)
+        # Counters.
+        self.counters = SimpleNamespace()
+        # initial step 0
+        self.Ts |= X0
+        self.Tp |= X0
+        # initial step 10
+        self.Ts |= X10
+        self.Tp |= X10
+        # n
+        self.counters.n = max(0, min(0, 3))
+        # memory of ↑top
+        self.memory.rise_top = self.inputs.top
+        # memory of ↑crate
+        self.memory.rise_crate = self.inputs.crate
+
+    # SBR 1: the situation the scan begins with; work tables cleared
+    def begin_scan(self):
+        self.Tp = self.Ts
+        self.Ta = self.Td = self.Tf1 = self.Tf0 = 0
+
+    # SBR 2: edges
+    def find_edges(self):
+        # ↑top
+        self.edge.rise_top = self.inputs.top and not self.memory.rise_top
+        # memory of ↑top
+        self.memory.rise_top = self.inputs.top
+        # ↑crate
+        self.edge.rise_crate = self.inputs.crate and not self.memory.rise_crate
+        # memory of ↑crate
+        self.memory.rise_crate = self.inputs.crate
+
+    # SBR 3: receptivities
+    def test_receptivities(self):
+        # (0) 0 -> 1 : arrêt
+        self.Tt.t0 = self.inputs.arret
+        # (1) 1 -> 2 : /arrêt ⊕ int
+        self.Tt.t1 = (not self.inputs.arret) ^ self.inputs.int
+        # (2) 2 -> 0 : 1
+        self.Tt.t2 = True
+        # (go) 10 -> 11 : ↑crate.[n < 3]
+        self.Tt.t_go = self.edge.rise_crate and self.counters.n < 3
+        # (4) 11 -> 12 : 1.5s/top/20ms
+        self.Tt.t4 = self.time.t1_5s_top_20ms.value
+        # (5) 12 -> 10 : 1
+        self.Tt.t5 = True
+
+    # SBR 4: evolution, rules 2 to 5
+    def evolve(self):
+        # (0) 0 -> 1
+        if is_in(X0, self.Ts) and self.Tt.t0:
+            self.Ta |= X1
+            self.Td |= X0
+        # (1) 1 -> 2
+        if is_in(X1, self.Ts) and self.Tt.t1:
+            self.Ta |= X2
+            self.Td |= X1
+        # (2) 2 -> 0
+        if is_in(X2, self.Ts) and self.Tt.t2:
+            self.Ta |= X0
+            self.Td |= X2
+        # (go) 10 -> 11
+        if is_in(X10, self.Ts) and self.Tt.t_go:
+            self.Ta |= X11
+            self.Td |= X10
+        # (4) 11 -> 12
+        if is_in(X11, self.Ts) and self.Tt.t4:
+            self.Ta |= X12
+            self.Td |= X11
+        # (5) 12 -> 10
+        if is_in(X12, self.Ts) and self.Tt.t5:
+            self.Ta |= X10
+            self.Td |= X12
+        # Ts = Tp . /Td + Ta
+        self.Ts = self.Tp & ~self.Td | self.Ta
+        # Init: initial steps
+        if self.inputs.Init:
+            self.Ts |= X0 | X10
+        # Init: all other steps
+        if self.inputs.Init:
+            self.Ts &= ~(through(X1, X2) | through(X11, X12))
+
+    # SBR 5: orders and enclosures
+    def obey_orders(self):
+        # forcing orders of step 1
+        if is_in(X1, self.Ts):
+            self.Tf0 |= through(X10, X12)
+        # forcing orders of step 2
+        if is_in(X2, self.Ts):
+            self.Tf1 |= X10
+            self.Tf0 |= through(X10, X12)
+        # Ts = Ts . /Tf0 + Tf1
+        self.Ts = self.Ts & ~self.Tf0 | self.Tf1
+        # AUdur: every step
+        if self.inputs.AUdur:
+            self.Ts &= ~through(X0, X12)
+        # Tpulse = Ts . /Tp
+        self.Tpulse = self.Ts & ~self.Tp
+
+    # SBR 5, end: stored actions
+    def run_stored_actions(self):
+        # full on clearing of (5) 12 -> 10
+        if is_in(X12, self.Tp) and self.Tt.t5 and not self.inputs.Init:
+            self.vars.full = False
+        # n on activation of step 11
+        if is_in(X11, self.Tpulse):
+            self.counters.n = max(0, min(self.counters.n + 1, 3))
+        # full on an event in step 12
+        if is_in(X12, self.Ts) and self.edge.rise_top:
+            self.vars.full = True
+
+    # SBR 6: time conditions
+    def observe_times(self):
+        # 1.5s/top/20ms
+        self.time.t1_5s_top_20ms.observe(self.inputs.top, 1500000, 20000, self.now)
+
+    # SBR 8: outputs
+    def drive_outputs(self):
+        # UP
+        self.outputs.UP = is_in(X11, self.Ts) and not self.inputs.top and not self.inputs.AUdoux
+        # blow
+        self.outputs.blow = is_in(X12, self.Ts) and not self.inputs.AUdoux
+        # lamp
+        self.outputs.lamp = is_in(X1, self.Ts) and not self.inputs.AUdoux
+
+    # One scan. The clock, in us, never goes back.
+    def scan(self, inputs, now):
+        self.inputs = inputs
+        self.now = now
+        self.begin_scan()
+        self.find_edges()
+        self.test_receptivities()
+        self.evolve()
+        self.obey_orders()
+        self.run_stored_actions()
+        self.observe_times()
+        self.drive_outputs()
+
+
+HEADING = (
+    "time_ms,crate,top,arrêt,int,Init,AUdur,AUdoux,X0,X1,X2,X10,X11,X12,"
+    "UP,blow,lamp,full,n"
+)
+INPUT_COLUMNS = 7  # Init, AUdur and AUdoux included
+
+
+def inputs_of(values):
+    return Inputs(
+        crate=values[0],
+        top=values[1],
+        arret=values[2],
+        int=values[3],
+        Init=values[4],
+        AUdur=values[5],
+        AUdoux=values[6],
+    )
+
+
+def values_of(chart):
+    return [
+        *(is_in(1 << step, chart.Ts) for step in range(STEP_COUNT)),
+        chart.outputs.UP,
+        chart.outputs.blow,
+        chart.outputs.lamp,
+        chart.vars.full,
+        chart.counters.n,
+    ]
+
+
+def microseconds(text):
+    """A moment in us, from one in ms as `0.5`."""
+    moment = Decimal(text) * 1000
+    if moment < 0 or moment % 1 != 0:
+        raise ValueError
+    return int(moment)
+
+
+def milliseconds(moment):
+    return f"{Decimal(moment) / 1000:f}"
+
+
+def run(lines, out):
+    """Reads a line per scan: the moment in ms, the inputs as 0 or 1. The first line, and further
+    columns, are passed over. Writes the trace in the columns of the reference."""
+    print(HEADING, file=out)
+    chart = None
+    next(lines, None)
+    for number, line in enumerate(lines, 2):
+        moment, *bits = line.rstrip("\n").split(",")
+        try:
+            now = microseconds(moment)
+            values = [("0", "1").index(bit) == 1 for bit in bits[:INPUT_COLUMNS]]
+            if len(values) != INPUT_COLUMNS:
+                raise ValueError
+        except (InvalidOperation, ValueError):
+            sys.exit(f"line {number}: expected a moment in ms, whole in us, and "
+                     f"{INPUT_COLUMNS} inputs")
+        inputs = inputs_of(values)
+        if chart is None:
+            chart = Grafcet(inputs)
+        chart.scan(inputs, now)
+        cells = [int(value) for value in values + values_of(chart)]
+        print(milliseconds(now), *cells, sep=",", file=out)
+
+
+if __name__ == "__main__":
+    sys.stdin.reconfigure(encoding="utf-8")
+    sys.stdout.reconfigure(encoding="utf-8", newline="\n")
+    run(sys.stdin, sys.stdout)

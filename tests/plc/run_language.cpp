@@ -1,0 +1,99 @@
+#include "plc/run_language.h"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+#include "command/run_program.h"
+#include "evolution/run.h"
+#include "plc/formats.h"
+#include "random/random_cases.h"
+#include "random/read_text.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+/// The first columns of a trace.
+Trace first_columns(const Trace& trace, std::size_t count) {
+    Trace result;
+    result.columns.assign(trace.columns.begin(),
+                          trace.columns.begin() + static_cast<std::ptrdiff_t>(count));
+    result.times = trace.times;
+    for (std::size_t row = 0; row < trace.row_count(); ++row) {
+        for (std::size_t c = 0; c < count; ++c) {
+            result.values.push_back(trace.values[row * trace.columns.size() + c]);
+        }
+    }
+    return result;
+}
+
+std::size_t external_columns(const Grafcet& grafcet) {
+    return grafcet.all_input_count() + grafcet.steps.size() + grafcet.outputs.size();
+}
+
+}  // namespace
+
+std::string heading_without_internals(const Grafcet& grafcet) {
+    return write_csv(first_columns(empty_trace(grafcet), external_columns(grafcet)));
+}
+
+std::string compare_with_reference(const RandomCase& item, const LanguageRunner& run,
+                                   bool with_internals, const ProgramOptions& options) {
+    const auto grafcet = read_grafcet(item.chart);
+    REQUIRE(grafcet);
+    const auto stimuli = read_stimuli(item.stimuli, *grafcet);
+    REQUIRE(stimuli);
+    std::vector<std::string> scans;
+    std::vector<std::string> expected;
+    for (const Time period : {10 * millisecond, 1500 * microsecond}) {
+        const Trace trace = run_scans(*grafcet, *stimuli, period).trace;
+        expected.push_back(
+            write_csv(with_internals ? trace : first_columns(trace, external_columns(*grafcet))));
+        scans.push_back(write_csv(first_columns(trace, grafcet->all_input_count())));
+    }
+    std::vector<std::string> got;
+    try {
+        got = run(program_from(*grafcet, options), scans);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (got.at(i) != expected[i]) {
+            return "reference\n" + expected[i] + "program\n" + got[i];
+        }
+    }
+    return {};
+}
+
+RandomCase example_case(const std::string& name) {
+    return {test::text_of(test::example(name + ".grafcet")),
+            test::text_of(test::example(name + ".stim"))};
+}
+
+std::string written(const std::string& format, const ScanProgram& program) {
+    const PlcFormat* row = plc_format_named(format);
+    REQUIRE(row != nullptr);
+    Diagnostics diagnostics;
+    std::string text = row->write(program, {}, diagnostics);
+    if (diagnostics.has_errors()) {
+        CHECK(text == "");
+        throw std::runtime_error(format_diagnostics(diagnostics, {"chart", ""}));
+    }
+    return text;
+}
+
+void check_language(const LanguageRunner& run, std::uint64_t first_seed, std::size_t random_cases,
+                    bool with_internals) {
+    const std::vector<std::string> examples = test::example_names();
+    CHECK(examples.size() >= 13);
+    for (const std::string& name : examples) {
+        INFO("example " << name);
+        CHECK(compare_with_reference(example_case(name), run, with_internals) == "");
+    }
+    check_property(
+        [&](const RandomCase& item) { return compare_with_reference(item, run, with_internals); },
+        Features(), first_seed, random_cases, 15);
+}
+
+}  // namespace grafwire::testing

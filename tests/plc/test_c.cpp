@@ -1,0 +1,45 @@
+// Programs in C, compiled and run, are the reference scan by scan.
+
+#include <doctest/doctest.h>
+
+#include "command/run_program.h"
+#include "plc/compile.h"
+#include "plc/run_language.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+std::vector<std::string> run_c(const ScanProgram& program, const std::vector<std::string>& scans) {
+    const test::ScratchFolder folder;
+    const std::string source = folder.file("program.c", written("c", program));
+    const std::string binary = folder.path("program");
+    compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror",
+             "-DGRAFWIRE_MAIN", source, "-o", binary});
+    return run_on({binary}, scans);
+}
+
+/// The same text as C++, and in C without its main function.
+std::vector<std::string> run_cpp(const ScanProgram& program,
+                                 const std::vector<std::string>& scans) {
+    const test::ScratchFolder folder;
+    const std::string source = folder.file("program.c", written("c", program));
+    const std::string binary = folder.path("program");
+    compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c",
+             source, "-o", folder.path("program.o")});
+    compile({"g++", "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror",
+             "-DGRAFWIRE_MAIN", "-x", "c++", source, "-o", binary});
+    return run_on({binary}, scans);
+}
+
+}  // namespace
+
+TEST_CASE("a program in C is the reference") {
+    check_language(run_c, 930'000, 200);
+}
+
+TEST_CASE("a program in C is one in C++ too") {
+    check_language(run_cpp, 931'000, 20);
+}
+
+}  // namespace grafwire::testing
