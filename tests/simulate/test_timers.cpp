@@ -238,9 +238,9 @@ TEST_CASE("the look-ahead of a clocked timer shows what that takes at the next r
                 at += 1 + static_cast<Time>(random() % 3);
                 const auto choice = random() >> 8U & 15U;
                 const bool is_unknown = has_unknown && choice == 15;
-                timer.scan(at, is_unknown                             ? unknown
-                               : choice % 4 != 0 == (i / 10 % 2 != 0) ? one
-                                                                      : zero);
+                timer.scan(at, is_unknown                               ? unknown
+                               : (choice % 4 != 0) == (i / 10 % 2 != 0) ? one
+                                                                        : zero);
                 const Logic taken = timer.bench->get("t");
                 CHECK((timer.next == taken || (has_unknown && timer.next == unknown)));
                 if (taken != shown) ++changes;
