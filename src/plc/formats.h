@@ -11,8 +11,6 @@
 
 namespace grafwire {
 
-enum class Mnemonics { simatic, international };
-
 struct PlcOptions {
     /// Addresses for inputs, outputs and steps, for formats with addresses; without, they are
     /// assigned in order.

@@ -63,6 +63,17 @@ enum class Code {
     // Netlists.
     bad_netlist,
     unsupported_by_style,
+    // S7-200 listings and tables of assignment.
+    unknown_instruction,
+    bad_operand,
+    address_out_of_range,
+    bad_address,
+    bad_network,
+    bad_control_flow,
+    bad_stack,
+    bad_offset,
+    program_too_long,
+    read_leniently,  ///< a warning: something was put right while reading
 };
 
 /// One message with its place. Notes name the other parties (the earlier declaration, the other
