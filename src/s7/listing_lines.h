@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "text/location.h"
+
+namespace grafwire::s7 {
+
+/// A word of a line of a listing: what stands between white space and commas. A name in quotes is
+/// one word, whatever it holds.
+struct ListingWord {
+    std::string_view text;  ///< without the quotes
+    bool quoted = false;
+    Location where;
+};
+
+/// One line: its words, then perhaps a comment.
+struct ListingLine {
+    std::vector<ListingWord> words;
+    bool has_comment = false;
+    std::string_view comment;  ///< without the slashes and the white space around it
+    Location comment_at;
+    Location unterminated;  ///< a quoted name that is not ended on the line
+};
+
+/// `number` counts from 1.
+ListingLine split_line(std::string_view line, std::uint32_t number);
+
+/// Whether a word consists of digits alone, as an offset does.
+bool is_offset(const ListingWord& word);
+
+}  // namespace grafwire::s7
