@@ -4,9 +4,10 @@
 //
 // A network begins with the instruction that follows its line in its column. That is certain where
 // it fits in with the others: taken in the order of their numbers, networks begin at ascending
-// offsets. A longest ascending chain of such beginnings is kept. A network that is left over had
-// its line at the foot of a column, with its instructions elsewhere: among the instructions between
-// its neighbours it begins where the sorted order leaves the order of the text.
+// offsets. The heaviest ascending chain of such beginnings is kept, where one counts more if its
+// line stands between two instructions that follow one another. A network that is left over had its
+// line at the foot of a column, with its instructions elsewhere: among the instructions between its
+// neighbours it begins where the sorted order leaves the order of the text.
 
 #include <fmt/format.h>
 
@@ -50,21 +51,22 @@ std::vector<std::size_t> predecessors(const std::vector<ListingItem>& items) {
     return before;
 }
 
-/// The members of a longest strictly ascending chain of values.
-std::vector<bool> longest_chain(const std::vector<std::size_t>& values) {
-    std::vector<std::size_t> length(values.size(), 0);
+/// The members of a strictly ascending chain of values of the greatest weight.
+std::vector<bool> heaviest_chain(const std::vector<std::size_t>& values,
+                                 const std::vector<std::size_t>& weights) {
+    std::vector<std::size_t> total(values.size(), 0);
     std::vector<std::size_t> before(values.size(), nowhere);
     std::size_t best = nowhere;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i] == nowhere) continue;
-        length[i] = 1;
+        total[i] = weights[i];
         for (std::size_t k = 0; k < i; ++k) {
-            if (values[k] != nowhere && values[k] < values[i] && length[k] >= length[i]) {
-                length[i] = length[k] + 1;
+            if (values[k] != nowhere && values[k] < values[i] && total[k] + weights[i] > total[i]) {
+                total[i] = total[k] + weights[i];
                 before[i] = k;
             }
         }
-        if (best == nowhere || length[i] > length[best]) best = i;
+        if (best == nowhere || total[i] > total[best]) best = i;
     }
     std::vector<bool> member(values.size(), false);
     for (; best != nowhere; best = before[best]) member[best] = true;
@@ -125,11 +127,16 @@ class Columns {
             if (before_[i] != nowhere) follower[before_[i]] = i;
         }
         std::vector<std::size_t> begins;
+        std::vector<std::size_t> weights;
         for (const std::size_t network : networks_) {
             const std::size_t next = follower[network];
-            begins.push_back(next == nowhere ? nowhere : place[next]);
+            const std::size_t begin = next == nowhere ? nowhere : place[next];
+            const bool is_between = begin != nowhere && begin > 0 && before_[network] != nowhere &&
+                                    instructions_[begin - 1] == before_[network];
+            begins.push_back(begin);
+            weights.push_back(is_between ? 2 : 1);
         }
-        const std::vector<bool> certain = longest_chain(begins);
+        const std::vector<bool> certain = heaviest_chain(begins, weights);
         for (std::size_t n = 0; n < begins.size(); ++n) {
             if (!certain[n]) begins[n] = nowhere;
         }
