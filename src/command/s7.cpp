@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <vector>
 
 #include "command/command.h"
 #include "command/trace_output.h"
@@ -49,6 +49,19 @@ std::optional<Named> name_columns(const Request& request, const s7::Listing& lis
     return named;
 }
 
+/// Control inputs that the stimuli set and the listing does not have.
+void warn_of_lost_inputs(const Named& named, const Stimuli& stimuli) {
+    std::vector<bool> is_told(named.binding.inputs.size(), false);
+    for (const Stimuli::Change& change : stimuli.changes) {
+        for (const Stimuli::Assignment& set : change.assignments) {
+            if (named.binding.inputs[set.input] || is_told[set.input]) continue;
+            is_told[set.input] = true;
+            warn(fmt::format("the listing has no input {}: what the stimuli say of it is left out",
+                             input_name(named.grafcet, set.input)));
+        }
+    }
+}
+
 int run_listing(const Request& request) {
     if (!request.grafcet.empty() && request.io.empty()) {
         complain("--grafcet needs --io: the table that says which address is which step");
@@ -68,6 +81,7 @@ int run_listing(const Request& request) {
     if (!stimuli) return bad_request;
     const auto period = parse_period(request.scan);
     if (!period) return bad_request;
+    warn_of_lost_inputs(*named, *stimuli);
     // Execute it, scan by scan.
     s7::Machine machine(*listing, cpu_named(request.cpu));
     const s7::ListingRun run =

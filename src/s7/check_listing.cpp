@@ -150,7 +150,6 @@ class FlowCheck {
 }  // namespace
 
 void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics) {
-    const std::size_t errors_before = diagnostics.error_count();
     const CpuRow& row = row_of(cpu);
     bool is_empty = true;
     for (const Network& network : listing.networks) {
@@ -160,10 +159,12 @@ void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics) {
         }
         check_stack(network, diagnostics);
     }
+    // What else is wrong with a listing that has errors may come of them.
+    if (diagnostics.has_errors()) return;
     if (is_empty) {
         diagnostics.error(Code::bad_network, {}, "the listing holds no instruction");
+        return;
     }
-    if (diagnostics.error_count() != errors_before) return;
     FlowCheck(listing, diagnostics).check();
     const std::uint32_t size = size_of(listing);
     if (size > row.program_bytes) {

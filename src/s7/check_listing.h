@@ -10,7 +10,8 @@ namespace grafwire::s7 {
 /// within its memory, labels and subroutines there, once each, and in the right place, no
 /// subroutine that calls itself or is called more than eight deep, no OLD, ULD, LRD or LPP without
 /// the loads it needs (or whose loads have been pushed out at the bottom of the nine levels), and a
-/// size that fits. All errors are reported in one go.
+/// size that fits. All errors are reported in one go, those of the flow of control only where there
+/// are no others.
 ///
 /// Networks without instructions, or whose first instruction neither loads nor begins or ends
 /// something, are allowed: they work with what the network before has left on the stack.

@@ -96,13 +96,14 @@ class ListingReader {
                 }
                 last = item.network.number;
                 listing_.networks.push_back(std::move(item.network));
-            } else if (listing_.networks.empty()) {
+                continue;
+            }
+            if (listing_.networks.empty()) {
                 error(Code::bad_network, item.instruction.where,
                       "an instruction outside a network: begin it with a line NETWORK 1");
-                break;
-            } else {
-                listing_.networks.back().instructions.push_back(std::move(item.instruction));
+                listing_.networks.emplace_back();
             }
+            listing_.networks.back().instructions.push_back(std::move(item.instruction));
         }
         return std::move(listing_);
     }

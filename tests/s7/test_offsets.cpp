@@ -32,7 +32,7 @@ TEST_CASE("the printed offsets follow from the sizes") {
         std::uint32_t size;
     };
     for (const auto& [name, offsets, size] :
-         {Printed{"method", 95, 394}, Printed{"positioning-axis", 193, 764},
+         {Printed{"method", 100, 394}, Printed{"positioning-axis", 193, 764},
           Printed{"manipulator", 177, 693}}) {
         const Listing listing = read_listing(example_text("s7-200/" + name + ".printed.awl"));
         CHECK(offsets_in(listing) == offsets);

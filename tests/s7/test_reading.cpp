@@ -54,7 +54,7 @@ NETWORK2
           R"(test.awl:2:1: warning: a line is read as the continuation of the comment before it
 SR0 au premier tour
 ^
-test.awl:4:17: warning: 'KI' is read as 'K1', here and in 1 more place
+test.awl:4:19: warning: 'KI' is read as 'K1', here and in 1 more place
   2 S     V40.1   KI
                   ^
 test.awl:6:5: warning: offset 17: the instruction before it ends at 16
