@@ -1,5 +1,5 @@
-# Addresses of the manipulator with modes: inputs and outputs, the memory of V+ in manual mode (in the
-# corrected listing only), steps, transitions, graphs.
+# Addresses of the manipulator with modes: inputs and outputs, steps, transitions, graphs. The var manual_up
+# has none: in the listing A0.0 itself is the memory.
 
 E0.0   = v0
 E0.1   = v1
@@ -22,8 +22,6 @@ A0.2   = "H+"
 A0.3   = "Voyant CI"
 A0.4   = "Voyant Auto"
 A0.5   = "Voyant Manu"
-
-V6.2   = manual_up
 
 V20.0  = X0
 V20.1  = X1

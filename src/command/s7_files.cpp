@@ -25,7 +25,7 @@ std::optional<s7::Listing> load_listing(const std::string& path, const std::stri
     const SourceFile source = read_source(path, diagnostics);
     std::optional<s7::Listing> listing;
     if (!diagnostics.has_errors()) {
-        listing = s7::parse_listing(source, {cpu_named(cpu), io}, diagnostics);
+        listing = s7::parse_listing(source, {cpu_named(cpu), io, false}, diagnostics);
     }
     show_diagnostics(diagnostics, source);
     return listing;

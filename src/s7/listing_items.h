@@ -21,4 +21,8 @@ struct ListingItem {
 /// Leaves items alone whose offsets ascend already, or that have none.
 void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics);
 
+/// Appends the items to a listing, network by network. Instructions outside a network are an error,
+/// numbers that do not ascend a warning.
+void assemble(std::vector<ListingItem> items, Listing& listing, Diagnostics& diagnostics);
+
 }  // namespace grafwire::s7

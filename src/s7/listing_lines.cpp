@@ -62,4 +62,25 @@ bool is_offset(const ListingWord& word) {
            word.text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+std::optional<std::string_view> network_digits(const ListingWord& word) {
+    constexpr std::string_view network_word = "NETWORK";
+    if (word.quoted || word.text.size() < network_word.size()) return std::nullopt;
+    for (std::size_t i = 0; i < network_word.size(); ++i) {
+        const char c = word.text[i];
+        const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (upper != network_word[i]) return std::nullopt;
+    }
+    const std::string_view rest = word.text.substr(network_word.size());
+    if (rest.find_first_not_of("0123456789") != std::string_view::npos || rest.size() > 6) {
+        return std::nullopt;
+    }
+    return rest;
+}
+
+std::uint32_t number_of(std::string_view digits) {
+    std::uint32_t number = 0;
+    for (const char c : digits) number = number * 10 + static_cast<std::uint32_t>(c - '0');
+    return number;
+}
+
 }  // namespace grafwire::s7

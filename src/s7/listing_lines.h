@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +31,9 @@ ListingLine split_line(std::string_view line, std::uint32_t number);
 
 /// Whether a word consists of digits alone, as an offset does.
 bool is_offset(const ListingWord& word);
+/// The digits behind NETWORK (perhaps none); empty where the word is another.
+std::optional<std::string_view> network_digits(const ListingWord& word);
+/// Up to nine digits as a number.
+std::uint32_t number_of(std::string_view digits);
 
 }  // namespace grafwire::s7

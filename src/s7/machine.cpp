@@ -61,15 +61,19 @@ SeenBit Machine::bit(const MachineState& state, const Operand& operand) const {
             return {place.at < state.timers.size() && state.timers[place.at].bit};
         case Place::Kind::counter:
             return {place.at < state.counters.size() && state.counters[place.at].bit};
-        case Place::Kind::memory: {
-            const bool value = (state.memory[place.at] >> place.bit & 1U) != 0;
-            const auto cause = parts_->memory.open_cause(place.at, place.bit);
-            return {value, !cause, cause.value_or(0)};
-        }
+        case Place::Kind::memory:
+            return memory_bit_after(state, place.at * 8 + place.bit);
         case Place::Kind::constant:
             break;
     }
     return {};
+}
+
+SeenBit Machine::memory_bit_after(const MachineState& state, std::size_t memory_bit) const {
+    const std::size_t byte = memory_bit / 8;
+    const auto bit = static_cast<std::uint8_t>(memory_bit % 8);
+    const auto cause = parts_->memory.open_cause(byte, bit);
+    return {(state.memory[byte] >> bit & 1U) != 0, !cause, cause.value_or(0)};
 }
 
 std::int32_t Machine::value(const MachineState& state, const Operand& operand) const {
@@ -100,18 +104,50 @@ std::vector<std::uint8_t> Machine::live_at_start(const std::vector<Operand>& obs
     return live_bits(parts_->program, observed);
 }
 
-void Machine::record_writers() {
-    parts_->memory.record_writers();
+void Machine::record() {
+    parts_->memory.record();
 }
 
-std::optional<std::uint32_t> Machine::writer(const Operand& operand) const {
-    return parts_->memory.writer(memory_bit(operand));
+namespace {
+
+std::optional<Machine::Writer> public_writer(const MachineMemory::Writer& writer,
+                                             std::uint32_t scan) {
+    if (writer.scan == 0) return std::nullopt;
+    return Machine::Writer{writer.network, writer.scan == scan};
+}
+
+}  // namespace
+
+std::optional<Machine::Writer> Machine::writer(const Operand& operand) const {
+    return public_writer(parts_->memory.writer(memory_bit(operand)), parts_->memory.scan());
+}
+
+bool Machine::wrote_in_last_scan(std::uint32_t network) const {
+    return parts_->memory.wrote_in_last_scan(network);
+}
+
+std::vector<Machine::Read> Machine::reads() const {
+    const Layout& layout = parts_->program.layout;
+    std::vector<Read> reads;
+    for (const MachineMemory::Read& read : parts_->memory.reads()) {
+        Operand operand;
+        const std::size_t byte = read.memory_bit / 8;
+        std::size_t area = layout.begin.size() - 1;
+        while (byte < layout.begin[area]) --area;
+        operand.area = static_cast<Area>(area);
+        operand.address = static_cast<std::int32_t>(byte - layout.begin[area]);
+        operand.bit = static_cast<std::uint8_t>(read.memory_bit % 8);
+        reads.push_back(
+            {read.network, operand, read.value, public_writer(read.writer, parts_->memory.scan())});
+    }
+    return reads;
 }
 
 std::vector<Time> Machine::delays() const {
     std::vector<Time> delays;
     for (const UsedTimer& timer : parts_->program.timers) {
-        if (timer.preset >= 0) delays.push_back(timer.preset * timer.tick);
+        delays.push_back(timer.tick);
+        if (timer.preset > 0) delays.push_back(timer.preset * timer.tick);
     }
     return delays;
 }

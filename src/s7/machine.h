@@ -99,6 +99,9 @@ class Machine {
     /// not known in full, with the known bits.
     std::int32_t value(const MachineState& state, const Operand& operand) const;
 
+    /// The bit of a number (see memory_bit) likewise.
+    SeenBit memory_bit_after(const MachineState& state, std::size_t memory_bit) const;
+
     /// Where a memory operand begins among the bits of `MachineState::memory`.
     std::size_t memory_bit(const Operand& operand) const;
     /// Bits that may be read before they are written in a scan, or that are observed at its end
@@ -106,12 +109,27 @@ class Machine {
     /// of mask per byte of memory. `observed`: operands read after each scan.
     std::vector<std::uint8_t> live_at_start(const std::vector<Operand>& observed) const;
 
-    /// From now on each scan notes which network writes a bit.
-    void record_writers();
-    /// The network (index into Listing::networks) that wrote a bit last in the last scan.
-    std::optional<std::uint32_t> writer(const Operand& operand) const;
+    /// From now on scans note who reads and who writes.
+    void record();
+    /// The network (index into Listing::networks) that wrote a bit last.
+    struct Writer {
+        std::uint32_t network = 0;
+        bool in_last_scan = false;  ///< else in an earlier one
+    };
+    std::optional<Writer> writer(const Operand& operand) const;
+    /// Whether a network has written anything in the last scan.
+    bool wrote_in_last_scan(std::uint32_t network) const;
+    /// A bit of memory that was read as a bit in the last scan.
+    struct Read {
+        std::uint32_t network = 0;
+        Operand operand;
+        bool value = false;
+        std::optional<Writer> writer;  ///< at that moment
+    };
+    /// In the order of their execution.
+    std::vector<Read> reads() const;
 
-    /// The ticks and presets of its timers: their delays, where the preset is a constant.
+    /// The ticks of its timers, and their delays where the preset is a constant.
     std::vector<Time> delays() const;
 
   private:

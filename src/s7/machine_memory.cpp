@@ -8,7 +8,19 @@ void MachineMemory::begin(std::vector<std::uint8_t>& bytes) {
     bytes_ = &bytes;
     if (!all_known_) std::fill(known_.begin(), known_.end(), std::uint8_t{0xff});
     all_known_ = true;
-    std::fill(writers_.begin(), writers_.end(), nobody);
+    reads_.clear();
+    ++scan_;
+}
+
+void MachineMemory::record() {
+    writers_.assign(causes_.size(), Writer());
+    scan_ = 0;
+}
+
+void MachineMemory::note_read(std::size_t at, std::uint8_t bit) {
+    const std::size_t memory_bit = at * 8 + bit;
+    const bool value = ((*bytes_)[at] >> bit & 1U) != 0;
+    reads_.push_back({network_, memory_bit, value, writers_[memory_bit]});
 }
 
 void MachineMemory::set_input(std::size_t at, std::uint8_t value, std::uint8_t known,
@@ -33,7 +45,7 @@ void MachineMemory::set_bit(std::size_t at, std::uint8_t bit, Bit3 value) {
         known_[at] &= others;
         causes_[at * 8 + bit] = value.cause;
     }
-    if (!writers_.empty()) writers_[at * 8 + bit] = network_;
+    note_writer(at * 8 + bit, 1);
 }
 
 Word3 MachineMemory::word(std::size_t at, Width width) const {
@@ -59,7 +71,7 @@ void MachineMemory::set_word(std::size_t at, Width width, Word3 value,
         if (causes == nullptr) break;
         if ((value.known >> bit & 1U) == 0) causes_[memory_bit(at, width, bit)] = causes[bit];
     }
-    note_writer(at, count);
+    note_writer(at * 8, count * 8);
 }
 
 void MachineMemory::copy(std::size_t from, std::size_t to, std::size_t count) {
@@ -78,18 +90,15 @@ void MachineMemory::copy(std::size_t from, std::size_t to, std::size_t count) {
         move(known_, 1);
         move(causes_, 8);
     }
-    note_writer(to, count);
+    note_writer(to * 8, count * 8);
 }
 
-std::optional<std::uint32_t> MachineMemory::writer(std::size_t memory_bit) const {
-    if (writers_.empty() || writers_[memory_bit] == nobody) return std::nullopt;
-    return writers_[memory_bit];
-}
-
-void MachineMemory::note_writer(std::size_t first_byte, std::size_t count) {
+void MachineMemory::note_writer(std::size_t first_bit, std::size_t count) {
     if (writers_.empty()) return;
-    const auto first = writers_.begin() + static_cast<std::ptrdiff_t>(first_byte * 8);
-    std::fill(first, first + static_cast<std::ptrdiff_t>(count * 8), network_);
+    const auto first = writers_.begin() + static_cast<std::ptrdiff_t>(first_bit);
+    std::fill(first, first + static_cast<std::ptrdiff_t>(count), Writer{network_, scan_});
+    if (wrote_.size() <= network_) wrote_.resize(network_ + 1);
+    wrote_[network_] = scan_;
 }
 
 }  // namespace grafwire::s7

@@ -13,8 +13,7 @@ namespace grafwire::s7 {
 /// open input on which each other bit depends.
 class MachineMemory {
   public:
-    explicit MachineMemory(std::size_t bytes)
-        : known_(bytes, 0xff), causes_(bytes * 8), writers_(0) {}
+    explicit MachineMemory(std::size_t bytes) : known_(bytes, 0xff), causes_(bytes * 8) {}
 
     /// Begins a scan on the bytes of a state.
     void begin(std::vector<std::uint8_t>& bytes);
@@ -46,23 +45,46 @@ class MachineMemory {
     /// Copies bytes that may overlap.
     void copy(std::size_t from, std::size_t to, std::size_t count);
 
-    /// Writes from now on are by this network.
+    /// Reads and writes from now on are by this network.
     void set_network(std::uint32_t network) { network_ = network; }
-    void record_writers() { writers_.assign(causes_.size(), nobody); }
-    std::optional<std::uint32_t> writer(std::size_t memory_bit) const;
+    void record();
+    bool is_recording() const { return !writers_.empty(); }
+    /// Who wrote a bit last, in which scan (counted from 1).
+    struct Writer {
+        std::uint32_t network = 0;
+        std::uint32_t scan = 0;  ///< 0: nobody
+    };
+    Writer writer(std::size_t memory_bit) const {
+        return writers_.empty() ? Writer() : writers_[memory_bit];
+    }
+    std::uint32_t scan() const { return scan_; }
+    bool wrote_in_last_scan(std::uint32_t network) const {
+        return network < wrote_.size() && wrote_[network] == scan_;
+    }
+    /// A bit read in the last scan.
+    struct Read {
+        std::uint32_t network = 0;
+        std::size_t memory_bit = 0;
+        bool value = false;
+        Writer writer;
+    };
+    const std::vector<Read>& reads() const { return reads_; }
+    void note_read(std::size_t at, std::uint8_t bit);
 
   private:
-    static constexpr std::uint32_t nobody = 0xffffffffU;
     static std::size_t memory_bit(std::size_t at, Width width, std::uint32_t bit) {
         return (at + bytes_of(width) - 1 - bit / 8) * 8 + bit % 8;
     }
-    void note_writer(std::size_t first_byte, std::size_t count);
+    void note_writer(std::size_t first_bit, std::size_t count);
 
     std::vector<std::uint8_t>* bytes_ = nullptr;
     std::vector<std::uint8_t> known_;
     std::vector<std::uint16_t> causes_;
-    std::vector<std::uint32_t> writers_;  ///< empty: not asked for
+    std::vector<Writer> writers_;       ///< empty: not asked for
+    std::vector<std::uint32_t> wrote_;  ///< per network the scan of its last write
+    std::vector<Read> reads_;
     std::uint32_t network_ = 0;
+    std::uint32_t scan_ = 0;
     bool all_known_ = true;
 };
 

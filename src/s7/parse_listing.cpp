@@ -21,29 +21,6 @@ namespace grafwire::s7 {
 
 namespace {
 
-constexpr std::string_view network_word = "NETWORK";
-
-/// The digits behind NETWORK (perhaps none); empty where the word is another.
-std::optional<std::string_view> network_digits(const ListingWord& word) {
-    if (word.quoted || word.text.size() < network_word.size()) return std::nullopt;
-    for (std::size_t i = 0; i < network_word.size(); ++i) {
-        const char c = word.text[i];
-        const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        if (upper != network_word[i]) return std::nullopt;
-    }
-    const std::string_view rest = word.text.substr(network_word.size());
-    if (rest.find_first_not_of("0123456789") != std::string_view::npos || rest.size() > 6) {
-        return std::nullopt;
-    }
-    return rest;
-}
-
-std::uint32_t number_of(std::string_view digits) {
-    std::uint32_t number = 0;
-    for (const char c : digits) number = number * 10 + static_cast<std::uint32_t>(c - '0');
-    return number;
-}
-
 void append_comment(std::string& comment, std::string_view text) {
     if (text.empty()) return;
     if (!comment.empty()) comment += ' ';
@@ -84,27 +61,7 @@ class ListingReader {
                                      : fmt::format("{}, here and in {} more place{}", what,
                                                    found.count - 1, found.count == 2 ? "" : "s"));
         }
-        std::uint32_t last = 0;
-        for (ListingItem& item : items_) {
-            if (item.is_network) {
-                if (!listing_.networks.empty() && item.network.number <= last) {
-                    diagnostics_.warning(
-                        Code::read_leniently, item.network.where,
-                        fmt::format(
-                            "network {} comes after network {}: their numbers do not ascend",
-                            item.network.number, last));
-                }
-                last = item.network.number;
-                listing_.networks.push_back(std::move(item.network));
-                continue;
-            }
-            if (listing_.networks.empty()) {
-                error(Code::bad_network, item.instruction.where,
-                      "an instruction outside a network: begin it with a line NETWORK 1");
-                listing_.networks.emplace_back();
-            }
-            listing_.networks.back().instructions.push_back(std::move(item.instruction));
-        }
+        assemble(std::move(items_), listing_, diagnostics_);
         return std::move(listing_);
     }
 
@@ -331,12 +288,14 @@ std::optional<Listing> parse_listing(const SourceFile& source, const ReadingOpti
         text.remove_prefix(std::min(length + 1, text.size()));
     }
     Listing listing = reader.finish();
+    const bool is_whole = diagnostics.error_count() == errors_before;
     for (const OffsetDeviation& deviation : offset_deviations(listing)) {
+        if (!is_whole) break;  // sizes are missing
         diagnostics.warning(Code::bad_offset, deviation.where,
                             fmt::format("offset {}: the instruction before it ends at {}",
                                         deviation.printed, deviation.computed));
     }
-    check_listing(listing, options.cpu, diagnostics);
+    if (!options.is_fragment) check_listing(listing, options.cpu, diagnostics);
     diagnostics.sort_by_place();
     if (diagnostics.error_count() != errors_before) return std::nullopt;
     return listing;

@@ -13,6 +13,8 @@ struct ReadingOptions {
     Cpu cpu = Cpu::cpu_214;
     /// Gives names an address; without it an operand that is a name is an error.
     const IoAssignment* io = nullptr;
+    /// A part of a listing, such as a single network: what check_listing asks for is not asked for.
+    bool is_fragment = false;
 };
 
 /// Reads a listing as STEP 7-Micro writes it, or as a book prints it: with or without the byte

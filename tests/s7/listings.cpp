@@ -20,7 +20,7 @@ std::string example_text(const std::string& name) {
 s7::Listing read_listing(const std::string& text, s7::Cpu cpu) {
     const SourceFile source{"test.awl", text};
     Diagnostics diagnostics;
-    auto listing = s7::parse_listing(source, {cpu, nullptr}, diagnostics);
+    auto listing = s7::parse_listing(source, {cpu, nullptr, false}, diagnostics);
     REQUIRE_MESSAGE(listing.has_value(), format_diagnostics(diagnostics, source));
     return std::move(*listing);
 }
@@ -36,7 +36,7 @@ s7::IoAssignment read_assignment(const std::string& text) {
 std::string messages_of(const std::string& text, s7::Cpu cpu) {
     const SourceFile source{"test.awl", text};
     Diagnostics diagnostics;
-    const auto listing = s7::parse_listing(source, {cpu, nullptr}, diagnostics);
+    const auto listing = s7::parse_listing(source, {cpu, nullptr, false}, diagnostics);
     CHECK(listing.has_value() != diagnostics.has_errors());
     return format_diagnostics(diagnostics, source);
 }

@@ -267,14 +267,26 @@ LD E0.1
 = V12.0
 MEND
 )");
-    plc.machine.record_writers();
-    plc.scan();
-    CHECK(plc.machine.writer(operand("V11.1")) == 0);
-    CHECK(plc.machine.writer(operand("V12.0")) == 2);
-    CHECK_FALSE(plc.machine.writer(operand("V20.0")));
+    plc.machine.record();
+    const auto writer = [&](const std::string& text) {
+        const auto found = plc.machine.writer(operand(text));
+        if (!found) return std::string("nobody");
+        return std::to_string(found->network) + (found->in_last_scan ? "" : " before");
+    };
     plc.set("E0.0", true);
     plc.scan();
-    CHECK(plc.machine.writer(operand("V11.1")) == 1);
+    CHECK(writer("V11.1") == "1");
+    CHECK(writer("V12.0") == "2");
+    CHECK(writer("V13.0") == "0");
+    CHECK(writer("V20.0") == "nobody");
+    plc.set("E0.0", false);
+    plc.scan();
+    CHECK(writer("V11.1") == "0");
+    const auto reads = plc.machine.reads();
+    REQUIRE(reads.size() == 3);
+    CHECK(reads[1].network == 1);
+    CHECK(reads[1].operand == operand("E0.0"));
+    CHECK_FALSE(reads[1].value);
 }
 
 TEST_CASE("a condition on an open input: which one") {

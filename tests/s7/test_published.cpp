@@ -1,5 +1,6 @@
-// The corrected listings of the three applications do what their GRAFCETs say, scan by scan. (They
-// know no Init, AUdur and AUdoux; the stimuli go without.)
+// The corrected listings of the three applications do what their GRAFCETs say, scan by scan: X and
+// outputs; what the table of assignment has no address for is not compared. (They know no Init,
+// AUdur and AUdoux; the stimuli go without.)
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,13 @@ struct Application {
             *read_stimuli(example_text(stimuli_name + ".stim"), grafcet), grafcet);
         const auto got = run_listing(machine, grafcet, binding, stimuli, period);
         CHECK_FALSE(got.failure);
-        return {write_csv(run_scans(grafcet, stimuli, period).trace), write_csv(got.trace)};
+        Trace expected = run_scans(grafcet, stimuli, period).trace;
+        const std::size_t first_var = expected.columns.size() - grafcet.vars.size();
+        for (std::size_t i = 0; i < expected.values.size(); ++i) {
+            const std::size_t column = i % expected.columns.size();
+            if (column >= first_var && !binding.vars[column - first_var]) expected.values[i] = 0;
+        }
+        return {write_csv(expected), write_csv(got.trace)};
     }
     Grafcet grafcet;
     Listing listing;

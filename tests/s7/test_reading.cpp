@@ -85,7 +85,7 @@ TEST_CASE("names with an address") {
     const SourceFile source{"test.awl",
                             "NETWORK1\nLD dcy\nUW>= pieces K3\n= \"V+\"\nU dvy\nMEND\n"};
     Diagnostics diagnostics;
-    CHECK_FALSE(parse_listing(source, {Cpu::cpu_214, &io}, diagnostics));
+    CHECK_FALSE(parse_listing(source, {Cpu::cpu_214, &io, false}, diagnostics));
     CHECK(
         format_diagnostics(diagnostics, source) ==
         R"(test.awl:5:3: error: 'dvy' is no address, no constant and no name with an address; did you mean 'dcy'?
@@ -94,7 +94,7 @@ U dvy
 )");
     const SourceFile good{"test.awl", "NETWORK1\nLD dcy\nUW>= pieces K3\n= \"V+\"\nMEND\n"};
     Diagnostics none;
-    const auto listing = parse_listing(good, {Cpu::cpu_214, &io}, none);
+    const auto listing = parse_listing(good, {Cpu::cpu_214, &io, false}, none);
     REQUIRE(listing);
     CHECK(write_listing(*listing, {Mnemonics::simatic, false}) ==
           "NETWORK1\n      LD    E0.4\n      UW>=  VW100   K3\n      =     A0.0\n      MEND\n");

@@ -39,9 +39,6 @@ test.awl:7:26: error: MOVW takes 2 operands: 'VW30' is one too many
 test.awl:8:12: error: 'dcy' is no address, no constant and no name with an address; names are given addresses by a table of assignment (--io)
   20 LD    dcy
            ^
-test.awl:9:4: warning: offset 22: the instruction before it ends at 7
-  22 MEND  // fin
-   ^
 )");
 }
 
