@@ -1,5 +1,5 @@
-# Addresses of the manipulator with modes: inputs and outputs, steps, transitions, graphs. The var manual_up
-# has none: in the listing A0.0 itself is the memory.
+# Addresses of the manipulator with modes: inputs and outputs, the memory of V+ in step 32 (a bit of its own in
+# the corrected listing only), steps, transitions, graphs.
 
 E0.0   = v0
 E0.1   = v1
@@ -22,6 +22,8 @@ A0.2   = "H+"
 A0.3   = "Voyant CI"
 A0.4   = "Voyant Auto"
 A0.5   = "Voyant Manu"
+
+V6.2   = manual_up
 
 V20.0  = X0
 V20.1  = X1

@@ -10,13 +10,15 @@ namespace {
 
 using s7::Operand;
 
-bool sets_in_v(const s7::Network& network) {
+bool sets_in(const s7::Network& network, Suspects::Bytes bytes) {
     return std::any_of(network.instructions.begin(), network.instructions.end(),
-                       [](const s7::Instruction& instruction) {
+                       [&](const s7::Instruction& instruction) {
                            return instruction.operation == s7::Operation::set &&
-                                  instruction.operands[0].area == s7::Area::variable;
+                                  may_write_bytes(instruction, bytes.first, bytes.count);
                        });
 }
+
+constexpr Suspects::Bytes anywhere{0, 4096};
 
 }  // namespace
 
@@ -72,18 +74,34 @@ void Suspects::blame_instead(Finding& finding, const std::vector<std::uint32_t>&
 std::vector<std::uint32_t> Suspects::setters_for(const Operand& bit) const {
     auto networks =
         networks_where(listing_, [&](const auto& instruction) { return loads(instruction, bit); });
-    std::erase_if(networks, [&](std::uint32_t n) { return !sets_in_v(listing_.networks[n]); });
+    std::erase_if(networks,
+                  [&](std::uint32_t n) { return !sets_in(listing_.networks[n], anywhere); });
     return networks;
 }
 
-std::vector<std::uint32_t> Suspects::setters_for_step(std::size_t step) const {
+std::vector<std::uint32_t> Suspects::setters_for_step(std::size_t step, Bytes bytes) const {
     const Operand& now = *binding_.steps[step];
     const Operand before = MethodTables::in(MethodTables::previous, now);
-    auto networks = networks_where(listing_, [&](const auto& instruction) {
+    const auto networks = networks_where(listing_, [&](const auto& instruction) {
         return loads(instruction, now) || loads(instruction, before);
     });
-    std::erase_if(networks, [&](std::uint32_t n) { return !sets_in_v(listing_.networks[n]); });
-    return networks;
+    for (const Bytes wanted : {bytes, anywhere}) {
+        std::vector<std::uint32_t> setters;
+        for (const std::uint32_t n : networks) {
+            if (sets_in(listing_.networks[n], wanted)) setters.push_back(n);
+        }
+        if (!setters.empty()) return setters;
+    }
+    return {};
+}
+
+std::optional<bool> Suspects::read_as(const Operand& bit, std::uint32_t network) const {
+    for (const s7::Machine::Read& read : reads_) {
+        if (read.operand == bit && (network == no_network || read.network == network)) {
+            return read.value;
+        }
+    }
+    return std::nullopt;
 }
 
 std::vector<std::uint32_t> Suspects::runners_of(const Operand& timer) const {

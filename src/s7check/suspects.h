@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,25 @@ class Suspects {
 
     /// A deviation, with the network that wrote the bit, those that wrote what it read, and, where
     /// nobody wrote it in the last scan, those that could have.
-    Finding written(Finding::Kind table, std::string name, const s7::Operand& place,
+    Finding written(Finding::Kind kind, std::string name, const s7::Operand& place,
                     bool expected) const;
 
     /// Puts networks that should have written the bit before the others; does nothing without any.
     void blame_instead(Finding& finding, const std::vector<std::uint32_t>& networks) const;
 
-    /// Networks that read the bit of a step, in Ts or in Tp, or another bit, and set something in
-    /// V.
-    std::vector<std::uint32_t> setters_for_step(std::size_t step) const;
+    /// Some bytes of V.
+    struct Bytes {
+        std::int32_t first = 0;
+        std::int32_t count = 0;
+    };
+    /// Networks that read the bit of a step, in Ts or in Tp, and set something in some bytes of V;
+    /// where there are none, those that set something elsewhere in V.
+    std::vector<std::uint32_t> setters_for_step(std::size_t step, Bytes bytes) const;
+    /// Networks that read a bit and set something in V.
     std::vector<std::uint32_t> setters_for(const s7::Operand& bit) const;
+    /// How a bit was read in the last scan, by a network or (no_network) by anyone, the first time.
+    static constexpr std::uint32_t no_network = 0xffffffffU;
+    std::optional<bool> read_as(const s7::Operand& bit, std::uint32_t network = no_network) const;
     /// The networks that run a timer.
     std::vector<std::uint32_t> runners_of(const s7::Operand& timer) const;
     /// The networks that write words of Ts and have not written anything in the last scan: they

@@ -7,6 +7,7 @@
 
 #include "s7/listings.h"
 #include "s7/operand_text.h"
+#include "s7check/method_tables.h"
 
 namespace grafwire::testing {
 
@@ -77,12 +78,16 @@ bool Mistake::concerns(std::uint32_t network) const {
                        [&](const Correction& row) { return row.network == network; });
 }
 
-bool Mistake::mentions(const std::string& operand) const {
-    return std::any_of(corrections.begin(), corrections.end(), [&](const Correction& row) {
-        return std::any_of(row.must_be.begin(), row.must_be.end(), [&](const std::string& text) {
-            return (text + ";").find(operand + ";") != std::string::npos;
-        });
-    });
+bool Mistake::writes(const s7::Operand& bit) const {
+    for (const Correction& row : corrections) {
+        for (const std::string& text : row.must_be) {
+            if (s7::parse_operand(text)) continue;
+            for (const s7::Instruction& instruction : instructions_of(text)) {
+                if (may_write(instruction, bit)) return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::vector<Mistake> mistakes_of(const std::string& heading) {

@@ -24,8 +24,8 @@ struct Mistake {
     std::vector<Correction> corrections;
 
     bool concerns(std::uint32_t network) const;
-    /// Whether a correction mentions an operand.
-    bool mentions(const std::string& operand) const;
+    /// Whether a correction writes a bit.
+    bool writes(const s7::Operand& bit) const;
 };
 
 /// The mistakes of an application, by the heading of its table.

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "s7/offsets.h"
-#include "s7/operand_text.h"
 #include "s7/write_listing.h"
 #include "s7check/application.h"
 #include "s7check/mistakes.h"
@@ -26,9 +25,8 @@ std::vector<Mistake>::iterator meant_by(const Finding& finding, std::vector<Mist
         });
         if (found != left.end()) return found;
     }
-    const std::string place = s7::write_operand(finding.place, Mnemonics::simatic);
     return std::find_if(left.begin(), left.end(), [&](const Mistake& mistake) {
-        return mistake.found_by == "check" && mistake.mentions("= " + place);
+        return mistake.found_by == "check" && mistake.writes(finding.place);
     });
 }
 
