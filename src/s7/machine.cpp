@@ -137,8 +137,8 @@ std::vector<Machine::Read> Machine::reads() const {
         operand.area = static_cast<Area>(area);
         operand.address = static_cast<std::int32_t>(byte - layout.begin[area]);
         operand.bit = static_cast<std::uint8_t>(read.memory_bit % 8);
-        reads.push_back(
-            {read.network, operand, read.value, public_writer(read.writer, parts_->memory.scan())});
+        reads.push_back({read.network, operand, static_cast<std::int32_t>(read.value),
+                         public_writer(read.writer, parts_->memory.scan())});
     }
     return reads;
 }

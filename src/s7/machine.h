@@ -119,12 +119,12 @@ class Machine {
     std::optional<Writer> writer(const Operand& operand) const;
     /// Whether a network has written anything in the last scan.
     bool wrote_in_last_scan(std::uint32_t network) const;
-    /// A bit of memory that was read as a bit in the last scan.
+    /// A bit of memory that was loaded in the last scan, or a byte, word or double word compared.
     struct Read {
         std::uint32_t network = 0;
         Operand operand;
-        bool value = false;
-        std::optional<Writer> writer;  ///< at that moment
+        std::int32_t value = 0;
+        std::optional<Writer> writer;  ///< the last of its bits, at that moment
     };
     /// In the order of their execution.
     std::vector<Read> reads() const;

@@ -17,10 +17,15 @@ void MachineMemory::record() {
     scan_ = 0;
 }
 
-void MachineMemory::note_read(std::size_t at, std::uint8_t bit) {
-    const std::size_t memory_bit = at * 8 + bit;
-    const bool value = ((*bytes_)[at] >> bit & 1U) != 0;
-    reads_.push_back({network_, memory_bit, value, writers_[memory_bit]});
+void MachineMemory::note_read(std::size_t at, std::uint8_t bit, Width width) {
+    Read read{network_, at * 8 + bit, width, 0, {}};
+    const std::size_t count = width == Width::bit ? 1 : 8 * bytes_of(width);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Writer& writer = writers_[read.memory_bit + i];
+        if (writer.order > read.writer.order) read.writer = writer;
+    }
+    read.value = width == Width::bit ? (*bytes_)[at] >> bit & 1U : word(at, width).value;
+    reads_.push_back(read);
 }
 
 void MachineMemory::set_input(std::size_t at, std::uint8_t value, std::uint8_t known,
@@ -96,7 +101,8 @@ void MachineMemory::copy(std::size_t from, std::size_t to, std::size_t count) {
 void MachineMemory::note_writer(std::size_t first_bit, std::size_t count) {
     if (writers_.empty()) return;
     const auto first = writers_.begin() + static_cast<std::ptrdiff_t>(first_bit);
-    std::fill(first, first + static_cast<std::ptrdiff_t>(count), Writer{network_, scan_});
+    std::fill(first, first + static_cast<std::ptrdiff_t>(count),
+              Writer{network_, scan_, ++writes_});
     if (wrote_.size() <= network_) wrote_.resize(network_ + 1);
     wrote_[network_] = scan_;
 }

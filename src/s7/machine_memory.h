@@ -49,10 +49,11 @@ class MachineMemory {
     void set_network(std::uint32_t network) { network_ = network; }
     void record();
     bool is_recording() const { return !writers_.empty(); }
-    /// Who wrote a bit last, in which scan (counted from 1).
+    /// Who wrote a bit last, in which scan, and as which of all writes (both counted from 1).
     struct Writer {
         std::uint32_t network = 0;
         std::uint32_t scan = 0;  ///< 0: nobody
+        std::uint32_t order = 0;
     };
     Writer writer(std::size_t memory_bit) const {
         return writers_.empty() ? Writer() : writers_[memory_bit];
@@ -61,15 +62,16 @@ class MachineMemory {
     bool wrote_in_last_scan(std::uint32_t network) const {
         return network < wrote_.size() && wrote_[network] == scan_;
     }
-    /// A bit read in the last scan.
+    /// A bit, byte, word or double word that decided something in the last scan.
     struct Read {
         std::uint32_t network = 0;
-        std::size_t memory_bit = 0;
-        bool value = false;
-        Writer writer;
+        std::size_t memory_bit = 0;  ///< the first
+        Width width = Width::bit;
+        std::uint32_t value = 0;
+        Writer writer;  ///< the last of those who wrote its bits
     };
     const std::vector<Read>& reads() const { return reads_; }
-    void note_read(std::size_t at, std::uint8_t bit);
+    void note_read(std::size_t at, std::uint8_t bit, Width width);
 
   private:
     static std::size_t memory_bit(std::size_t at, Width width, std::uint32_t bit) {
@@ -85,6 +87,7 @@ class MachineMemory {
     std::vector<Read> reads_;
     std::uint32_t network_ = 0;
     std::uint32_t scan_ = 0;
+    std::uint32_t writes_ = 0;
     bool all_known_ = true;
 };
 

@@ -226,7 +226,7 @@ void ScanRun::execute_counter(const DecodedInstruction& now) {
 Bit3 ScanRun::bit(const Place& place) const {
     switch (place.kind) {
         case Place::Kind::memory:
-            if (memory_.is_recording()) memory_.note_read(place.at, place.bit);
+            if (memory_.is_recording()) memory_.note_read(place.at, place.bit, Width::bit);
             return memory_.bit(place.at, place.bit);
         case Place::Kind::timer:
             return bit3(state_.timers[place.at].bit);

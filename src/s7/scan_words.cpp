@@ -103,6 +103,11 @@ std::int64_t ScanRun::number(const Place& place, Width width) {
 }
 
 Bit3 ScanRun::compare(const DecodedInstruction& now) const {
+    for (const Place& place : now.operands) {
+        if (memory_.is_recording() && place.kind == Place::Kind::memory) {
+            memory_.note_read(place.at, 0, now.width);
+        }
+    }
     const Word3 left = word(now.operands[0], now.width);
     const Word3 right = word(now.operands[1], now.width);
     Bit3 result = compare_words(left, right, now.width, now.compare);

@@ -33,16 +33,16 @@ struct Finding {
     bool expected = false;
     Time at = 0;  ///< the moment of the scan after which it was wrong
     /// The networks (by number) to look at, the most suspect first: the one that wrote the bit, or
-    /// should have written it, then those that wrote what it reads. Empty where none writes it.
+    /// should have written it, then those that write what it reads, or that could have jumped over
+    /// it and did not. Empty where none writes it.
     std::vector<std::uint32_t> networks;
     bool should_have_written = false;  ///< the first network did not write it, and should have
 
-    /// A bit that the first network (or one that wrote such a bit) read, other than inputs and
-    /// tables.
+    /// What the first network (or one that wrote such a thing) read, other than inputs and tables.
     struct Read {
         std::uint32_t network = 0;  ///< who read
         s7::Operand place;
-        bool value = false;
+        std::int32_t value = 0;
         std::optional<std::uint32_t> writer;  ///< none: nobody has ever written it
     };
     std::vector<Read> reads;

@@ -81,11 +81,21 @@ void tell_finding(Story& story, const s7::Listing& listing, const Finding& findi
     for (const Finding::Read& read : finding.reads) {
         story.add(fmt::format(
             "  {} {} {} {} = {}, {}\n", story.choose("network", "réseau"), read.network,
-            story.choose("reads", "lit"), place_text(read.place), read.value ? 1 : 0,
+            story.choose("reads", "lit"), place_text(read.place), read.value,
             read.writer
                 ? fmt::format("{} {}", story.choose("written by network", "écrit par le réseau"),
                               *read.writer)
                 : std::string(story.choose("which nobody has written", "que personne n'a écrit"))));
+    }
+    std::vector<std::uint32_t> others;
+    for (std::size_t i = 1; i < finding.networks.size(); ++i) {
+        others.push_back(finding.networks[i]);
+    }
+    if (!others.empty()) {
+        story.add(fmt::format(
+            "  {} {}\n",
+            story.choose("if it is right, look at networks", "s'il est juste, voir les réseaux"),
+            fmt::join(others, ", ")));
     }
 }
 

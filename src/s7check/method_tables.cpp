@@ -10,6 +10,19 @@ namespace {
 
 using s7::Operation;
 
+constexpr std::int64_t bits_in(s7::Width width) {
+    switch (width) {
+        case s7::Width::byte:
+            return 8;
+        case s7::Width::word:
+            return 16;
+        case s7::Width::dword:
+            return 32;
+        default:
+            return 1;
+    }
+}
+
 /// The bits of an area that an instruction writes, as a range.
 struct WrittenBits {
     s7::Area area = s7::Area::constant;  ///< constant: none
@@ -33,11 +46,7 @@ WrittenBits written_by(const s7::Instruction& instruction) {
     }
     if (place == nullptr) return {};
     const std::int64_t first = std::int64_t{place->address} * 8 + place->bit;
-    const std::int64_t width = place->width == s7::Width::bit    ? 1
-                               : place->width == s7::Width::byte ? 8
-                               : place->width == s7::Width::word ? 16
-                                                                 : 32;
-    return {place->area, first, first + width * count};
+    return {place->area, first, first + bits_in(place->width) * count};
 }
 
 bool is_bit_within(const std::optional<s7::Operand>& operand, std::int32_t first,
@@ -67,10 +76,11 @@ bool keeps_method_tables(const s7::Binding& binding) {
                        });
 }
 
-bool may_write(const s7::Instruction& instruction, const s7::Operand& bit) {
+bool may_write(const s7::Instruction& instruction, const s7::Operand& place) {
     const WrittenBits written = written_by(instruction);
-    const std::int64_t number = std::int64_t{bit.address} * 8 + bit.bit;
-    return written.area == bit.area && number >= written.first && number < written.end;
+    const std::int64_t first = std::int64_t{place.address} * 8 + place.bit;
+    return written.area == place.area && written.first < first + bits_in(place.width) &&
+           written.end > first;
 }
 
 bool may_write_bytes(const s7::Instruction& instruction, std::int32_t first, std::int32_t count) {

@@ -27,8 +27,8 @@ struct MethodTables {
 /// Whether the steps and transitions of a binding lie where the method has Ts and Tt.
 bool keeps_method_tables(const s7::Binding& binding);
 
-/// Whether an instruction writes a bit, or into bytes of V, whenever it is executed.
-bool may_write(const s7::Instruction& instruction, const s7::Operand& bit);
+/// Whether an instruction writes into a bit, byte, word or double word, or into bytes of V.
+bool may_write(const s7::Instruction& instruction, const s7::Operand& place);
 bool may_write_bytes(const s7::Instruction& instruction, std::int32_t first, std::int32_t count);
 /// Whether an instruction reads a bit by itself.
 bool loads(const s7::Instruction& instruction, const s7::Operand& bit);

@@ -34,15 +34,12 @@ Finding Suspects::written(Finding::Kind kind, std::string name, const Operand& p
     if (writer) {
         finding.networks.push_back(number(writer->network));
         follow_reads(finding, writer->network, 2);
+        add_networks(finding, jumps_over(writer->network), false);
     }
     // What may write the bit and has not done so in this scan comes next.
     if (!writer || !writer->in_last_scan) {
         finding.should_have_written = !writer;
-        add_networks(
-            finding,
-            networks_where(listing_,
-                           [&](const auto& instruction) { return may_write(instruction, place); }),
-            false);
+        add_networks(finding, writers_of(place), false);
     }
     return finding;
 }
@@ -119,6 +116,28 @@ std::vector<std::uint32_t> Suspects::silent_writers_of_ts() const {
     return networks;
 }
 
+std::vector<std::uint32_t> Suspects::writers_of(const Operand& place) const {
+    return networks_where(listing_,
+                          [&](const auto& instruction) { return may_write(instruction, place); });
+}
+
+/// The networks with a jump from before a network to behind it, in the same block.
+std::vector<std::uint32_t> Suspects::jumps_over(std::uint32_t network) const {
+    std::vector<std::uint32_t> networks;
+    for (const s7::Outline::Block& block : outline_.blocks) {
+        for (std::size_t line = block.first; line < block.end; ++line) {
+            const s7::Instruction& instruction = outline_.at(line);
+            if (instruction.operation != s7::Operation::jump) continue;
+            const std::size_t target = block.labels.at(instruction.operands[0].address);
+            if (outline_.lines[line].network < network &&
+                outline_.lines[target].network > network) {
+                networks.push_back(outline_.lines[line].network);
+            }
+        }
+    }
+    return networks;
+}
+
 bool Suspects::is_told_by_the_tables(const Operand& place) const {
     if (place.area == s7::Area::input || place.area == s7::Area::special) return true;
     for (const auto* list : {&binding_.steps, &binding_.transitions, &binding_.graphs}) {
@@ -140,9 +159,11 @@ void Suspects::follow_reads(Finding& finding, std::uint32_t network, int depth) 
         Finding::Read told{number(network), read.operand, read.value, std::nullopt};
         if (read.writer) told.writer = number(read.writer->network);
         finding.reads.push_back(told);
-        if (!read.writer) continue;
-        add_networks(finding, {read.writer->network}, false);
-        follow_reads(finding, read.writer->network, depth - 1);
+        if (read.writer) {
+            add_networks(finding, {read.writer->network}, false);
+            follow_reads(finding, read.writer->network, depth - 1);
+        }
+        add_networks(finding, writers_of(read.operand), false);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "s7/binding.h"
 #include "s7/machine.h"
+#include "s7/outline.h"
 #include "s7check/blame.h"
 
 namespace grafwire {
@@ -15,7 +16,7 @@ class Suspects {
   public:
     /// Both must outlive it.
     Suspects(const s7::Listing& listing, const s7::Binding& binding)
-        : listing_(listing), binding_(binding) {}
+        : listing_(listing), outline_(s7::outline_of(listing)), binding_(binding) {}
 
     /// What the machine has to say of its last scan.
     void look_at(const s7::Machine& machine, Time now) {
@@ -55,10 +56,13 @@ class Suspects {
     std::uint32_t number(std::uint32_t network) const { return listing_.networks[network].number; }
     void add_networks(Finding& finding, const std::vector<std::uint32_t>& networks,
                       bool in_front) const;
+    std::vector<std::uint32_t> writers_of(const s7::Operand& place) const;
+    std::vector<std::uint32_t> jumps_over(std::uint32_t network) const;
     bool is_told_by_the_tables(const s7::Operand& place) const;
     void follow_reads(Finding& finding, std::uint32_t network, int depth) const;
 
     const s7::Listing& listing_;
+    s7::Outline outline_;
     const s7::Binding& binding_;
     const s7::Machine* machine_ = nullptr;
     Time now_ = 0;

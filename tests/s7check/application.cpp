@@ -23,9 +23,9 @@ Application::Application(const std::string& application_name)
       grafcet(*read_grafcet(example_text(application_name + ".grafcet"))),
       binding(read_binding(grafcet, application_name)) {}
 
-CheckResult Application::check(const s7::Listing& listing) const {
+CheckResult Application::check(const s7::Listing& listing, Time period) const {
     const ListingDevice device(listing, s7::Cpu::cpu_214, binding);
-    return check_scans(grafcet, device, natural_period(grafcet, device), {});
+    return check_scans(grafcet, device, period != 0 ? period : natural_period(grafcet, device), {});
 }
 
 std::optional<Finding> Application::cause(const s7::Listing& listing,

@@ -14,8 +14,8 @@ namespace grafwire::testing {
 struct Application {
     explicit Application(const std::string& name);
 
-    /// What the check says of a listing, with its natural period.
-    CheckResult check(const s7::Listing& listing) const;
+    /// What the check says of a listing, with a period or (0) its natural one.
+    CheckResult check(const s7::Listing& listing, Time period = 0) const;
     /// And what the difference comes from; there must be one.
     std::optional<Finding> cause(const s7::Listing& listing, const CheckResult& result) const;
 

@@ -42,8 +42,10 @@ void check_mistakes(const std::string& name, const std::string& heading) {
     std::vector<Mistake> left = mistakes_of(heading);
     const std::string printed_text = example_text("s7-200/" + name + ".printed.awl");
     s7::Listing listing = read_listing(printed_text);
-    // One after another, until the listing is equivalent.
-    CheckResult result = application.check(listing);
+    // One after another, until the listing is equivalent. The period divides all delays, those of
+    // the mistakes too; the natural one has more scans and shows no more.
+    constexpr Time period = 100 * millisecond;
+    CheckResult result = application.check(listing, period);
     while (result.verdict == Verdict::different) {
         const auto finding = application.cause(listing, result);
         REQUIRE(finding);
@@ -54,7 +56,7 @@ void check_mistakes(const std::string& name, const std::string& heading) {
         MESSAGE(name << ": " << networks << "-> mistake " << mistake->number);
         correct(listing, *mistake);
         left.erase(mistake);
-        result = application.check(listing);
+        result = application.check(listing, period);
     }
     CHECK(result.verdict == Verdict::equivalent);
     // The rest.
@@ -75,7 +77,6 @@ void check_mistakes(const std::string& name, const std::string& heading) {
     }
     CHECK(instructions_of(listing) ==
           instructions_of(read_listing(example_text("s7-200/" + name + ".awl"))));
-    CHECK(application.check(listing).verdict == Verdict::equivalent);
 }
 
 }  // namespace
