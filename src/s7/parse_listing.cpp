@@ -15,6 +15,7 @@
 #include "s7/listing_lines.h"
 #include "s7/offsets.h"
 #include "s7/operand_text.h"
+#include "s7/unknown_words.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -39,14 +40,14 @@ class ListingReader {
                   "the quoted name is not ended on its line");
         }
         if (comment_is_open_ && !line.words.empty() && !begins_item(line.words)) {
-            append_comment(items_.back().network.comment, joined(line));
+            add_network_comment(joined(line), line.words.front().where);
             note_lenient("a line is read as the continuation of the comment before it",
                          line.words.front().where);
             return;
         }
         comment_is_open_ = false;
         if (line.words.empty()) {
-            if (line.has_comment) add_comment_line(line.comment);
+            if (line.has_comment) add_comment_line(line.comment, line.comment_at);
             return;
         }
         read_items(line);
@@ -94,18 +95,21 @@ class ListingReader {
     }
 
     /// A line that is nothing but a comment belongs to what stands before it.
-    void add_comment_line(std::string_view comment) {
+    void add_comment_line(std::string_view comment, Location where) {
         if (items_.empty()) {
             listing_.head.emplace_back(comment);
             return;
         }
-        ListingItem& item = items_.back();
-        append_comment(item.is_network ? item.network.comment : item.instruction.comment, comment);
+        if (items_.back().is_network) {
+            add_network_comment(comment, where);
+        } else {
+            append_comment(items_.back().instruction.comment, comment);
+        }
     }
 
     void read_items(const ListingLine& line) {
         std::size_t at = 0;
-        std::string_view comment = line.comment;
+        const std::string_view comment = line.comment;
         for (std::uint8_t column = 0; at < line.words.size(); column = 1) {
             const bool good = network_digits(line.words[at])
                                   ? read_network(line.words, at, column)
@@ -113,25 +117,28 @@ class ListingReader {
             if (!good) return;
         }
         ListingItem& item = items_.back();
-        if (!item.is_network) {
+        if (item.is_network) {
+            add_network_comment(comment, line.comment_at);
+            comment_is_open_ = line.has_comment;
+        } else {
             append_comment(item.instruction.comment, comment);
-            return;
         }
-        // Print that has two columns side by side may have the beginning of a network of the right
-        // one behind the comment of the left one.
-        const std::size_t last_word = comment.find_last_of(' ');
-        if (last_word != std::string_view::npos) {
-            const ListingWord behind{comment.substr(last_word + 1), false, line.comment_at};
-            const auto digits = network_digits(behind);
-            if (digits && !digits->empty()) {
-                append_comment(item.network.comment,
-                               comment.substr(0, comment.find_last_not_of(' ', last_word) + 1));
-                add_network(number_of(*digits), line.comment_at, 1);
-                return;
-            }
+    }
+
+    /// Appends to the comment of the last network. Print that has two columns side by side may have
+    /// the beginning of a network of the right one behind the comment of the left one.
+    void add_network_comment(std::string_view comment, Location where) {
+        std::vector<std::uint32_t> behind;
+        for (;;) {
+            const std::size_t blank = comment.find_last_of(' ');
+            if (blank == std::string_view::npos) break;
+            const auto digits = network_digits({comment.substr(blank + 1), false, where});
+            if (!digits || digits->empty()) break;
+            behind.insert(behind.begin(), number_of(*digits));
+            comment = comment.substr(0, comment.find_last_not_of(' ', blank) + 1);
         }
-        append_comment(item.network.comment, comment);
-        comment_is_open_ = line.has_comment;
+        append_comment(items_.back().network.comment, comment);
+        for (const std::uint32_t number : behind) add_network(number, where, 1);
     }
 
     bool read_network(const std::vector<ListingWord>& words, std::size_t& at, std::uint8_t column) {
@@ -205,16 +212,12 @@ class ListingReader {
     }
 
     void report_unknown_instruction(const ListingWord& word) {
-        std::string message = fmt::format("unknown instruction {}", in_quotes(word.text));
         // A comparison with every mnemonic costs time: a file of nothing but wrong ones must not
         // take for ever.
         constexpr std::size_t most_suggestions = 100;
-        if (suggestion_count_++ < most_suggestions) {
-            const auto known = mnemonic_names();
-            const auto nearest = nearest_name(word.text, {known.begin(), known.end()});
-            if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-        }
-        error(Code::unknown_instruction, word.where, std::move(message));
+        const bool suggests = suggestion_count_++ < most_suggestions;
+        error(Code::unknown_instruction, word.where,
+              unknown_instruction_message(word.text, suggests));
     }
 
     Operand read_operand(const ListingWord& word) {
@@ -231,31 +234,11 @@ class ListingReader {
         if (options_.io != nullptr) {
             if (const Operand* assigned = options_.io->operand_of(word.text)) return *assigned;
         }
-        report_unknown_operand(word);
+        error(Code::bad_operand, word.where,
+              unknown_operand_message(word.text, word.quoted, options_.io));
         operand.area = Area::text;
         operand.symbol = word.text;
         return operand;
-    }
-
-    void report_unknown_operand(const ListingWord& word) {
-        if (!word.quoted && looks_like_address(word.text)) {
-            error(Code::bad_operand, word.where,
-                  fmt::format("{} is no address: bits are written as V20.1 with bits 0 … 7, bytes, "
-                              "words and double words as VB20, VW20 and VD20",
-                              in_quotes(word.text)));
-            return;
-        }
-        std::string message = fmt::format(
-            "{} is no address, no constant and no name with an address", in_quotes(word.text));
-        if (options_.io != nullptr) {
-            std::vector<std::string_view> assigned;
-            for (const auto& entry : options_.io->entries) assigned.push_back(entry.name);
-            const auto nearest = nearest_name(word.text, assigned);
-            if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-        } else {
-            message += "; names are given addresses by a table of assignment (--io)";
-        }
-        error(Code::bad_operand, word.where, std::move(message));
     }
 
     struct Lenient {
