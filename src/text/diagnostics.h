@@ -63,6 +63,9 @@ enum class Code {
     // Netlists.
     bad_netlist,
     unsupported_by_style,
+    // PLC programs.
+    beyond_limit,
+    unassigned_name,  ///< a warning
     // S7-200 listings and tables of assignment.
     unknown_instruction,
     bad_operand,
