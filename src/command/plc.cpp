@@ -3,6 +3,7 @@
 #include "command/command.h"
 #include "plc/formats.h"
 #include "program/program.h"
+#include "s7/assignment.h"
 
 namespace grafwire {
 
@@ -12,6 +13,10 @@ struct Request {
     std::string path;
     std::string format;
     std::string modes = "on";
+    std::string io;
+    std::string mnemonics = "simatic";
+    std::string tables = "standard";
+    std::string cpu;
     std::string output;
 };
 
@@ -22,6 +27,45 @@ const PlcFormat* find_format(const std::string& name) {
     if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
     complain(message);
     return nullptr;
+}
+
+/// Whether an option of formats with addresses has been given for another format; shows it if so.
+bool has_idle_option(const Request& request, const PlcFormat& format) {
+    if (format.has_addresses) return false;
+    const bool is_idle = !request.io.empty() || !request.cpu.empty() ||
+                         request.mnemonics != "simatic" || request.tables != "standard";
+    if (is_idle) {
+        complain(
+            fmt::format("{} has no addresses: --io, --mnemonics, --tables and --cpu are for "
+                        "s7-200",
+                        format.name));
+    }
+    return is_idle;
+}
+
+/// An assignment that suits the chart, with messages shown; empty after an error.
+std::optional<s7::IoAssignment> load_assignment(const Request& request, const Grafcet& grafcet) {
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(request.io, diagnostics);
+    std::optional<s7::IoAssignment> assignment;
+    if (!diagnostics.has_errors()) assignment = s7::parse_io_assignment(source, diagnostics);
+    if (assignment) {
+        s7::resolve_assignment(grafcet, *assignment, request.tables == "wide", diagnostics);
+    }
+    std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+    if (diagnostics.has_errors()) return std::nullopt;
+    return assignment;
+}
+
+PlcOptions options_from(const Request& request) {
+    PlcOptions options;
+    options.mnemonics =
+        request.mnemonics == "simatic" ? Mnemonics::simatic : Mnemonics::international;
+    options.wide_tables = request.tables == "wide";
+    if (!request.cpu.empty()) {
+        options.cpu = request.cpu == "212" ? s7::Cpu::cpu_212 : s7::Cpu::cpu_214;
+    }
+    return options;
 }
 
 }  // namespace
@@ -35,22 +79,41 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
     app.add_option("--modes", request->modes, "with Init, AUdur and AUdoux")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
+    app.add_option("--io", request->io, "addresses of names, one a line: E0.0 = start");
+    app.add_option("--mnemonics", request->mnemonics, "spelling of instructions")
+        ->check(CLI::IsMember({"simatic", "iec", "en"}))
+        ->capture_default_str();
+    app.add_option("--tables", request->tables, "80 steps, or as many as the chart has")
+        ->check(CLI::IsMember({"standard", "wide"}))
+        ->capture_default_str();
+    app.add_option("--cpu", request->cpu, "controller whose memory has to hold the program")
+        ->check(CLI::IsMember({"212", "214"}));
     app.add_option("-o", request->output, "output file (default: standard output)");
     return [request] {
         // Read the request and the GRAFCET.
         const PlcFormat* format = find_format(request->format);
-        if (format == nullptr) return static_cast<int>(bad_request);
-        const auto loaded = load_grafcet(request->path);
-        if (!loaded) return static_cast<int>(bad_request);
-        // Make the program of one scan, and write it.
-        const ScanProgram program = program_from(loaded->grafcet, {request->modes == "on"});
-        PlcOptions options;
-        Diagnostics diagnostics;
-        std::string text = format->write(program, options, diagnostics);
-        if (diagnostics.has_errors()) {
-            std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
+        if (format == nullptr || has_idle_option(*request, *format)) {
             return static_cast<int>(bad_request);
         }
+        if (request->path == "-" && request->io == "-") {
+            complain("GRAFCET and assignment cannot both come from standard input");
+            return static_cast<int>(bad_request);
+        }
+        const auto loaded = load_grafcet(request->path);
+        if (!loaded) return static_cast<int>(bad_request);
+        PlcOptions options = options_from(*request);
+        std::optional<s7::IoAssignment> assignment;
+        if (!request->io.empty()) {
+            assignment = load_assignment(*request, loaded->grafcet);
+            if (!assignment) return static_cast<int>(bad_request);
+            options.io = &*assignment;
+        }
+        // Make the program of one scan, and write it.
+        const ScanProgram program = program_from(loaded->grafcet, {request->modes == "on"});
+        Diagnostics diagnostics;
+        std::string text = format->write(program, options, diagnostics);
+        std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
+        if (diagnostics.has_errors()) return static_cast<int>(bad_request);
         OutputFiles files;
         files.add(request->output, std::move(text));
         return finish(files, done);

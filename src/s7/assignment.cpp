@@ -73,7 +73,6 @@ class Resolver {
             report_unknown(entry);
             return;
         }
-        if (!take_memory(entry)) return;
         const Meaning& meaning = found->second;
         switch (meaning.kind) {
             case Meaning::Kind::bit:
@@ -119,31 +118,14 @@ class Resolver {
         diagnostics_.error(Code::unknown_name, entry.where, std::move(message));
     }
 
-    static std::int32_t bits_of(Width width) {
-        return width == Width::bit ? 1 : width == Width::byte ? 8 : width == Width::word ? 16 : 32;
-    }
-
-    /// No bit of memory belongs to two names.
-    bool take_memory(const IoAssignment::Entry& entry) {
-        const Operand& operand = entry.operand;
-        const std::int32_t first = operand.address * 8 + operand.bit;
-        for (std::int32_t bit = first; bit < first + bits_of(operand.width); ++bit) {
-            const auto [at, taken] = owners_.emplace(std::pair(operand.area, bit), &entry);
-            if (taken) continue;
-            diagnostics_
-                .error(Code::duplicate_name, entry.where,
-                       fmt::format("{} lies over the address of '{}'", text(operand),
-                                   at->second->name))
-                .notes.push_back({at->second->where, "which is assigned here"});
-            return false;
-        }
-        return true;
+    static std::int32_t bytes_of(Width width) {
+        return width == Width::word ? 2 : width == Width::dword ? 4 : 1;
     }
 
     /// Whether an operand lies in the accumulator or in a table; VB6 … VB9 are free for use.
     bool is_of_the_method(const Operand& operand) const {
         if (operand.area != Area::variable) return false;
-        const std::int32_t last = operand.address + (bits_of(operand.width) - 1) / 8;
+        const std::int32_t last = operand.address + bytes_of(operand.width) - 1;
         const bool in_free_bits = operand.address >= 6 && last < 10;
         return !in_free_bits && operand.address < static_cast<std::int32_t>(layout_.end());
     }
@@ -196,7 +178,6 @@ class Resolver {
     bool wide_;
     Diagnostics& diagnostics_;
     ResolvedAssignment result_;
-    std::map<std::pair<Area, std::int32_t>, const IoAssignment::Entry*> owners_;
 };
 
 Condition with_zeros(const Condition& condition, const ResolvedAssignment& assignment) {

@@ -23,8 +23,9 @@ struct ResolvedAssignment {
 /// Finds what each name of the assignment stands for. Errors, with their place in the assignment: a
 /// name that the chart does not have (with the nearest it has), an address of the wrong kind, a
 /// step outside Ts (a transition outside Tt, a graph outside Tfig), anything else inside the tables
-/// or the accumulator VB2 … VB5, two names over one another. With wide tables, whose addresses
-/// follow from the chart, steps, transitions and graphs must not be assigned.
+/// or the accumulator VB2 … VB5. (Two names over one another are found when it is read.) With wide
+/// tables, whose addresses follow from the chart, steps, transitions and graphs must not be
+/// assigned.
 ResolvedAssignment resolve_assignment(const Grafcet& grafcet, const IoAssignment& assignment,
                                       bool wide, Diagnostics& diagnostics);
 

@@ -229,11 +229,11 @@ Condition ConditionWriter::lower_comparison(const Comparison& comparison) {
         for (Instruction& part : work_out(*side, accumulator)) sums.push_back(std::move(part));
         operands.push_back(accumulator);
     }
-    networks_.add(Part::chart, "Sums for " + comment_, std::move(sums));
+    networks_.add(Part::chart, comment_ + ": the sums", std::move(sums));
     const bool opposite = is_complement(sides.relation);
     const Relation relation = opposite ? complement(sides.relation) : sides.relation;
     Condition bit = new_working_bit();
-    networks_.add(Part::chart, "A part of " + comment_,
+    networks_.add(Part::chart, "a part of " + comment_,
                   {make_compare(Operation::load_compare, addresses_.width(), compare_of(relation),
                                 operands[0], operands[1]),
                    make(Operation::assign, {addresses_[bit.bit]})});
@@ -249,7 +249,7 @@ Condition ConditionWriter::keep(const Condition& condition) {
     std::vector<Instruction> instructions = load(condition);
     Condition bit = new_working_bit();
     instructions.push_back(make(Operation::assign, {addresses_[bit.bit]}));
-    networks_.add(Part::chart, "A part of " + comment_, std::move(instructions));
+    networks_.add(Part::chart, "a part of " + comment_, std::move(instructions));
     return bit;
 }
 

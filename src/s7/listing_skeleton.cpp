@@ -58,8 +58,9 @@ void ListingBuild::fill(std::int64_t value, std::uint32_t first, std::uint32_t b
                         std::vector<Instruction>& out) const {
     for (std::uint32_t words = bytes / 2; words != 0;) {
         const std::uint32_t count = std::min(words, longest_count);
-        out.push_back(make(Operation::fill, {constant_operand(value), v_word(Width::word, first),
-                                             constant_operand(count)}));
+        out.push_back(
+            make(Operation::fill, Width::word,
+                 {constant_operand(value), v_word(Width::word, first), constant_operand(count)}));
         first += 2 * count;
         words -= count;
     }

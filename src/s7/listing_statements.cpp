@@ -102,7 +102,7 @@ void ListingBuild::write_move(const Statement& statement) {
     for (Instruction& part : conditions_.work_out(statement.sum, accumulator)) {
         sum.push_back(std::move(part));
     }
-    networks_.add(Part::chart, "Value for " + statement.comment, std::move(sum));
+    networks_.add(Part::chart, statement.comment + ": the sum", std::move(sum));
     hold_within(range, statement);
     take(accumulator);
 }
