@@ -17,8 +17,8 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
 
 std::string s7_200(const ScanProgram& program, const PlcOptions& options,
                    Diagnostics& diagnostics) {
-    const auto made =
-        s7::listing_from(program, {options.io, options.wide_tables, options.cpu}, diagnostics);
+    const auto made = s7::listing_from(
+        program, {options.io, options.wide_tables, options.cpu, options.mnemonics}, diagnostics);
     if (!made) return {};
     return s7::write_listing(made->listing, {options.mnemonics, true});
 }

@@ -168,11 +168,11 @@ std::optional<IoAssignment> parse_io_assignment(const SourceFile& source,
     return reader.finish();
 }
 
-std::string write_io_assignment(const IoAssignment& assignment) {
+std::string write_io_assignment(const IoAssignment& assignment, Mnemonics mnemonics) {
     std::string out;
     for (const IoAssignment::Entry& entry : assignment.entries) {
         const bool plain = is_plain(entry.name);
-        out += fmt::format("{:<6} = {}{}{}\n", write_operand(entry.operand, Mnemonics::simatic),
+        out += fmt::format("{:<6} = {}{}{}\n", write_operand(entry.operand, mnemonics),
                            plain ? "" : "\"", entry.name, plain ? "" : "\"");
     }
     return out;

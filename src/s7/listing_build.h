@@ -43,6 +43,7 @@ class ListingBuild {
     void make_start();
     void make_initial_steps();
     void make_initialisation();
+    bool start_reads(BitKind kind) const;
     std::vector<Operand> bits_to_clear() const;
     void reset_timers();
 

@@ -144,7 +144,8 @@ std::optional<AssignedListing> listing_from(const ScanProgram& given, const List
     if (diagnostics.has_errors()) return std::nullopt;
     AssignedListing result;
     result.assignment = assignment_of(program, addresses);
-    result.listing.head = head_of(program, addresses, result.assignment, networks);
+    result.listing.head =
+        head_of(program, addresses, result.assignment, networks, options.mnemonics);
     result.listing.networks = networks.take();
     return result;
 }

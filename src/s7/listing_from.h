@@ -20,6 +20,7 @@ struct ListingOptions {
     /// The controller that the program has to fit; without, any size will do, and there are the
     /// timers of a CPU 214.
     std::optional<Cpu> cpu;
+    Mnemonics mnemonics = Mnemonics::simatic;  ///< of the addresses at the head
 };
 
 /// A listing, and where everything in it lives: inputs, outputs, vars, counters, steps, transitions

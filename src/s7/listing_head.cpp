@@ -105,7 +105,8 @@ IoAssignment assignment_of(const ScanProgram& program, const Addresses& addresse
 }
 
 std::vector<std::string> head_of(const ScanProgram& program, const Addresses& addresses,
-                                 const IoAssignment& assignment, const NetworkList& networks) {
+                                 const IoAssignment& assignment, const NetworkList& networks,
+                                 Mnemonics mnemonics) {
     const Grafcet& grafcet = *program.grafcet;
     std::vector<std::string> head;
     head.push_back(grafcet.title.empty() ? grafcet.name : grafcet.name + ": " + grafcet.title);
@@ -116,7 +117,7 @@ std::vector<std::string> head_of(const ScanProgram& program, const Addresses& ad
     tell_tables(addresses, head);
     head.push_back("");
     head.push_back("Addresses:");
-    const std::string text = write_io_assignment(assignment);
+    const std::string text = write_io_assignment(assignment, mnemonics);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         head.push_back(text.substr(at, end - at));

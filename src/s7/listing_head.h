@@ -17,6 +17,7 @@ IoAssignment assignment_of(const ScanProgram& program, const Addresses& addresse
 /// The lines at the head of a listing: what it is, the memory it takes, its tables, and the
 /// assignment, one line a name as parse_io_assignment reads them.
 std::vector<std::string> head_of(const ScanProgram& program, const Addresses& addresses,
-                                 const IoAssignment& assignment, const NetworkList& networks);
+                                 const IoAssignment& assignment, const NetworkList& networks,
+                                 Mnemonics mnemonics);
 
 }  // namespace grafwire::s7

@@ -50,6 +50,14 @@ void ListingBuild::make_initial_steps() {
     }
 }
 
+/// Whether a memory is filled from a bit of that kind.
+bool ListingBuild::start_reads(BitKind kind) const {
+    const std::vector<Statement>& start = program_.section(SectionKind::start);
+    return std::any_of(start.begin(), start.end(), [&](const Statement& statement) {
+        return reads(statement.condition, kind);
+    });
+}
+
 /// Bits whose first value is 0: vars, stored outputs, values of time conditions that are no bits of
 /// timers, and edges where a memory is filled from one.
 std::vector<Operand> ListingBuild::bits_to_clear() const {
@@ -88,10 +96,13 @@ void ListingBuild::make_initialisation() {
     for (const Statement& statement : start) {
         if (statement.kind == Statement::Kind::move) write(statement);
     }
+    // The document resets timers last; but a memory may be filled from one.
+    const bool timers_first = start_reads(BitKind::time_value);
+    if (timers_first) reset_timers();
     for (const Statement& statement : start) {
         if (is_memory(statement)) write(statement);
     }
-    reset_timers();
+    if (!timers_first) reset_timers();
     if (networks_.networks().size() == networks_before) {
         nothing("There are no memories, counters and timers");
     }
