@@ -93,7 +93,7 @@ void check_interface(const ScanProgram& program, InterfaceCheck check) {
 
 /// The memory of the controller that was asked for; of V memory at least that of a CPU 214.
 void check_memory(const Addresses& addresses, const NetworkList& networks,
-                  const std::optional<Cpu>& cpu, Diagnostics& diagnostics) {
+                  const std::optional<Cpu>& cpu, bool has_modes, Diagnostics& diagnostics) {
     const CpuRow& row = row_of(cpu.value_or(Cpu::cpu_214));
     if (addresses.variable_bytes() > static_cast<std::uint32_t>(row.variable_bytes)) {
         diagnostics.error(Code::beyond_limit, {},
@@ -107,11 +107,10 @@ void check_memory(const Addresses& addresses, const NetworkList& networks,
     if (!cpu || size <= row.program_bytes) return;
     diagnostics.error(
         Code::beyond_limit, {},
-        fmt::format("the program takes {} bytes, and the program memory of a {} holds {}: {}", size,
-                    row.name, row.program_bytes,
-                    *cpu == Cpu::cpu_212 ? "take a CPU 214, or leave out the modes (--modes off)"
-                                         : "leave out the modes (--modes off), or divide the chart "
-                                           "between two controllers"));
+        fmt::format(
+            "the program takes {} bytes, and the program memory of a {} holds {}: {}{}", size,
+            row.name, row.program_bytes, has_modes ? "leave out the modes (--modes off), or " : "",
+            *cpu == Cpu::cpu_212 ? "take a CPU 214" : "divide the chart between two controllers"));
 }
 
 }  // namespace
@@ -140,7 +139,7 @@ std::optional<AssignedListing> listing_from(const ScanProgram& given, const List
 
     // The networks, and what they take.
     NetworkList networks = ListingBuild(program, addresses, timers).make_networks();
-    check_memory(addresses, networks, options.cpu, diagnostics);
+    check_memory(addresses, networks, options.cpu, program.has_modes, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     AssignedListing result;
     result.assignment = assignment_of(program, addresses);

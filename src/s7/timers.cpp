@@ -60,14 +60,14 @@ void report_uncountable(const Statement& statement, Time length, Diagnostics& di
 }
 
 void report_no_timer(const Wanted& wanted, const CpuRow& cpu, Diagnostics& diagnostics) {
+    const Time tick = ticks[wanted.coarsest];
     diagnostics.error(
         Code::beyond_limit, wanted.statement->origin,
-        fmt::format(
-            "no timer of {} or finer is left on a {} for {} of '{}'; round delays to 100 ms, "
-            "of which there are most timers{}",
-            format_duration(ticks[wanted.coarsest]), cpu.name, format_duration(wanted.length),
-            wanted.statement->comment,
-            cpu.cpu == Cpu::cpu_212 ? ", or take a CPU 214, which has twice as many" : ""));
+        fmt::format("no timer of {}{} is left on a {} for {} of '{}'; round delays to 100 ms, of "
+                    "which there are most timers{}",
+                    format_duration(tick), tick == ticks.back() ? "" : " or finer", cpu.name,
+                    format_duration(wanted.length), wanted.statement->comment,
+                    cpu.cpu == Cpu::cpu_212 ? ", or take a CPU 214, which has twice as many" : ""));
 }
 
 }  // namespace
