@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "s7/make_instruction.h"
+#include "s7/relations.h"
 
 namespace grafwire::s7 {
 
@@ -25,72 +26,6 @@ constexpr std::size_t stack_levels = 8;
 bool is_literal(const Condition& condition) {
     return condition.kind == Kind::bit ||
            (condition.kind == Kind::negation && condition.operands[0].kind == Kind::bit);
-}
-
-/// Comparisons that the controllers have are =, >= and <=; the others are their complements.
-bool is_complement(Relation relation) {
-    return relation == Relation::not_equal || relation == Relation::less ||
-           relation == Relation::greater;
-}
-
-Relation complement(Relation relation) {
-    switch (relation) {
-        case Relation::equal:
-            return Relation::not_equal;
-        case Relation::not_equal:
-            return Relation::equal;
-        case Relation::less:
-            return Relation::greater_equal;
-        case Relation::less_equal:
-            return Relation::greater;
-        case Relation::greater:
-            return Relation::less_equal;
-        case Relation::greater_equal:
-            return Relation::less;
-    }
-    return relation;
-}
-
-/// Of a relation that is no complement.
-Compare compare_of(Relation relation) {
-    if (relation == Relation::equal) return Compare::equal;
-    return relation == Relation::less_equal ? Compare::less_equal : Compare::greater_equal;
-}
-
-/// The relation that holds with left and right exchanged.
-Relation mirrored(Relation relation) {
-    switch (relation) {
-        case Relation::less:
-            return Relation::greater;
-        case Relation::less_equal:
-            return Relation::greater_equal;
-        case Relation::greater:
-            return Relation::less;
-        case Relation::greater_equal:
-            return Relation::less_equal;
-        case Relation::equal:
-        case Relation::not_equal:
-            break;
-    }
-    return relation;
-}
-
-bool holds(std::int64_t left, Relation relation, std::int64_t right) {
-    switch (relation) {
-        case Relation::equal:
-            return left == right;
-        case Relation::not_equal:
-            return left != right;
-        case Relation::less:
-            return left < right;
-        case Relation::less_equal:
-            return left <= right;
-        case Relation::greater:
-            return left > right;
-        case Relation::greater_equal:
-            return left >= right;
-    }
-    return false;
 }
 
 bool is_constant(const Sum& sum) {
