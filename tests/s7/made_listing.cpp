@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "random/read_text.h"
@@ -62,14 +61,6 @@ std::string subroutine_text(const s7::Listing& listing, int number) {
         text += (line.starts_with("  ") ? line.substr(4) : line) + "\n";
     }
     return text;
-}
-
-std::string text_of_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    REQUIRE_MESSAGE(file, path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 }  // namespace grafwire::testing

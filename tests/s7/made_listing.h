@@ -20,7 +20,4 @@ MadeListing make_listing(const std::string& chart, const std::string& io = {},
 /// that ends it, without numbers of networks and without offsets.
 std::string subroutine_text(const s7::Listing& listing, int number);
 
-/// A whole text file.
-std::string text_of_file(const std::string& path);
-
 }  // namespace grafwire::testing

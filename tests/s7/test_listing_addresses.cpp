@@ -134,7 +134,8 @@ V23.1  = X0
 V80.0  = (0)
 V0.0   = G0
 )");
-    CHECK(make_listing(chart, "E0.1 = a\nA0.1 = p\nE0.0 = b\nE7.7 = \"c 1\"").messages == R"(3:16: 'o' has no address in the assignment; it takes A0.0
+    CHECK(make_listing(chart, "E0.1 = a\nA0.1 = p\nE0.0 = b\nE7.7 = \"c 1\"").messages ==
+          R"(3:16: 'o' has no address in the assignment; it takes A0.0
 )");
 }
 
@@ -172,17 +173,22 @@ TEST_CASE("what an assignment must not say") {
 6:1: V1.0 cannot be the address of '(1)': a transition is a bit of the table Tt, V80.0 … V99.7
 7:1: VW104 cannot be the address of 'G0': a graph is a bit of the table Tfig, V0.0 … V1.7
 )");
-    CHECK(refusal(chart, "V2.0 = lamp\nVW4 = n\nEB0 = start\n") == R"(1:1: V2.0 cannot be the address of 'lamp': the method uses it itself
+    CHECK(refusal(chart, "V2.0 = lamp\nVW4 = n\nEB0 = start\n") ==
+          R"(1:1: V2.0 cannot be the address of 'lamp': the method uses it itself
 2:1: VW4 cannot be the address of 'n': the method uses it itself
 3:1: EB0 cannot be the address of 'start': a bit is wanted, like E0.0 or V6.0
 )");
-    CHECK(refusal(chart, "V70.0 = lamp\n") == R"(1:1: V70.0 cannot be the address of 'lamp': the method uses it itself
+    CHECK(refusal(chart, "V70.0 = lamp\n") ==
+          R"(1:1: V70.0 cannot be the address of 'lamp': the method uses it itself
 )");
-    CHECK(refusal(chart, "VW9 = n") == R"(1:1: VW9 cannot be the address of 'n': the method uses it itself
+    CHECK(refusal(chart, "VW9 = n") ==
+          R"(1:1: VW9 cannot be the address of 'n': the method uses it itself
 )");
     s7::ListingOptions wide;
     wide.wide_tables = true;
-    CHECK(refusal(chart, "V14.0 = X0", wide) == R"(1:1: V14.0 cannot be the address of 'X0': in wide tables the place of a step follows from the chart; leave it out
+    CHECK(
+        refusal(chart, "V14.0 = X0", wide) ==
+        R"(1:1: V14.0 cannot be the address of 'X0': in wide tables the place of a step follows from the chart; leave it out
 )");
 }
 

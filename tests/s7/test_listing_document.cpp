@@ -4,26 +4,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "s7/instruction_set.h"
+#include "s7/listings.h"
 #include "s7/made_listing.h"
-#include "s7/parse_listing.h"
 #include "s7/write_listing.h"
 
 namespace grafwire::testing {
 
 namespace {
-
-const std::string published = GRAFWIRE_ROOT "/examples/s7-200/";
-
-s7::Listing read_listing(const std::string& name) {
-    Diagnostics diagnostics;
-    const SourceFile source{name, text_of_file(published + name)};
-    const auto listing = s7::parse_listing(source, {}, diagnostics);
-    REQUIRE_MESSAGE(listing, format_diagnostics(diagnostics, source));
-    return *listing;
-}
 
 /// The networks as text, without their comments; each with its offsets.
 std::vector<std::string> networks_of(const s7::Listing& listing) {
@@ -56,7 +45,8 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
 TEST_CASE("without a chart to speak of the listing is the document's skeleton") {
     const MadeListing result = make_listing("graph G0 { initial 0 }");
     REQUIRE(result.made);
-    std::vector<std::string> expected = networks_of(read_listing("method.printed.awl"));
+    std::vector<std::string> expected =
+        networks_of(read_listing(example_text("s7-200/method.printed.awl")));
     // Network 19 clears twice the words that the tables have.
     replace(expected.at(18), "K40", "K20");
     CHECK(networks_of(result.made->listing) == expected);
@@ -64,13 +54,13 @@ TEST_CASE("without a chart to speak of the listing is the document's skeleton") 
 }
 
 TEST_CASE("the manipulator's listing is the document's example 2, corrected") {
-    const MadeListing result =
-        make_listing(text_of_file(GRAFWIRE_ROOT "/examples/manipulator.grafcet"),
-                     text_of_file(published + "manipulator.io"), {}, true);
+    const MadeListing result = make_listing(example_text("manipulator.grafcet"),
+                                            example_text("s7-200/manipulator.io"), {}, true);
     REQUIRE_MESSAGE(result.made, result.messages);
     CHECK(result.messages.empty());
     const std::vector<std::string> got = networks_of(result.made->listing);
-    std::vector<std::string> expected = networks_of(read_listing("manipulator.awl"));
+    std::vector<std::string> expected =
+        networks_of(read_listing(example_text("s7-200/manipulator.awl")));
     // (0): the operands in the order of the chart, ↑dcy . /au.
     expected.at(26) =
         "NETWORK27\n  144 LD    V6.1\n  147 UN    E0.5\n  149 U     V0.0\n"
@@ -113,7 +103,7 @@ TEST_CASE("the manipulator's listing is the document's example 2, corrected") {
   LDN   V20.3
   =     V0.1
 )");
-    const s7::Listing document = read_listing("manipulator.awl");
+    const s7::Listing document = read_listing(example_text("s7-200/manipulator.awl"));
     s7::Listing own = result.made->listing;
     for (s7::Network& network : own.networks) network.comment.clear();
     s7::Listing theirs = document;
@@ -122,9 +112,8 @@ TEST_CASE("the manipulator's listing is the document's example 2, corrected") {
 }
 
 TEST_CASE("the head says what memory it takes, and can be read as an assignment") {
-    const MadeListing result =
-        make_listing(text_of_file(GRAFWIRE_ROOT "/examples/manipulator.grafcet"),
-                     text_of_file(published + "manipulator.io"), {}, true);
+    const MadeListing result = make_listing(example_text("manipulator.grafcet"),
+                                            example_text("s7-200/manipulator.io"), {}, true);
     REQUIRE(result.made);
     const std::vector<std::string>& head = result.made->listing.head;
     REQUIRE(head.size() > 8);
@@ -142,8 +131,7 @@ TEST_CASE("the head says what memory it takes, and can be read as an assignment"
     REQUIRE(read);
     CHECK(s7::write_io_assignment(*read) == s7::write_io_assignment(result.made->assignment));
     // Given back as an assignment it makes the same listing.
-    const MadeListing again =
-        make_listing(text_of_file(GRAFWIRE_ROOT "/examples/manipulator.grafcet"), text, {}, true);
+    const MadeListing again = make_listing(example_text("manipulator.grafcet"), text, {}, true);
     REQUIRE_MESSAGE(again.made, again.messages);
     CHECK(s7::write_listing(again.made->listing, {}) ==
           s7::write_listing(result.made->listing, {}));

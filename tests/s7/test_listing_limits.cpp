@@ -44,13 +44,17 @@ std::string inputs(int count) {
 
 TEST_CASE("tables") {
     CHECK(make_listing(ring(80)).made);
-    CHECK(refusal(ring(81)) == R"(the chart has 81 steps, and the tables of the method hold 80: wide tables (--tables wide) hold them all
+    CHECK(
+        refusal(ring(81)) ==
+        R"(the chart has 81 steps, and the tables of the method hold 80: wide tables (--tables wide) hold them all
 )");
 }
 
 TEST_CASE("the process images") {
     CHECK(make_listing(inputs(64)).made);
-    CHECK(refusal(inputs(66)) == R"(1:317: input 'i64' finds no room: an S7-200 has 64 inputs, E0.0 … E7.7; give some of them addresses in M or V with an assignment (--io) and carry them over to another controller
+    CHECK(
+        refusal(inputs(66)) ==
+        R"(1:317: input 'i64' finds no room: an S7-200 has 64 inputs, E0.0 … E7.7; give some of them addresses in M or V with an assignment (--io) and carry them over to another controller
 1:322: input 'i65' finds no room: an S7-200 has 64 inputs, E0.0 … E7.7; give some of them addresses in M or V with an assignment (--io) and carry them over to another controller
 )");
     // An address in V or M helps.
@@ -65,12 +69,18 @@ TEST_CASE("timers") {
     of_212.cpu = s7::Cpu::cpu_212;
     CHECK(make_listing(delays(fine), {}, of_212).made);
     fine.push_back("60ms/a");
-    CHECK(refusal(delays(fine), {}, s7::Cpu::cpu_212) == R"(no timer of 10ms or finer is left on a CPU 212 for 60ms of '60ms/a'; round delays to 100 ms, of which there are most timers, or take a CPU 214, which has twice as many
+    CHECK(
+        refusal(delays(fine), {}, s7::Cpu::cpu_212) ==
+        R"(no timer of 10ms or finer is left on a CPU 212 for 60ms of '60ms/a'; round delays to 100 ms, of which there are most timers, or take a CPU 214, which has twice as many
 )");
     CHECK(make_listing(delays(fine)).made);
-    CHECK(refusal(delays({"1ms/a", "2ms/a/3ms"})) == R"(no timer of 1ms is left on a CPU 214 for 3ms of '2ms/a/3ms'; round delays to 100 ms, of which there are most timers
+    CHECK(
+        refusal(delays({"1ms/a", "2ms/a/3ms"})) ==
+        R"(no timer of 1ms is left on a CPU 214 for 3ms of '2ms/a/3ms'; round delays to 100 ms, of which there are most timers
 )");
-    CHECK(refusal(delays({"1.5ms/a", "2h/a", "33.001s/a"})) == R"(no timer of an S7-200 counts 1.5ms of '1.5ms/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
+    CHECK(
+        refusal(delays({"1.5ms/a", "2h/a", "33.001s/a"})) ==
+        R"(no timer of an S7-200 counts 1.5ms of '1.5ms/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
 no timer of an S7-200 counts 2h of '2h/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
 no timer of an S7-200 counts 33.001s of '33.001s/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
 )");
@@ -78,16 +88,20 @@ no timer of an S7-200 counts 33.001s of '33.001s/a': the timers count up to 3276
 }
 
 TEST_CASE("integers") {
-    CHECK(refusal(R"(
+    CHECK(
+        refusal(R"(
         input a
         counter n : 2147483000..2147483640
-        graph G0 { initial 0 : n := n + n on ↑a })") == R"(4:32: a sum in 'n on an event in step 0' can reach beyond the 32 bits that an S7-200 counts with; narrow the ranges of the counters
+        graph G0 { initial 0 : n := n + n on ↑a })") ==
+        R"(4:32: a sum in 'n on an event in step 0' can reach beyond the 32 bits that an S7-200 counts with; narrow the ranges of the counters
 )");
-    CHECK(refusal(R"(
+    CHECK(
+        refusal(R"(
         input a
         counter n : 0..40000
         graph G0 { initial 0 : n := n + 1 on ↑a })",
-                  "VW100 = n\n") == R"(3:17: counter 'n' needs a double word in the assignment (VD instead of VW): a counter or sum of this chart needs more than 16 bits, or another counter has a double word
+                "VW100 = n\n") ==
+        R"(3:17: counter 'n' needs a double word in the assignment (VD instead of VW): a counter or sum of this chart needs more than 16 bits, or another counter has a double word
 )");
 }
 
@@ -95,7 +109,9 @@ TEST_CASE("memory") {
     s7::ListingOptions of_212;
     of_212.cpu = s7::Cpu::cpu_212;
     CHECK(make_listing(ring(16), {}, of_212).made);
-    CHECK(refusal(ring(40), {}, s7::Cpu::cpu_212) == R"(the program takes 1512 bytes, and the program memory of a CPU 212 holds 1024: take a CPU 214
+    CHECK(
+        refusal(ring(40), {}, s7::Cpu::cpu_212) ==
+        R"(the program takes 1512 bytes, and the program memory of a CPU 212 holds 1024: take a CPU 214
 )");
     s7::ListingOptions options;
     options.cpu = s7::Cpu::cpu_214;
@@ -116,7 +132,9 @@ TEST_CASE("memory") {
         return make_listing(ring(5000), {}, wide_only);
     }();
     CHECK_FALSE(huge.made);
-    CHECK(huge.messages == R"(the program needs 5034 bytes of V memory, and a CPU 214 has 4096: divide the chart between two controllers
+    CHECK(
+        huge.messages ==
+        R"(the program needs 5034 bytes of V memory, and a CPU 214 has 4096: divide the chart between two controllers
 )");
 }
 

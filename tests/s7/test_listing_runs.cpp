@@ -5,14 +5,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "evolution/run.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "s7/check_listing.h"
-#include "s7/run_listing.h"
+#include "s7/listings.h"
+#include "s7/run_generated.h"
 #include "s7/write_listing.h"
 
 namespace grafwire::testing {
@@ -56,7 +55,7 @@ std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
         std::string problem;
         const std::string expected = write_csv(run_scans(grafcet, stimuli, period).trace);
         const std::string got =
-            write_csv(run_listing(*generated, grafcet, stimuli, period, problem));
+            write_csv(run_generated(*generated, grafcet, stimuli, period, problem));
         if (!problem.empty()) return problem;
         if (expected != got) {
             return "reference\n" + expected + "listing\n" + got +
@@ -70,13 +69,6 @@ std::string compare(const RandomCase& item, const s7::ListingOptions& options, C
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
     return compare(*grafcet, *stimuli, options, {millisecond, 1500 * microsecond}, count);
-}
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 }  // namespace
@@ -119,10 +111,9 @@ TEST_CASE("the listings of all examples are the reference") {
         std::string name = entry.path().stem().string();
         if (name == "positioning-axis-scan") name = "positioning-axis";
         CAPTURE(entry.path().string());
-        const auto grafcet =
-            read_grafcet(text_of(entry.path().parent_path() / (name + ".grafcet")));
+        const auto grafcet = read_grafcet(example_text(name + ".grafcet"));
         REQUIRE(grafcet);
-        const auto stimuli = read_stimuli(text_of(entry.path()), *grafcet);
+        const auto stimuli = read_stimuli(example_text(entry.path().filename().string()), *grafcet);
         REQUIRE(stimuli);
         CHECK(compare(*grafcet, *stimuli, {}, {10 * millisecond, 7 * millisecond}, count) == "");
         ++examples;

@@ -1,4 +1,4 @@
-#include "s7/run_listing.h"
+#include "s7/run_generated.h"
 
 #include <fmt/format.h>
 
@@ -86,8 +86,8 @@ class Run {
 
 }  // namespace
 
-Trace run_listing(const s7::AssignedListing& generated, const Grafcet& grafcet,
-                  const Stimuli& stimuli, Time period, std::string& problem) {
+Trace run_generated(const s7::AssignedListing& generated, const Grafcet& grafcet,
+                    const Stimuli& stimuli, Time period, std::string& problem) {
     Run run(generated, grafcet);
     Trace trace = empty_trace(grafcet);
     std::size_t next = 0;
