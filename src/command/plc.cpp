@@ -3,7 +3,6 @@
 #include "command/command.h"
 #include "plc/formats.h"
 #include "program/program.h"
-#include "s7/assignment.h"
 
 namespace grafwire {
 
@@ -15,8 +14,10 @@ struct Request {
     std::string modes = "on";
     std::string io;
     std::string mnemonics = "simatic";
+    std::string offsets = "on";
     std::string tables = "standard";
     std::string cpu;
+    std::string addresses;
     std::string output;
 };
 
@@ -29,43 +30,53 @@ const PlcFormat* find_format(const std::string& name) {
     return nullptr;
 }
 
-/// Whether an option of formats with addresses has been given for another format; shows it if so.
-bool has_idle_option(const Request& request, const PlcFormat& format) {
-    if (format.has_addresses) return false;
-    const bool is_idle = !request.io.empty() || !request.cpu.empty() ||
-                         request.mnemonics != "simatic" || request.tables != "standard";
-    if (is_idle) {
-        complain(
-            fmt::format("{} has no addresses: --io, --mnemonics, --tables and --cpu are for "
-                        "s7-200",
-                        format.name));
-    }
-    return is_idle;
-}
+/// Options that only some formats heed.
+constexpr std::string_view special_options[] = {"--io",      "--addresses", "--mnemonics",
+                                                "--offsets", "--tables",    "--cpu"};
 
-/// An assignment that suits the chart, with messages shown; empty after an error.
-std::optional<s7::IoAssignment> load_assignment(const Request& request, const Grafcet& grafcet) {
-    Diagnostics diagnostics;
-    const SourceFile source = read_source(request.io, diagnostics);
-    std::optional<s7::IoAssignment> assignment;
-    if (!diagnostics.has_errors()) assignment = s7::parse_io_assignment(source, diagnostics);
-    if (assignment) {
-        s7::resolve_assignment(grafcet, *assignment, request.tables == "wide", diagnostics);
+/// Whether one of them has been given for a format that has no use for it; shows it if so.
+bool has_idle_option(const CLI::App& app, const PlcFormat& format) {
+    for (const std::string_view option : special_options) {
+        if (app.count(std::string(option)) == 0) continue;
+        if (format.options.find(option) != std::string_view::npos) continue;
+        std::vector<std::string_view> others;
+        for (const PlcFormat& other : plc_formats()) {
+            if (other.options.find(option) != std::string_view::npos) others.push_back(other.name);
+        }
+        complain(fmt::format("{} has no {}; it is for {}", format.name, option,
+                             fmt::join(others, ", ")));
+        return true;
     }
-    std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
-    if (diagnostics.has_errors()) return std::nullopt;
-    return assignment;
+    return false;
 }
 
 PlcOptions options_from(const Request& request) {
     PlcOptions options;
     options.mnemonics =
         request.mnemonics == "simatic" ? Mnemonics::simatic : Mnemonics::international;
+    options.offsets = request.offsets == "on";
     options.wide_tables = request.tables == "wide";
     if (!request.cpu.empty()) {
         options.cpu = request.cpu == "212" ? s7::Cpu::cpu_212 : s7::Cpu::cpu_214;
     }
     return options;
+}
+
+/// An assignment that suits chart and format, with messages shown; empty after an error.
+std::optional<s7::IoAssignment> load_assignment(const Request& request, const PlcFormat& format,
+                                                const Grafcet& grafcet) {
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(request.io, diagnostics);
+    std::optional<s7::IoAssignment> assignment;
+    if (!diagnostics.has_errors()) assignment = s7::parse_io_assignment(source, diagnostics);
+    if (assignment) {
+        PlcOptions options = options_from(request);
+        options.io = &*assignment;
+        format.check_io(grafcet, options, diagnostics);
+    }
+    std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+    if (diagnostics.has_errors()) return std::nullopt;
+    return assignment;
 }
 
 }  // namespace
@@ -80,8 +91,13 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
     app.add_option("--io", request->io, "addresses of names, one a line: E0.0 = start");
+    app.add_option("--addresses", request->addresses,
+                   "file for the addresses of all names, in the form of --io");
     app.add_option("--mnemonics", request->mnemonics, "spelling of instructions")
         ->check(CLI::IsMember({"simatic", "iec", "en"}))
+        ->capture_default_str();
+    app.add_option("--offsets", request->offsets, "byte offsets before instructions")
+        ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
     app.add_option("--tables", request->tables, "80 steps, or as many as the chart has")
         ->check(CLI::IsMember({"standard", "wide"}))
@@ -89,10 +105,10 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
     app.add_option("--cpu", request->cpu, "controller whose memory has to hold the program")
         ->check(CLI::IsMember({"212", "214"}));
     app.add_option("-o", request->output, "output file (default: standard output)");
-    return [request] {
+    return [request, &app] {
         // Read the request and the GRAFCET.
         const PlcFormat* format = find_format(request->format);
-        if (format == nullptr || has_idle_option(*request, *format)) {
+        if (format == nullptr || has_idle_option(app, *format)) {
             return static_cast<int>(bad_request);
         }
         if (request->path == "-" && request->io == "-") {
@@ -104,7 +120,7 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
         PlcOptions options = options_from(*request);
         std::optional<s7::IoAssignment> assignment;
         if (!request->io.empty()) {
-            assignment = load_assignment(*request, loaded->grafcet);
+            assignment = load_assignment(*request, *format, loaded->grafcet);
             if (!assignment) return static_cast<int>(bad_request);
             options.io = &*assignment;
         }
@@ -116,6 +132,10 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
         if (diagnostics.has_errors()) return static_cast<int>(bad_request);
         OutputFiles files;
         files.add(request->output, std::move(text));
+        if (!request->addresses.empty()) {
+            Diagnostics already_shown;
+            files.add(request->addresses, format->write_addresses(program, options, already_shown));
+        }
         return finish(files, done);
     };
 }

@@ -2,10 +2,10 @@
 
 #include "plc/write_il.h"
 #include "plc/write_pl7.h"
+#include "plc/write_s7.h"
 #include "plc/write_st.h"
 #include "plc/write_stl.h"
-#include "s7/listing_from.h"
-#include "s7/write_listing.h"
+#include "s7/assignment.h"
 
 namespace grafwire {
 
@@ -15,12 +15,8 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
     return write_program_text(program);
 }
 
-std::string s7_200(const ScanProgram& program, const PlcOptions& options,
-                   Diagnostics& diagnostics) {
-    const auto made = s7::listing_from(
-        program, {options.io, options.wide_tables, options.cpu, options.mnemonics}, diagnostics);
-    if (!made) return {};
-    return s7::write_listing(made->listing, {options.mnemonics, true});
+void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {
+    s7::check_assigned_names(grafcet, *options.io, diagnostics);
 }
 
 constexpr PlcFormat table[] = {
@@ -28,9 +24,11 @@ constexpr PlcFormat table[] = {
     {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
     {"pl7-2", ".txt", "PL7-2 with its GRAFCET (Telemecanique TSX 17-20, TSX 27, TSX 47)",
      write_pl7},
+    {"s7-200", ".awl", "instruction list of the table method (SIMATIC S7-200)", write_s7,
+     "--io --addresses --mnemonics --offsets --tables --cpu", check_s7_io, write_s7_addresses},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
-    {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl},
-    {"s7-200", ".awl", "instruction list of the table method for Siemens S7-200", s7_200, true},
+    {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl,
+     "--io --mnemonics", check_io_names},
 };
 
 }  // namespace

@@ -20,9 +20,11 @@ struct Meaning {
     std::uint32_t index = 0;  ///< of all others
 };
 
-std::map<std::string, Meaning, std::less<>> meanings_of(const Grafcet& grafcet) {
+using Meanings = std::map<std::string, Meaning, std::less<>>;
+
+Meanings meanings_of(const Grafcet& grafcet) {
     using Kind = Meaning::Kind;
-    std::map<std::string, Meaning, std::less<>> meanings;
+    Meanings meanings;
     const auto add_bits = [&](BitKind kind, const auto& table) {
         for (std::uint32_t i = 0; i < table.size(); ++i) {
             meanings.emplace(table.items()[i].name, Meaning{Kind::bit, {kind, i}, i});
@@ -54,6 +56,16 @@ std::map<std::string, Meaning, std::less<>> meanings_of(const Grafcet& grafcet) 
     return meanings;
 }
 
+void report_unknown(const IoAssignment::Entry& entry, const Meanings& meanings,
+                    Diagnostics& diagnostics) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, meaning] : meanings) names.push_back(name);
+    std::string message = fmt::format("the chart has no '{}'", entry.name);
+    const std::string_view nearest = nearest_name(entry.name, names);
+    if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
+    diagnostics.error(Code::unknown_name, entry.where, std::move(message));
+}
+
 /// Checks entry after entry; see resolve_assignment.
 class Resolver {
   public:
@@ -70,7 +82,7 @@ class Resolver {
     void add(const IoAssignment::Entry& entry) {
         const auto found = meanings_.find(entry.name);
         if (found == meanings_.end()) {
-            report_unknown(entry);
+            report_unknown(entry, meanings_, diagnostics_);
             return;
         }
         const Meaning& meaning = found->second;
@@ -107,15 +119,6 @@ class Resolver {
 
     static std::string text(const Operand& operand) {
         return write_operand(operand, Mnemonics::simatic);
-    }
-
-    void report_unknown(const IoAssignment::Entry& entry) {
-        std::vector<std::string_view> names;
-        for (const auto& [name, meaning] : meanings_) names.push_back(name);
-        std::string message = fmt::format("the chart has no '{}'", entry.name);
-        const std::string_view nearest = nearest_name(entry.name, names);
-        if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-        diagnostics_.error(Code::unknown_name, entry.where, std::move(message));
     }
 
     static std::int32_t bytes_of(Width width) {
@@ -173,7 +176,7 @@ class Resolver {
         place = static_cast<std::uint32_t>((operand.address - from) * 8 + operand.bit);
     }
 
-    std::map<std::string, Meaning, std::less<>> meanings_;
+    Meanings meanings_;
     TableLayout layout_;
     bool wide_;
     Diagnostics& diagnostics_;
@@ -226,6 +229,14 @@ bool is_idle(const Statement& statement) {
 }
 
 }  // namespace
+
+void check_assigned_names(const Grafcet& grafcet, const IoAssignment& assignment,
+                          Diagnostics& diagnostics) {
+    const Meanings meanings = meanings_of(grafcet);
+    for (const IoAssignment::Entry& entry : assignment.entries) {
+        if (!meanings.contains(entry.name)) report_unknown(entry, meanings, diagnostics);
+    }
+}
 
 ResolvedAssignment resolve_assignment(const Grafcet& grafcet, const IoAssignment& assignment,
                                       bool wide, Diagnostics& diagnostics) {

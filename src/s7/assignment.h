@@ -20,6 +20,10 @@ struct ResolvedAssignment {
     TablePlaces places;
 };
 
+/// Errors: names that the chart does not have, with the nearest it has.
+void check_assigned_names(const Grafcet& grafcet, const IoAssignment& assignment,
+                          Diagnostics& diagnostics);
+
 /// Finds what each name of the assignment stands for. Errors, with their place in the assignment: a
 /// name that the chart does not have (with the nearest it has), an address of the wrong kind, a
 /// step outside Ts (a transition outside Tt, a graph outside Tfig), anything else inside the tables

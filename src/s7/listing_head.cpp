@@ -17,6 +17,18 @@ std::string range_text(std::uint32_t first, std::uint32_t bytes) {
     return fmt::format("VB{} … VB{}", first, first + bytes - 1);
 }
 
+/// Whether a controller has all timers that are used.
+bool has_timers(const CpuRow& cpu, const NetworkList& networks) {
+    for (const Network& network : networks.networks()) {
+        for (const Instruction& instruction : network.instructions) {
+            for (const Operand& operand : instruction.operands) {
+                if (operand.area == Area::timer && operand.address >= cpu.timers) return false;
+            }
+        }
+    }
+    return true;
+}
+
 void tell_memory(const ScanProgram& program, const Addresses& addresses,
                  const NetworkList& networks, std::vector<std::string>& head) {
     const std::uint32_t skeleton = networks.size_of_part(Part::skeleton);
@@ -32,7 +44,8 @@ void tell_memory(const ScanProgram& program, const Addresses& addresses,
     for (const CpuRow& cpu : cpu_table) {
         const bool fits =
             skeleton + chart <= cpu.program_bytes &&
-            addresses.variable_bytes() <= static_cast<std::uint32_t>(cpu.variable_bytes);
+            addresses.variable_bytes() <= static_cast<std::uint32_t>(cpu.variable_bytes) &&
+            has_timers(cpu, networks);
         head.push_back(fmt::format("{}, {} bytes of program, {} of V memory: {}.", cpu.name,
                                    cpu.program_bytes, cpu.variable_bytes,
                                    fits ? "fits" : "does not fit"));

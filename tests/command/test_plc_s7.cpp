@@ -44,6 +44,25 @@ TEST_CASE("addresses come from the assignment, or in order") {
     CHECK(without.out == given.out);
 }
 
+TEST_CASE("the addresses can be written, and given back") {
+    const ScratchFolder folder;
+    const std::string io = folder.path("crossing.io");
+    const std::string crossing = example("level-crossing.grafcet");
+    const Ran first = grafwire_with(plc(crossing, {"--addresses", io}));
+    CHECK(first.status == 0);
+    const Ran again = grafwire_with(plc(crossing, {"--io", io}));
+    CHECK(again.status == 0);
+    CHECK(again.err.empty());
+    CHECK(again.out == first.out);
+    // And the interpreter finds in the listing what the reference does.
+    const std::string awl = folder.file("crossing.awl", first.out);
+    const std::string stim = example("level-crossing.stim");
+    const Ran run = grafwire_with(
+        {"s7", "run", awl, "--stim", stim, "--scan", "10ms", "--io", io, "--grafcet", crossing});
+    CHECK(run.status == 0);
+    CHECK(run.out == grafwire_with({"run", crossing, stim, "--scan", "10ms"}).out);
+}
+
 TEST_CASE("either spelling") {
     for (const std::string spelling : {"iec", "en"}) {
         const Ran ran = grafwire_with(plc(manipulator, {"--mnemonics", spelling}));
@@ -53,6 +72,9 @@ TEST_CASE("either spelling") {
         CHECK(contains(ran.out, " FILL  16#FFFF VW0     1\n"));
         CHECK(!contains(ran.out, "UNDD"));
     }
+    const Ran bare = grafwire_with(plc(manipulator, {"--offsets", "off"}));
+    CHECK(bare.status == 0);
+    CHECK(contains(bare.out, "\n      CALL  K10\n"));
 }
 
 TEST_CASE("a partial assignment is completed, with a warning for what is wired") {
@@ -88,9 +110,22 @@ TEST_CASE("a program has to fit the controller that is named") {
     CHECK(contains(wide.out, "// Ts     VB14 … VB17 "));
 }
 
-TEST_CASE("options for addresses belong to formats with addresses") {
-    const std::string err = refusal({"plc", manipulator, "--to", "text", "--io", manipulator_io});
-    CHECK(contains(err, "text has no addresses: --io, --mnemonics, --tables and --cpu"));
+TEST_CASE("an option that a format has no use for is refused") {
+    CHECK(contains(refusal({"plc", manipulator, "--to", "text", "--io", manipulator_io}),
+                   "text has no --io; it is for s7-200"));
+    CHECK(contains(refusal({"plc", manipulator, "--to", "stl", "--offsets", "on"}),
+                   "stl has no --offsets; it is for s7-200"));
+}
+
+TEST_CASE("the other Statement List takes addresses as well") {
+    const ScratchFolder folder;
+    const std::string io = folder.file("wired.io", "E4.1 = dcy\n");
+    const Ran ran = grafwire_with({"plc", manipulator, "--to", "stl", "--io", io});
+    CHECK(ran.status == 0);
+    CHECK(contains(ran.out, "E 4.1"));
+    const std::string wrong = folder.file("wrong.io", "E4.1 = dcv\n");
+    CHECK(contains(refusal({"plc", manipulator, "--to", "stl", "--io", wrong}),
+                   "wrong.io:1:1: error: the chart has no 'dcv'; did you mean 'dcy'?"));
 }
 
 }  // namespace grafwire::test

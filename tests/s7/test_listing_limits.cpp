@@ -73,7 +73,12 @@ TEST_CASE("timers") {
         refusal(delays(fine), {}, s7::Cpu::cpu_212) ==
         R"(no timer of 10ms or finer is left on a CPU 212 for 60ms of '60ms/a'; round delays to 100 ms, of which there are most timers, or take a CPU 214, which has twice as many
 )");
-    CHECK(make_listing(delays(fine)).made);
+    // Without a controller in mind it is a CPU 214, and the head says so.
+    const MadeListing of_214 = make_listing(delays(fine));
+    REQUIRE(of_214.made);
+    const std::vector<std::string>& head = of_214.made->listing.head;
+    CHECK(head.at(5) == "CPU 212, 1024 bytes of program, 1024 of V memory: does not fit.");
+    CHECK(head.at(6) == "CPU 214, 4096 bytes of program, 4096 of V memory: fits.");
     CHECK(
         refusal(delays({"1ms/a", "2ms/a/3ms"})) ==
         R"(no timer of 1ms is left on a CPU 214 for 3ms of '2ms/a/3ms'; round delays to 100 ms, of which there are most timers

@@ -30,6 +30,20 @@ std::string told(const Diagnostics& diagnostics) {
     return text;
 }
 
+/// What is wrong with reading the text of a listing back; empty where nothing is.
+std::string read_back(s7::Listing listing) {
+    listing.head.clear();
+    const std::string text = s7::write_listing(listing, {});
+    Diagnostics diagnostics;
+    const auto read = s7::parse_listing({"generated.awl", text}, {}, diagnostics);
+    if (!read) {
+        const bool is_long = diagnostics.items().front().code == Code::program_too_long;
+        return is_long ? "" : "not read: " + told(diagnostics);
+    }
+    if (!diagnostics.items().empty()) return "read with warnings: " + told(diagnostics);
+    return s7::write_listing(*read, {}) == text ? "" : "read otherwise\n" + text;
+}
+
 /// What is wrong with the listing of a chart; empty where nothing is.
 std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
                     const s7::ListingOptions& options, std::initializer_list<Time> periods,
@@ -51,6 +65,8 @@ std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
     for (const Diagnostic& item : checked.items()) {
         if (item.code != Code::program_too_long) return "not accepted: " + told(checked);
     }
+    const std::string reading = read_back(generated->listing);
+    if (!reading.empty()) return reading;
     for (const Time period : periods) {
         std::string problem;
         const std::string expected = write_csv(run_scans(grafcet, stimuli, period).trace);
