@@ -29,6 +29,9 @@ constexpr Command commands[] = {
      "grafwire check examples/manipulator.grafcet --style nand --witness out/", declare_check},
     {"plc", "write the GRAFCET as a program for a PLC or in a programming language",
      "grafwire plc examples/manipulator.grafcet --to text", declare_plc},
+    {"s7", "execute an instruction list of a Siemens S7-200",
+     "grafwire s7 run LISTING.awl --stim FILE.stim --scan 10ms --io TABLE.io -o trace.csv",
+     declare_s7},
 };
 
 Language language_of_locale() {

@@ -1,14 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
 #include "check/netlist_witness.h"
-#include "check/report.h"
-#include "command/command.h"
+#include "command/check_request.h"
 #include "evolution/run.h"
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"
@@ -16,52 +13,6 @@
 namespace grafwire {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-struct Request {
-    std::string path;
-    NetlistRequest netlist;
-    std::string against;
-    std::string delay = "unit";
-    std::string format = "text";
-    std::string witness;
-    std::vector<std::string> assumptions;
-    std::uint64_t max_cases = 0;
-    double max_seconds = 0;
-    std::string output;
-};
-
-/// Shows how far the exploration is, on a terminal, once it takes more than a moment; and ends it
-/// when its time is up.
-class Progress {
-  public:
-    explicit Progress(double max_seconds)
-        : max_seconds_(max_seconds), is_terminal_(isatty(STDERR_FILENO) == 1) {}
-    ~Progress() {
-        if (shown_) fmt::print(stderr, "\r\033[K");
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-    bool goes_on(const Coverage& coverage) {
-        const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-        if (is_terminal_ && elapsed > next_) {
-            fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
-                       coverage.situations, coverage.waiting);
-            shown_ = true;
-            next_ = elapsed + 0.5;
-        }
-        return max_seconds_ == 0 || elapsed < max_seconds_;
-    }
-
-  private:
-    Clock::time_point begin_ = Clock::now();
-    double max_seconds_;
-    double next_ = 1.0;
-    bool is_terminal_;
-    bool shown_ = false;
-};
 
 bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
     bool good = true;
@@ -76,7 +27,7 @@ bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
 }
 
 /// A netlist from elsewhere, if its ports allow a comparison.
-std::optional<Netlist> netlist_to_compare(const Request& request, const LoadedGrafcet& loaded,
+std::optional<Netlist> netlist_to_compare(const CheckRequest& request, const LoadedGrafcet& loaded,
                                           Language language) {
     if (request.against.empty()) return make_netlist(loaded, request.netlist);
     auto netlist = load_netlist(request.against);
@@ -92,10 +43,9 @@ std::optional<Netlist> netlist_to_compare(const Request& request, const LoadedGr
 }
 
 /// The files that show a witness: stimuli, what reference and netlist make of them, the story.
-std::vector<std::string> add_witness_files(const std::string& folder, const Grafcet& grafcet,
-                                           const Netlist& netlist, const CellDelays& delays,
-                                           const Witness& witness, const std::string& story,
-                                           OutputFiles& files) {
+std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
+                                          const CellDelays& delays, const Witness& witness,
+                                          const std::string& story) {
     const Stimuli& stimuli = witness.stimuli;
     const RunResult run = witness.scan_period == 0
                               ? run_until_stable(grafcet, stimuli)
@@ -104,67 +54,51 @@ std::vector<std::string> add_witness_files(const std::string& folder, const Graf
     options.waveform = true;
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    std::vector<std::string> names;
-    const auto add = [&](std::string_view name, std::string text) {
-        names.push_back((std::filesystem::path(folder) / name).string());
-        files.add(names.back(), std::move(text));
-    };
-    add("witness.stim", write_stimuli(stimuli, grafcet));
-    add("witness.txt", story);
-    add("expected.csv", write_csv(run.trace));
-    add("expected.vcd", write_vcd(run.trace, grafcet.name));
-    add("got.csv", write_csv(simulated.trace));
-    add("got.vcd", simulated.waveform);
-    return names;
+    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
+            {"witness.txt", story},
+            {"expected.csv", write_csv(run.trace)},
+            {"expected.vcd", write_vcd(run.trace, grafcet.name)},
+            {"got.csv", write_csv(simulated.trace)},
+            {"got.vcd", simulated.waveform}};
 }
 
-int exit_status(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::equivalent:
-            return done;
-        case Verdict::different:
-            return answer_is_no;
-        case Verdict::undecided:
-            return out_of_bounds;
-    }
-    return bad_request;
-}
-
-int report(const Request& request, const LoadedGrafcet& loaded, const Netlist& netlist,
+int report(const CheckRequest& request, const LoadedGrafcet& loaded, const Netlist& netlist,
            const CellDelays& delays, const CheckResult& result, Language language) {
-    CheckSubject subject = netlist_subject(
+    const CheckSubject subject = netlist_subject(
         request.path, request.against.empty() ? request.netlist.style : request.against,
         std::string(request.netlist.cdx_name()), request.delay);
-    OutputFiles files;
     std::string story;
+    std::vector<WitnessFile> files;
     if (result.witness) {
         story = tell_witness(loaded.grafcet, netlist, delays, *result.witness, language);
         if (!request.witness.empty()) {
-            std::error_code error;
-            std::filesystem::create_directories(request.witness, error);
-            subject.witness_files = add_witness_files(request.witness, loaded.grafcet, netlist,
-                                                      delays, *result.witness, story, files);
+            files = files_of_witness(loaded.grafcet, netlist, delays, *result.witness, story);
         }
     }
-    if (request.format == "json") {
-        files.add(request.output, write_check_json(subject, loaded.grafcet, result));
-    } else if (request.format == "junit") {
-        files.add(request.output, write_check_junit(subject, loaded.grafcet, result, story));
-    } else {
-        files.add(request.output,
-                  write_check_text(subject, loaded.grafcet, result, story, language));
-    }
-    return finish(files, exit_status(result.verdict));
+    return report_check(request, loaded.grafcet, subject, result, story, files, language);
 }
 
-void declare_options(CLI::App& app, Request& request) {
+bool is_listing(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".awl";
+}
+
+void declare_options(CLI::App& app, CheckRequest& request) {
     app.add_option("FILE", request.path, "the GRAFCET, - for standard input")->required();
     request.netlist.declare(app, false);
     app.add_option("--delay", request.delay, "delay of every gate: unit (1 ns)")
         ->check(CLI::IsMember({"unit"}))
         ->capture_default_str();
     app.add_option("--against", request.against,
-                   "compare this .blif or .json (Yosys) netlist instead of a generated one");
+                   "compare this .blif or .json (Yosys) netlist, or this .awl listing (S7-200), "
+                   "instead of a generated netlist");
+    app.add_option("--io", request.io,
+                   "listings: table of assignment, which address stands for which name");
+    app.add_option("--scan", request.scan,
+                   "listings: the time from one scan to the next (default: one that divides all "
+                   "delays)");
+    app.add_option("--cpu", request.cpu, "listings: the controller, 212 or 214")
+        ->check(CLI::IsMember({"212", "214"}))
+        ->capture_default_str();
     app.add_option("--to", request.format, "form of the report")
         ->check(CLI::IsMember({"text", "json", "junit"}))
         ->capture_default_str();
@@ -182,7 +116,7 @@ void declare_options(CLI::App& app, Request& request) {
 }  // namespace
 
 std::function<int()> declare_check(CLI::App& app, const Language& language) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CheckRequest>();
     declare_options(app, *request);
     return [request, &language] {
         // Read the GRAFCET, and what the plant never does.
@@ -190,6 +124,7 @@ std::function<int()> declare_check(CLI::App& app, const Language& language) {
         if (!loaded || !add_assumptions(request->assumptions, loaded->grafcet)) {
             return static_cast<int>(bad_request);
         }
+        if (is_listing(request->against)) return check_listing_file(*request, *loaded, language);
         // Make the netlist, or read the one to compare with.
         const auto netlist = netlist_to_compare(*request, *loaded, language);
         if (!netlist) return static_cast<int>(bad_request);
@@ -198,12 +133,8 @@ std::function<int()> declare_check(CLI::App& app, const Language& language) {
         CheckResult result;
         {
             Progress progress(request->max_seconds);
-            CheckOptions options;
-            options.max_cases = request->max_cases;
-            options.keep_going = [&](const Coverage& coverage) {
-                return progress.goes_on(coverage);
-            };
-            result = check_equivalence(loaded->grafcet, *netlist, delays, options);
+            result = check_equivalence(loaded->grafcet, *netlist, delays,
+                                       check_options(*request, progress));
         }
         // Report.
         return report(*request, *loaded, *netlist, delays, result, language);

@@ -16,11 +16,11 @@ namespace {
 /// A broken file can have very many errors; nobody reads more than these.
 constexpr std::size_t most_errors = 100;
 
-void show(const Diagnostics& diagnostics, const SourceFile& source) {
+}  // namespace
+
+void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
     std::fputs(format_diagnostics(diagnostics, source, most_errors).c_str(), stderr);
 }
-
-}  // namespace
 
 void complain(std::string_view message) {
     fmt::print(stderr, "grafwire: error: {}\n", message);
@@ -35,7 +35,7 @@ std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
     SourceFile source = read_source(path, diagnostics);
     std::optional<Grafcet> grafcet;
     if (!diagnostics.has_errors()) grafcet = parse_grafcet(source, diagnostics);
-    show(diagnostics, source);
+    show_diagnostics(diagnostics, source);
     if (!grafcet) return std::nullopt;
     return LoadedGrafcet{std::move(source), std::move(*grafcet)};
 }
@@ -45,7 +45,7 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
     const SourceFile source = read_source(path, diagnostics);
     std::optional<Stimuli> stimuli;
     if (!diagnostics.has_errors()) stimuli = parse_stimuli(source, grafcet, diagnostics);
-    show(diagnostics, source);
+    show_diagnostics(diagnostics, source);
     return stimuli;
 }
 
@@ -99,7 +99,7 @@ std::optional<Netlist> make_netlist(const LoadedGrafcet& loaded, const NetlistRe
         equations_from(loaded.grafcet, {request.cdx_form(), request.modes == "on"});
     Diagnostics diagnostics;
     auto netlist = netlist_from(equations, request.style_id(), diagnostics);
-    show(diagnostics, loaded.source);
+    show_diagnostics(diagnostics, loaded.source);
     return netlist;
 }
 
@@ -117,7 +117,7 @@ std::optional<Netlist> load_netlist(const std::string& path) {
         netlist = extension == ".blif" ? read_blif(source, diagnostics)
                                        : read_yosys_json(source, diagnostics);
     }
-    show(diagnostics, source);
+    show_diagnostics(diagnostics, source);
     return netlist;
 }
 

@@ -9,6 +9,7 @@
 #include "equations/equations.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist_from.h"
+#include "s7/binding.h"
 #include "text/language.h"
 #include "trace/stimuli.h"
 
@@ -38,6 +39,7 @@ std::function<int()> declare_netlist(CLI::App& app, const Language& language);
 std::function<int()> declare_simulate(CLI::App& app, const Language& language);
 std::function<int()> declare_check(CLI::App& app, const Language& language);
 std::function<int()> declare_plc(CLI::App& app, const Language& language);
+std::function<int()> declare_s7(CLI::App& app, const Language& language);
 
 /// A GRAFCET read from a file, with every message about it shown; empty after an error.
 struct LoadedGrafcet {
@@ -69,6 +71,22 @@ std::optional<Netlist> make_netlist(const LoadedGrafcet& loaded, const NetlistRe
 
 /// A netlist from a `.blif` or `.json` file, with messages shown; empty after an error.
 std::optional<Netlist> load_netlist(const std::string& path);
+
+/// A table of assignment, an S7-200 listing for a controller (`212` or `214`), and where it keeps
+/// what a GRAFCET names, likewise.
+struct LoadedAssignment {
+    SourceFile source;
+    s7::IoAssignment assignment;
+};
+std::optional<LoadedAssignment> load_assignment(const std::string& path);
+s7::Cpu cpu_named(const std::string& name);
+std::optional<s7::Listing> load_listing(const std::string& path, const std::string& cpu,
+                                        const s7::IoAssignment* io);
+std::optional<s7::Binding> bind_listing(const Grafcet& grafcet, const s7::IoAssignment& io,
+                                        const SourceFile& source);
+
+/// Shows messages about a source file on standard error.
+void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);
 
 /// `fits` a duration option: parses it, or says why not on standard error.
 std::optional<Time> parse_period(const std::string& text);

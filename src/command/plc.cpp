@@ -12,6 +12,12 @@ struct Request {
     std::string path;
     std::string format;
     std::string modes = "on";
+    std::string io;
+    std::string mnemonics = "simatic";
+    std::string offsets = "on";
+    std::string tables = "standard";
+    std::string cpu;
+    std::string addresses;
     std::string output;
 };
 
@@ -22,6 +28,55 @@ const PlcFormat* find_format(const std::string& name) {
     if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
     complain(message);
     return nullptr;
+}
+
+/// Options that only some formats heed.
+constexpr std::string_view special_options[] = {"--io",      "--addresses", "--mnemonics",
+                                                "--offsets", "--tables",    "--cpu"};
+
+/// Whether one of them has been given for a format that has no use for it; shows it if so.
+bool has_idle_option(const CLI::App& app, const PlcFormat& format) {
+    for (const std::string_view option : special_options) {
+        if (app.count(std::string(option)) == 0) continue;
+        if (format.options.find(option) != std::string_view::npos) continue;
+        std::vector<std::string_view> others;
+        for (const PlcFormat& other : plc_formats()) {
+            if (other.options.find(option) != std::string_view::npos) others.push_back(other.name);
+        }
+        complain(fmt::format("{} has no {}; it is for {}", format.name, option,
+                             fmt::join(others, ", ")));
+        return true;
+    }
+    return false;
+}
+
+PlcOptions options_from(const Request& request) {
+    PlcOptions options;
+    options.mnemonics =
+        request.mnemonics == "simatic" ? Mnemonics::simatic : Mnemonics::international;
+    options.offsets = request.offsets == "on";
+    options.wide_tables = request.tables == "wide";
+    if (!request.cpu.empty()) {
+        options.cpu = request.cpu == "212" ? s7::Cpu::cpu_212 : s7::Cpu::cpu_214;
+    }
+    return options;
+}
+
+/// An assignment that suits chart and format, with messages shown; empty after an error.
+std::optional<s7::IoAssignment> load_assignment(const Request& request, const PlcFormat& format,
+                                                const Grafcet& grafcet) {
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(request.io, diagnostics);
+    std::optional<s7::IoAssignment> assignment;
+    if (!diagnostics.has_errors()) assignment = s7::parse_io_assignment(source, diagnostics);
+    if (assignment) {
+        PlcOptions options = options_from(request);
+        options.io = &*assignment;
+        format.check_io(grafcet, options, diagnostics);
+    }
+    std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+    if (diagnostics.has_errors()) return std::nullopt;
+    return assignment;
 }
 
 }  // namespace
@@ -35,24 +90,52 @@ std::function<int()> declare_plc(CLI::App& app, const Language&) {
     app.add_option("--modes", request->modes, "with Init, AUdur and AUdoux")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
+    app.add_option("--io", request->io, "addresses of names, one a line: E0.0 = start");
+    app.add_option("--addresses", request->addresses,
+                   "file for the addresses of all names, in the form of --io");
+    app.add_option("--mnemonics", request->mnemonics, "spelling of instructions")
+        ->check(CLI::IsMember({"simatic", "iec", "en"}))
+        ->capture_default_str();
+    app.add_option("--offsets", request->offsets, "byte offsets before instructions")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
+    app.add_option("--tables", request->tables, "80 steps, or as many as the chart has")
+        ->check(CLI::IsMember({"standard", "wide"}))
+        ->capture_default_str();
+    app.add_option("--cpu", request->cpu, "controller whose memory has to hold the program")
+        ->check(CLI::IsMember({"212", "214"}));
     app.add_option("-o", request->output, "output file (default: standard output)");
-    return [request] {
+    return [request, &app] {
         // Read the request and the GRAFCET.
         const PlcFormat* format = find_format(request->format);
-        if (format == nullptr) return static_cast<int>(bad_request);
-        const auto loaded = load_grafcet(request->path);
-        if (!loaded) return static_cast<int>(bad_request);
-        // Make the program of one scan, and write it.
-        const ScanProgram program = program_from(loaded->grafcet, {request->modes == "on"});
-        PlcOptions options;
-        Diagnostics diagnostics;
-        std::string text = format->write(program, options, diagnostics);
-        if (diagnostics.has_errors()) {
-            std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
+        if (format == nullptr || has_idle_option(app, *format)) {
             return static_cast<int>(bad_request);
         }
+        if (request->path == "-" && request->io == "-") {
+            complain("GRAFCET and assignment cannot both come from standard input");
+            return static_cast<int>(bad_request);
+        }
+        const auto loaded = load_grafcet(request->path);
+        if (!loaded) return static_cast<int>(bad_request);
+        PlcOptions options = options_from(*request);
+        std::optional<s7::IoAssignment> assignment;
+        if (!request->io.empty()) {
+            assignment = load_assignment(*request, *format, loaded->grafcet);
+            if (!assignment) return static_cast<int>(bad_request);
+            options.io = &*assignment;
+        }
+        // Make the program of one scan, and write it.
+        const ScanProgram program = program_from(loaded->grafcet, {request->modes == "on"});
+        Diagnostics diagnostics;
+        std::string text = format->write(program, options, diagnostics);
+        std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
+        if (diagnostics.has_errors()) return static_cast<int>(bad_request);
         OutputFiles files;
         files.add(request->output, std::move(text));
+        if (!request->addresses.empty()) {
+            Diagnostics already_shown;
+            files.add(request->addresses, format->write_addresses(program, options, already_shown));
+        }
         return finish(files, done);
     };
 }

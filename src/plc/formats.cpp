@@ -3,8 +3,10 @@
 #include "plc/languages.h"
 #include "plc/write_il.h"
 #include "plc/write_pl7.h"
+#include "plc/write_s7.h"
 #include "plc/write_st.h"
 #include "plc/write_stl.h"
+#include "s7/assignment.h"
 
 namespace grafwire {
 
@@ -14,13 +16,20 @@ std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
     return write_program_text(program);
 }
 
+void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {
+    s7::check_assigned_names(grafcet, *options.io, diagnostics);
+}
+
 constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
     {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
     {"pl7-2", ".txt", "PL7-2 with its GRAFCET (Telemecanique TSX 17-20, TSX 27, TSX 47)",
      write_pl7},
+    {"s7-200", ".awl", "instruction list of the table method (SIMATIC S7-200)", write_s7,
+     "--io --addresses --mnemonics --offsets --tables --cpu", check_s7_io, write_s7_addresses},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},
-    {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl},
+    {"stl", ".awl", "Statement List for STEP 7 (SIMATIC S7-300, S7-400)", write_stl,
+     "--io --mnemonics", check_io_names},
     {"c", ".c", "C99, and C++", write_c},
     {"arduino", ".ino", "a sketch for Arduino boards", write_arduino},
     {"pascal", ".pas", "Free Pascal", write_pascal},

@@ -1,24 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "program/program.h"
+#include "s7/cpu.h"
 #include "s7/io_assignment.h"
 #include "text/diagnostics.h"
 
 namespace grafwire {
 
-enum class Mnemonics { simatic, international };
-
+/// Each format heeds some of them; see PlcFormat::options.
 struct PlcOptions {
-    /// Addresses for inputs, outputs and steps, for formats with addresses; without, they are
-    /// assigned in order.
+    /// Addresses for inputs, outputs and steps; without, they are assigned in order.
     const s7::IoAssignment* io = nullptr;
     Mnemonics mnemonics = Mnemonics::simatic;  ///< of instruction lists
+    bool offsets = true;                       ///< byte offsets before instructions
     bool wide_tables = false;                  ///< tables beyond the 80 steps of the method
+    std::optional<s7::Cpu> cpu;                ///< the controller that the program has to fit
 };
 
 /// One row per language. A writer gives the whole file; where the language cannot hold the program
@@ -30,6 +32,16 @@ struct PlcFormat {
     std::string_view description;
     std::string (*write)(const ScanProgram& program, const PlcOptions& options,
                          Diagnostics& diagnostics);
+    /// The options that it heeds, as they are called on the command line: `--io --mnemonics`.
+    std::string_view options = "";
+    /// What is wrong with `PlcOptions::io` for that chart, with places in the assignment; of
+    /// formats that heed it.
+    void (*check_io)(const Grafcet& grafcet, const PlcOptions& options,
+                     Diagnostics& diagnostics) = nullptr;
+    /// Where everything in the file lives, as a text that `PlcOptions::io` can be read from; of
+    /// formats that heed `--addresses`.
+    std::string (*write_addresses)(const ScanProgram& program, const PlcOptions& options,
+                                   Diagnostics& diagnostics) = nullptr;
 };
 
 /// All formats, in the order in which help shows them.

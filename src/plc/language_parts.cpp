@@ -80,7 +80,7 @@ std::int64_t microseconds(Time delay) {
 bool check_integers(const ScanProgram& program, std::string_view language,
                     Diagnostics& diagnostics) {
     if (integer_bits(program)) return true;
-    diagnostics.error(Code::unsupported_by_language, wide_integer(program, 64),
+    diagnostics.error(Code::beyond_limit, wide_integer(program, 64),
                       fmt::format("this sum can go beyond the 64 bits of integers in {}; give its "
                                   "counters smaller ranges, or write --to python",
                                   language));

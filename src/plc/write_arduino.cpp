@@ -130,7 +130,7 @@ std::string write_arduino(const ScanProgram& program, const PlcOptions&, Diagnos
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
         diagnostics.error(
-            Code::unsupported_by_language, {},
+            Code::beyond_limit, {},
             fmt::format("{} inputs and outputs need a pin each, and the largest board, an Arduino "
                         "Mega 2560, has {}; write --to c and connect them by yourself{}",
                         sketch.pins_needed(), most,

@@ -186,7 +186,7 @@ std::string write_pascal(const ScanProgram& program, const PlcOptions&, Diagnost
     const Grafcet& grafcet = *program.grafcet;
     if (grafcet.steps.size() > most_steps) {
         diagnostics.error(
-            Code::unsupported_by_language,
+            Code::beyond_limit,
             grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
             fmt::format("this is step {} of {}, and a set of Free Pascal holds {}; write --to c or "
                         "--to python",

@@ -35,6 +35,7 @@ struct IoAssignment {
 std::optional<IoAssignment> parse_io_assignment(const SourceFile& source, Diagnostics& diagnostics);
 
 /// The assignment as such a text; reading it back gives the same assignment.
-std::string write_io_assignment(const IoAssignment& assignment);
+std::string write_io_assignment(const IoAssignment& assignment,
+                                Mnemonics mnemonics = Mnemonics::simatic);
 
 }  // namespace grafwire::s7

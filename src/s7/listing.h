@@ -6,6 +6,14 @@
 
 #include "text/location.h"
 
+namespace grafwire {
+
+/// The spelling of instructions and areas: SIMATIC (`U E0.4`, `K1`), as Cordier prints them, or
+/// international (`A I0.4`, `1`).
+enum class Mnemonics { simatic, international };
+
+}  // namespace grafwire
+
 namespace grafwire::s7 {
 
 // A program of a Siemens S7-200 (CPU 212, 214) in instruction list, as Cordier, "Méthode

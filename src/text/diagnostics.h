@@ -63,8 +63,20 @@ enum class Code {
     // Netlists.
     bad_netlist,
     unsupported_by_style,
-    // Programs.
-    unsupported_by_language,
+    // Programs for PLCs and in other languages.
+    beyond_limit,
+    unassigned_name,  ///< a warning
+    // S7-200 listings and tables of assignment.
+    unknown_instruction,
+    bad_operand,
+    address_out_of_range,
+    bad_address,
+    bad_network,
+    bad_control_flow,
+    bad_stack,
+    bad_offset,
+    program_too_long,
+    read_leniently,  ///< a warning: something was put right while reading
 };
 
 /// One message with its place. Notes name the other parties (the earlier declaration, the other

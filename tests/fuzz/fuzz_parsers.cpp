@@ -13,6 +13,9 @@
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
+#include "s7/machine.h"
+#include "s7/parse_listing.h"
+#include "s7/write_listing.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -69,6 +72,28 @@ void try_stimuli(std::string text) {
             written);
 }
 
+void try_listing(std::string text) {
+    const auto read = [](std::string from) {
+        const SourceFile source{"fuzz.awl", std::move(from)};
+        Diagnostics diagnostics;
+        auto listing = s7::parse_listing(source, {}, diagnostics);
+        require(listing.has_value() != diagnostics.has_errors(), "errors and a result, or neither",
+                source.text);
+        format_diagnostics(diagnostics, source);
+        return listing;
+    };
+    const auto listing = read(std::move(text));
+    if (!listing) return;
+    const std::string written = s7::write_listing(*listing, {});
+    const auto again = read(written);
+    require(again.has_value(), "cannot be read back", written);
+    require(s7::write_listing(*again, {}) == written, "written differently the second time",
+            written);
+    s7::Machine machine(*listing, s7::Cpu::cpu_214);
+    s7::MachineState state = machine.start();
+    for (Time now = 0; now < 3 * second; now += second) machine.scan(state, {}, now);
+}
+
 }  // namespace
 
 }  // namespace grafwire
@@ -78,6 +103,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     if (data[0] == 's') {
         grafwire::try_stimuli(std::move(text));
+    } else if (data[0] == 'a') {
+        grafwire::try_listing(std::move(text));
     } else {
         grafwire::try_grafcet(std::move(text));
     }

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/scan_check.h"
+#include "command/check_request.h"
+#include "evolution/run.h"
+#include "s7check/blame.h"
+#include "s7check/listing_device.h"
+#include "s7check/listing_story.h"
+
+namespace grafwire {
+
+namespace {
+
+/// Init, AUdur and AUdoux have addresses, all of them or none.
+bool has_all_modes_or_none(const s7::Binding& binding) {
+    const auto first = binding.inputs.end() - control_input_count;
+    const auto count = std::count_if(first, binding.inputs.end(),
+                                     [](const auto& operand) { return operand.has_value(); });
+    if (count == 0 || count == control_input_count) return true;
+    complain("Init, AUdur and AUdoux: give all three an address, or none");
+    return false;
+}
+
+std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const ListingDevice& device,
+                                          const Witness& witness, const std::string& story) {
+    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
+    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+            {"witness.txt", story},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
+            {"got.csv", write_csv(got)},
+            {"got.vcd", write_vcd(got, grafcet.name)}};
+}
+
+}  // namespace
+
+int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
+                       Language language) {
+    const Grafcet& grafcet = loaded.grafcet;
+    if (request.io.empty()) {
+        complain(
+            fmt::format("--io: {} needs a table that says which address is which input, "
+                        "output and step",
+                        request.against));
+        return bad_request;
+    }
+    // Read the table of assignment and the listing, and find everything the GRAFCET names in it.
+    const auto io = load_assignment(request.io);
+    if (!io) return bad_request;
+    const auto listing = load_listing(request.against, request.cpu, &io->assignment);
+    if (!listing) return bad_request;
+    const auto binding = bind_listing(grafcet, io->assignment, io->source);
+    if (!binding || !has_all_modes_or_none(*binding)) return bad_request;
+    // Compare it with the reference after every scan, in every reachable state.
+    const ListingDevice device(*listing, cpu_named(request.cpu), *binding);
+    const auto period = scan_period(request, grafcet, device);
+    if (!period) return bad_request;
+    CheckResult result;
+    {
+        Progress progress(request.max_seconds);
+        result = check_scans(grafcet, device, *period, check_options(request, progress));
+    }
+    // Find the network that a difference comes from, and report.
+    std::string story;
+    std::vector<WitnessFile> files;
+    if (result.witness) {
+        const auto finding =
+            find_cause(grafcet, *listing, cpu_named(request.cpu), *binding, *result.witness);
+        story = tell_listing_witness(grafcet, *listing, *result.witness, finding, device.error(),
+                                     language);
+        files = files_of_witness(grafcet, device, *result.witness, story);
+    }
+    return report_check(request, grafcet, device_subject(request.path, request.against, *period),
+                        result, story, files, language);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,83 @@
+#include "command/check_request.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace grafwire {
+
+namespace {
+
+int exit_status(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::equivalent:
+            return done;
+        case Verdict::different:
+            return answer_is_no;
+        case Verdict::undecided:
+            return out_of_bounds;
+    }
+    return bad_request;
+}
+
+}  // namespace
+
+Progress::Progress(double max_seconds)
+    : max_seconds_(max_seconds), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+bool Progress::goes_on(const Coverage& coverage) {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (is_terminal_ && elapsed > next_) {
+        fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
+                   coverage.situations, coverage.waiting);
+        shown_ = true;
+        next_ = elapsed + 0.5;
+    }
+    return max_seconds_ == 0 || elapsed < max_seconds_;
+}
+
+CheckOptions check_options(const CheckRequest& request, Progress& progress) {
+    CheckOptions options;
+    options.max_cases = request.max_cases;
+    options.keep_going = [&progress](const Coverage& coverage) {
+        return progress.goes_on(coverage);
+    };
+    return options;
+}
+
+std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& grafcet,
+                                const ScannedDevice& device) {
+    if (request.scan.empty()) return natural_period(grafcet, device);
+    return parse_period(request.scan);
+}
+
+int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
+                 const CheckResult& result, const std::string& story,
+                 const std::vector<WitnessFile>& witness_files, Language language) {
+    OutputFiles files;
+    if (result.witness && !request.witness.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(request.witness, error);
+        for (const WitnessFile& file : witness_files) {
+            subject.witness_files.push_back(
+                (std::filesystem::path(request.witness) / file.name).string());
+            files.add(subject.witness_files.back(), file.text);
+        }
+    }
+    if (request.format == "json") {
+        files.add(request.output, write_check_json(subject, grafcet, result));
+    } else if (request.format == "junit") {
+        files.add(request.output, write_check_junit(subject, grafcet, result, story));
+    } else {
+        files.add(request.output, write_check_text(subject, grafcet, result, story, language));
+    }
+    return finish(files, exit_status(result.verdict));
+}
+
+}  // namespace grafwire

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "check/check_result.h"
+#include "check/report.h"
+#include "check/scanned_device.h"
+#include "command/command.h"
+
+namespace grafwire {
+
+/// What `check` is asked to do.
+struct CheckRequest {
+    std::string path;
+    NetlistRequest netlist;
+    std::string against;
+    std::string io;
+    std::string cpu = "214";
+    std::string scan;
+    std::string delay = "unit";
+    std::string format = "text";
+    std::string witness;
+    std::vector<std::string> assumptions;
+    std::uint64_t max_cases = 0;
+    double max_seconds = 0;
+    std::string output;
+};
+
+/// Shows how far the exploration is, on a terminal, once it takes more than a moment; and ends it
+/// when its time is up.
+class Progress {
+  public:
+    explicit Progress(double max_seconds);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    bool goes_on(const Coverage& coverage);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin_ = Clock::now();
+    double max_seconds_;
+    double next_ = 1.0;
+    bool is_terminal_;
+    bool shown_ = false;
+};
+
+/// The name and the text of a file that shows a witness.
+struct WitnessFile {
+    std::string name;
+    std::string text;
+};
+
+/// Writes the report, and the files of the witness into the folder asked for, if one is; returns
+/// what the program ends with.
+int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
+                 const CheckResult& result, const std::string& story,
+                 const std::vector<WitnessFile>& witness_files, Language language);
+
+/// The bounds of an exploration, as asked for.
+CheckOptions check_options(const CheckRequest& request, Progress& progress);
+
+/// The period of a comparison scan by scan: the one asked for, or the device's natural one; empty
+/// (and shown) if it is wrong.
+std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& grafcet,
+                                const ScannedDevice& device);
+
+/// Compares an S7-200 listing with the GRAFCET, and reports.
+int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
+
+}  // namespace grafwire

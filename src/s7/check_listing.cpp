@@ -1,0 +1,177 @@
+#include "s7/check_listing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "s7/check_operands.h"
+#include "s7/check_stack.h"
+#include "s7/instruction_set.h"
+#include "s7/outline.h"
+
+namespace grafwire::s7 {
+
+namespace {
+
+class FlowCheck {
+  public:
+    FlowCheck(const Listing& listing, Diagnostics& diagnostics)
+        : outline_(outline_of(listing)), diagnostics_(diagnostics) {}
+
+    void check() {
+        for (const Outline::Block& block : outline_.blocks) {
+            check_end(block);
+            check_numbers(block);
+            for (std::size_t line = block.first; line < block.end; ++line) {
+                check_target(block, outline_.at(line));
+            }
+        }
+        depth_.assign(outline_.blocks.size(), unknown_depth);
+        for (std::size_t b = 0; b < outline_.blocks.size(); ++b) {
+            if (depth_of(b) > deepest_call && b == 0) {
+                error(first_line(b), fmt::format("subroutines are called {} deep: {} is the limit",
+                                                 depth_[b], deepest_call));
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t unknown_depth = static_cast<std::size_t>(-1);
+    static constexpr std::size_t being_found = static_cast<std::size_t>(-2);
+
+    Diagnostic& error(const Instruction& instruction, std::string message) {
+        return diagnostics_.error(Code::bad_control_flow, instruction.where, std::move(message));
+    }
+
+    const Instruction& first_line(std::size_t block) const {
+        return outline_.at(outline_.blocks[block].first);
+    }
+
+    static std::string name_of(const Outline::Block& block) {
+        if (block.number == Outline::Block::main_program) return "the main program";
+        return fmt::format("subroutine {}", block.number);
+    }
+
+    /// MEND ends the main program and RET a subroutine, and nothing stands behind them.
+    void check_end(const Outline::Block& block) {
+        if (block.first == block.end) return;
+        const bool is_main = block.number == Outline::Block::main_program;
+        const Operation wanted = is_main ? Operation::main_end : Operation::return_;
+        const Operation foreign = is_main ? Operation::return_ : Operation::main_end;
+        std::size_t end = block.end;
+        for (std::size_t line = block.first; line < block.end; ++line) {
+            const Operation operation = outline_.at(line).operation;
+            if (operation == foreign || (is_main && operation == Operation::conditional_return) ||
+                (!is_main && operation == Operation::end)) {
+                error(outline_.at(line),
+                      fmt::format("{} does not belong into {}",
+                                  mnemonic_of(outline_.at(line), Mnemonics::simatic),
+                                  name_of(block)));
+            }
+            if (operation == wanted) end = std::min(end, line);
+        }
+        if (end == block.end) {
+            diagnostics_.warning(
+                Code::read_leniently, outline_.at(block.end - 1).where,
+                fmt::format("{} ends here without {}", name_of(block), is_main ? "MEND" : "RET"));
+        } else if (end + 1 < block.end) {
+            error(outline_.at(end + 1),
+                  fmt::format("nothing can reach this instruction: {} has ended", name_of(block)))
+                .notes.push_back({outline_.at(end).where, "here"});
+        }
+    }
+
+    /// A label or a subroutine twice.
+    void check_numbers(const Outline::Block& block) {
+        for (std::size_t line = block.first; line < block.end; ++line) {
+            const Instruction& instruction = outline_.at(line);
+            if (instruction.operation == Operation::subroutine) {
+                const auto& named = outline_.blocks[outline_.subroutines.at(block.number)];
+                if (named.first != line) {
+                    report_twice(instruction, outline_.at(named.first), "subroutine");
+                }
+            } else if (instruction.operation == Operation::label) {
+                const auto [place, is_new] =
+                    labels_.emplace(instruction.operands[0].address, &instruction);
+                if (!is_new) report_twice(instruction, *place->second, "label");
+            }
+        }
+    }
+
+    void report_twice(const Instruction& second, const Instruction& first, std::string_view what) {
+        error(second, fmt::format("{} {} is there already", what, second.operands[0].address))
+            .notes.push_back({first.where, "here"});
+    }
+
+    void check_target(const Outline::Block& block, const Instruction& instruction) {
+        if (instruction.operands.empty()) return;
+        const std::int32_t number = instruction.operands[0].address;
+        if (instruction.operation == Operation::call && !outline_.subroutines.contains(number)) {
+            error(instruction, fmt::format("there is no subroutine {}: SBR K{}", number, number));
+        }
+        if (instruction.operation != Operation::jump || block.labels.contains(number)) return;
+        for (const Outline::Block& other : outline_.blocks) {
+            const auto found = other.labels.find(number);
+            if (found == other.labels.end()) continue;
+            error(instruction, fmt::format("label {} is in {}: a jump stays where it is", number,
+                                           name_of(other)))
+                .notes.push_back({outline_.at(found->second).where, "label"});
+            return;
+        }
+        error(instruction, fmt::format("there is no label {}: LBL K{}", number, number));
+    }
+
+    /// How deep calls from a block go; a subroutine that calls itself is reported, once.
+    std::size_t depth_of(std::size_t block) {
+        if (depth_[block] != unknown_depth) return depth_[block];
+        depth_[block] = being_found;
+        std::size_t depth = 0;
+        for (std::size_t line = outline_.blocks[block].first; line < outline_.blocks[block].end;
+             ++line) {
+            const Instruction& instruction = outline_.at(line);
+            if (instruction.operation != Operation::call) continue;
+            const auto called = outline_.subroutines.find(instruction.operands[0].address);
+            if (called == outline_.subroutines.end()) continue;
+            if (depth_[called->second] == being_found) {
+                error(instruction, fmt::format("subroutine {} would call itself", called->first));
+                continue;
+            }
+            depth = std::max(depth, depth_of(called->second) + 1);
+        }
+        return depth_[block] = depth;
+    }
+
+    Outline outline_;
+    Diagnostics& diagnostics_;
+    std::map<std::int32_t, const Instruction*> labels_;
+    std::vector<std::size_t> depth_;
+};
+
+}  // namespace
+
+void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics) {
+    const CpuRow& row = row_of(cpu);
+    bool is_empty = true;
+    for (const Network& network : listing.networks) {
+        for (const Instruction& instruction : network.instructions) {
+            check_operands(instruction, row, diagnostics);
+            is_empty = false;
+        }
+        check_stack(network, diagnostics);
+    }
+    // What else is wrong with a listing that has errors may come of them.
+    if (diagnostics.has_errors()) return;
+    if (is_empty) {
+        diagnostics.error(Code::bad_network, {}, "the listing holds no instruction");
+        return;
+    }
+    FlowCheck(listing, diagnostics).check();
+    const std::uint32_t size = size_of(listing);
+    if (size > row.program_bytes) {
+        diagnostics.error(Code::program_too_long, {},
+                          fmt::format("the program takes {} bytes, and the {} holds {}", size,
+                                      row.name, row.program_bytes));
+    }
+}
+
+}  // namespace grafwire::s7

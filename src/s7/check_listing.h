@@ -1,0 +1,20 @@
+#pragma once
+
+#include "s7/cpu.h"
+#include "s7/listing.h"
+#include "text/diagnostics.h"
+
+namespace grafwire::s7 {
+
+/// Whether a listing is a program that the controller accepts: operands of the right kind and
+/// within its memory, labels and subroutines there, once each, and in the right place, no
+/// subroutine that calls itself or is called more than eight deep, no OLD, ULD, LRD or LPP without
+/// the loads it needs (or whose loads have been pushed out at the bottom of the nine levels), and a
+/// size that fits. All errors are reported in one go, those of the flow of control only where there
+/// are no others.
+///
+/// Networks without instructions, or whose first instruction neither loads nor begins or ends
+/// something, are allowed: they work with what the network before has left on the stack.
+void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics);
+
+}  // namespace grafwire::s7

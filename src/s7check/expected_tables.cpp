@@ -1,0 +1,64 @@
+#include "s7check/expected_tables.h"
+
+#include <algorithm>
+
+namespace grafwire {
+
+namespace {
+
+bool are_active(std::span<const StepId> steps, const BitTable& situation) {
+    return std::all_of(steps.begin(), steps.end(),
+                       [&](StepId step) { return situation.test(index_of(step)); });
+}
+
+/// Tf1 and Tf0, from the orders of the steps active after the evolution (Cordier, section 5.6).
+void collect_orders(const Grafcet& grafcet, ExpectedTables& tables) {
+    for (const Order& order : grafcet.orders) {
+        if (order.kind == OrderKind::freeze || !tables.evolved.test(index_of(order.step))) continue;
+        const Graph& graph = grafcet.graphs[order.graph];
+        for (std::uint32_t s = graph.first_step; s < graph.first_step + graph.step_count; ++s) {
+            tables.forced_off.set(s);
+            const bool is_initial = grafcet.steps[static_cast<StepId>(s)].initial;
+            if (order.kind == OrderKind::initial && is_initial) tables.forced_on.set(s);
+        }
+        for (const StepId step : order.steps) tables.forced_on.set(index_of(step));
+    }
+}
+
+}  // namespace
+
+ExpectedTables scan_with_tables(const Evolution& evolution, EvolutionState& state,
+                                const EvolutionInputs& inputs, Time now) {
+    const Grafcet& grafcet = evolution.grafcet();
+    const BitTable steps(grafcet.steps.size());
+    const BitTable transitions(grafcet.transitions.size());
+    ExpectedTables tables{transitions, transitions, state.situation, steps, steps, steps,
+                          steps,       steps,       steps,           {},    {},    {}};
+    for (std::size_t t = 0; t < grafcet.transitions.size(); ++t) {
+        const Transition& transition = grafcet.transitions[static_cast<TransitionId>(t)];
+        if (are_active(grafcet.preceding(transition), state.situation)) tables.enabled.set(t);
+    }
+    for (const TransitionId id : evolution.cleared_by_scan(state, inputs, now)) {
+        const Transition& transition = grafcet.transitions[id];
+        tables.cleared.set(index_of(id));
+        for (const StepId step : grafcet.following(transition)) {
+            tables.activate.set(index_of(step));
+        }
+        for (const StepId step : grafcet.preceding(transition)) {
+            tables.deactivate.set(index_of(step));
+        }
+    }
+    for (std::size_t s = 0; s < grafcet.steps.size(); ++s) {
+        const bool stays = tables.previous.test(s) && !tables.deactivate.test(s);
+        tables.evolved.assign(s, stays || tables.activate.test(s));
+    }
+    collect_orders(grafcet, tables);
+    evolution.scan(state, inputs, now);
+    tables.situation = state.situation;
+    tables.may_evolve = state.may_evolve;
+    tables.vars = state.vars;
+    tables.outputs = evolution.outputs(state, inputs);
+    return tables;
+}
+
+}  // namespace grafwire

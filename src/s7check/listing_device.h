@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/scanned_device.h"
+#include "grafcet/grafcet.h"
+#include "s7/binding.h"
+#include "s7/machine.h"
+
+namespace grafwire {
+
+/// An S7-200 listing as a check sees it. Its memory between scans is what is alive of the
+/// controller's (Machine::live_at_start), its timers and counters; the rest cannot matter.
+class ListingDevice : public ScannedDevice {
+  public:
+    /// The binding gives an address to every input, step and output of the GRAFCET, and to all
+    /// control inputs or to none.
+    ListingDevice(const s7::Listing& listing, s7::Cpu cpu, const s7::Binding& binding);
+
+    std::string start() const override { return {}; }
+    Outcome scan(const std::string& memory, const PartialInputs& inputs, Time now) const override;
+    std::string key(const std::string& memory, Time now) const override;
+    std::vector<Time> delays() const override { return machine_.delays(); }
+    bool has_modes() const override;
+
+    /// What went wrong in a scan that did not come to its end, if one did not. Its steps and
+    /// outputs are unknown in the outcome.
+    const std::optional<s7::RunError>& error() const { return error_; }
+
+  private:
+    s7::MachineState unpacked(const std::string& memory) const;
+    std::string packed(const s7::MachineState& state) const;
+    std::optional<std::uint32_t> unknown_alive(const s7::MachineState& state) const;
+    std::optional<std::uint32_t> observe(const s7::MachineState& state, Outcome& outcome) const;
+    s7::InputImage image_of(const PartialInputs& inputs) const;
+
+    s7::Binding binding_;
+    /// Executing changes nothing in the machine but what it works with during a scan.
+    mutable s7::Machine machine_;
+    mutable std::optional<s7::RunError> error_;
+    s7::MachineState blank_;
+    std::vector<std::uint8_t> alive_;          ///< a mask per byte of memory
+    std::vector<std::size_t> alive_bytes_;     ///< those whose mask is not 0
+    std::vector<std::uint32_t> input_of_bit_;  ///< of the GRAFCET, per bit of the image
+};
+
+}  // namespace grafwire
