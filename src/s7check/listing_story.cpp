@@ -62,7 +62,8 @@ std::string network_text(const s7::Listing& listing, std::uint32_t number, const
 }
 
 void tell_finding(Story& story, const s7::Listing& listing, const Finding& finding) {
-    story.add(story.choose("Where it comes from in the listing:\n", "D'où cela vient-il :\n"));
+    story.add(story.choose("Where it comes from in the listing:\n",
+                           "D'où cela vient dans le programme :\n"));
     story.add(fmt::format(fmt::runtime(story.choose(
                               "  {} ({}) is {} after the scan at {} ms, and should be {}\n",
                               "  {} ({}) vaut {} après le cycle à {} ms, et devrait valoir {}\n")),
@@ -92,9 +93,10 @@ void tell_finding(Story& story, const s7::Listing& listing, const Finding& findi
         others.push_back(finding.networks[i]);
     }
     if (!others.empty()) {
+        const bool is_one = others.size() == 1;
         story.add(fmt::format(
-            "  {} {}\n",
-            story.choose("if it is right, look at networks", "s'il est juste, voir les réseaux"),
+            "  {} {} {}\n", story.choose("if it is right, look at", "s'il est juste, voir"),
+            is_one ? story.choose("network", "le réseau") : story.choose("networks", "les réseaux"),
             fmt::join(others, ", ")));
     }
 }

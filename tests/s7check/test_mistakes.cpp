@@ -53,7 +53,6 @@ void check_mistakes(const std::string& name, const std::string& heading) {
         std::string networks;
         for (const std::uint32_t n : finding->networks) networks += std::to_string(n) + " ";
         REQUIRE_MESSAGE(mistake != left.end(), finding->name << ", networks " << networks);
-        MESSAGE(name << ": " << networks << "-> mistake " << mistake->number);
         correct(listing, *mistake);
         left.erase(mistake);
         result = application.check(listing, period);
