@@ -107,7 +107,7 @@ TEST_CASE("what is missing is named") {
 
 TEST_CASE("files that cannot be read") {
     const ScratchFolder folder;
-    for (const std::string& command : {"info", "equations", "check"}) {
+    for (const std::string command : {"info", "equations", "check"}) {
         CHECK(refusal({command, folder.path("none.grafcet")}) ==
               folder.path("none.grafcet") +
                   ": error: cannot read the file: No such file or directory\n");
@@ -122,7 +122,7 @@ TEST_CASE("errors in the GRAFCET and in the stimuli, all of them, with their pla
     const std::string chart = folder.file("bad.grafcet",
                                           "input a\ngraph G {\n  initial 0\n  step 1\n"
                                           "  0 -> 1 : aa\n  1 -> 2 : a\n}\n");
-    for (const std::string& command : {"info", "equations", "check"}) {
+    for (const std::string command : {"info", "equations", "check"}) {
         const std::string message = refusal({command, chart});
         CHECK(contains(message, chart + ":5:12: error: "));
         CHECK(contains(message, "did you mean 'a'?"));
@@ -141,7 +141,7 @@ TEST_CASE("errors in the GRAFCET and in the stimuli, all of them, with their pla
 }
 
 TEST_CASE("counters are too much for a style without registers") {
-    for (const std::string& style : {"gates", "nand", "nor"}) {
+    for (const std::string style : {"gates", "nand", "nor"}) {
         const std::string message =
             refusal({"check", example("batch-counter.grafcet"), "--style", style});
         CHECK(contains(message, "counter 'n'"));
