@@ -115,4 +115,20 @@ TEST_CASE("check --against a listing: what is asked for") {
     CHECK(contains(one_mode.err, "Init, AUdur and AUdoux: give all three an address, or none"));
 }
 
+TEST_CASE("what plc --to s7-200 writes, the check finds equivalent") {
+    const ScratchFolder folder;
+    for (const std::string name : {"single-sequence", "rule-5", "manipulator", "press"}) {
+        CAPTURE(name);
+        const std::string chart = example(name + ".grafcet");
+        const std::string program = folder.path(name + ".awl");
+        const std::string table = folder.path(name + ".io");
+        const Ran made =
+            grafwire_with({"plc", chart, "--to", "s7-200", "--addresses", table, "-o", program});
+        REQUIRE(made.status == 0);
+        const Ran ran = grafwire_with({"check", chart, "--against", program, "--io", table});
+        CHECK(ran.status == 0);
+        CHECK(contains(ran.out, ": equivalent (device "));
+    }
+}
+
 }  // namespace grafwire::test
