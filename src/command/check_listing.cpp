@@ -13,12 +13,17 @@ namespace grafwire {
 
 namespace {
 
-/// Init, AUdur and AUdoux have addresses, all of them or none.
-bool has_all_modes_or_none(const s7::Binding& binding) {
+/// Init, AUdur and AUdoux have addresses, all of them or none; AUdoux needs none where it has
+/// nothing to switch off.
+bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
+    const bool has_continuous =
+        std::any_of(grafcet.actions.begin(), grafcet.actions.end(),
+                    [](const Action& action) { return action.kind == ActionKind::continuous; });
     const auto first = binding.inputs.end() - control_input_count;
-    const auto count = std::count_if(first, binding.inputs.end(),
-                                     [](const auto& operand) { return operand.has_value(); });
-    if (count == 0 || count == control_input_count) return true;
+    const auto end = binding.inputs.end() - (has_continuous ? 0 : 1);
+    const auto count =
+        std::count_if(first, end, [](const auto& operand) { return operand.has_value(); });
+    if (count == 0 || count == end - first) return true;
     complain("Init, AUdur and AUdoux: give all three an address, or none");
     return false;
 }
@@ -53,7 +58,7 @@ int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
     const auto listing = load_listing(request.against, request.cpu, &io->assignment);
     if (!listing) return bad_request;
     const auto binding = bind_listing(grafcet, io->assignment, io->source);
-    if (!binding || !has_all_modes_or_none(*binding)) return bad_request;
+    if (!binding || !has_all_modes_or_none(grafcet, *binding)) return bad_request;
     // Compare it with the reference after every scan, in every reachable state.
     const ListingDevice device(*listing, cpu_named(request.cpu), *binding);
     const auto period = scan_period(request, grafcet, device);

@@ -187,13 +187,15 @@ IoAssignment addresses_of(const Listing& listing) {
     std::set<Operand> bits;
     for (const Network& network : listing.networks) {
         for (const Instruction& instruction : network.instructions) {
-            for (Operand operand : instruction.operands) {
+            for (const Operand& operand : instruction.operands) {
                 if (operand.area != Area::input && operand.area != Area::output) continue;
                 const bool is_bit = operand.width == Width::bit;
                 std::int32_t count = is_bit ? 1 : 1 << static_cast<int>(operand.width) << 2;
                 if (instruction.operation == Operation::set ||
                     instruction.operation == Operation::reset) {
                     count = instruction.operands[1].address;
+                } else if (instruction.operands.size() == 3) {
+                    count *= instruction.operands[2].address;  // FILL, BMB, BMW
                 }
                 for (std::int32_t i = 0; i < count; ++i) {
                     Operand bit = operand;

@@ -65,7 +65,8 @@ ListingDevice::ListingDevice(const s7::Listing& listing, s7::Cpu cpu, const s7::
 }
 
 bool ListingDevice::has_modes() const {
-    return binding_.inputs.back().has_value();
+    return std::any_of(binding_.inputs.end() - control_input_count, binding_.inputs.end(),
+                       [](const auto& operand) { return operand.has_value(); });
 }
 
 s7::InputImage ListingDevice::image_of(const PartialInputs& inputs) const {

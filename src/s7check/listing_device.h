@@ -15,8 +15,8 @@ namespace grafwire {
 /// controller's (Machine::live_at_start), its timers and counters; the rest cannot matter.
 class ListingDevice : public ScannedDevice {
   public:
-    /// The binding gives an address to every input, step and output of the GRAFCET, and to all
-    /// control inputs or to none.
+    /// The binding gives an address to every input, step and output of the GRAFCET. It has modes if
+    /// it gives one to a control input.
     ListingDevice(const s7::Listing& listing, s7::Cpu cpu, const s7::Binding& binding);
 
     std::string start() const override { return {}; }

@@ -74,11 +74,12 @@ void tell_finding(Story& story, const s7::Listing& listing, const Finding& findi
         story.add(story.choose("  no network writes it\n", "  aucun réseau ne l'écrit\n"));
         return;
     }
-    story.add(fmt::format("  {}: {}\n",
-                          finding.should_have_written
-                              ? story.choose("it should have been written by", "aurait dû l'écrire")
-                              : story.choose("it was written by", "l'a écrit"),
-                          network_text(listing, finding.networks[0], story)));
+    story.add(
+        fmt::format("  {} {}\n",
+                    finding.should_have_written
+                        ? story.choose("it should have been written by:", "aurait dû l'écrire :")
+                        : story.choose("it was written by:", "l'a écrit :"),
+                    network_text(listing, finding.networks[0], story)));
     for (const Finding::Read& read : finding.reads) {
         story.add(fmt::format(
             "  {} {} {} {} = {}, {}\n", story.choose("network", "réseau"), read.network,
@@ -110,10 +111,10 @@ std::string tell_listing_witness(const Grafcet& grafcet, const s7::Listing& list
     story.tell_changes();
     story.tell_reference();
     if (error) {
-        story.add(fmt::format("{} ({} {}, {} {}): {}\n",
-                              story.choose("The listing stops", "Le programme s'arrête"),
-                              story.choose("network", "réseau"), error->network,
-                              story.choose("line", "ligne"), error->where.line, error->message));
+        story.add(fmt::format(
+            "{} ({} {}, {} {}){} {}\n", story.choose("The listing stops", "Le programme s'arrête"),
+            story.choose("network", "réseau"), error->network, story.choose("line", "ligne"),
+            error->where.line, story.choose(":", " :"), error->message));
         return story.take();
     }
     story.tell_difference(story.choose("the listing", "le programme"));
