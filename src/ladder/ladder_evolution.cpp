@@ -1,0 +1,200 @@
+// Transitions, steps and forcing orders as set and reset coils.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/write_grafcet.h"
+#include "ladder/ladder_build.h"
+
+namespace grafwire::ladder {
+
+namespace {
+
+/// What sets or resets each step, beside the transitions.
+struct Causes {
+    std::vector<Condition> set;
+    std::vector<Condition> reset;
+};
+
+std::vector<std::vector<Condition>> by_step(std::size_t steps) {
+    return std::vector<std::vector<Condition>>(steps);
+}
+
+}  // namespace
+
+/// A transition is cleared where its preceding steps are active and its receptivity is 1: SBR 3 and
+/// the conditions of SBR 4 in one.
+void LadderBuild::note_cleared_transitions() {
+    std::vector<Condition> receptivity(grafcet_.transitions.size());
+    cleared_.resize(grafcet_.transitions.size());
+    before_.resize(grafcet_.transitions.size());
+    for (const Statement& statement : program_.section(SectionKind::receptivities)) {
+        receptivity[statement.targets.front().index] = statement.condition;
+    }
+    for (const Statement& statement : program_.section(SectionKind::evolution)) {
+        std::vector<Condition> parts;
+        std::uint32_t transition = none;
+        const auto add = [&](const Condition& part) {
+            const bool is_transition =
+                part.kind == Condition::Kind::bit && part.bit.kind == BitKind::transition;
+            if (is_transition) transition = part.bit.index;
+            parts.push_back(is_transition ? receptivity[transition] : part);
+        };
+        if (statement.condition.kind == Condition::Kind::conjunction) {
+            for (const Condition& part : statement.condition.operands) add(part);
+        } else {
+            add(statement.condition);
+        }
+        if (transition == none) continue;
+        cleared_[transition] = and_condition(std::move(parts));
+        collect_reads(statement.condition, before_[transition]);
+        before_[transition].erase({BitKind::transition, transition});
+    }
+    for (std::uint32_t t = 0; t < cleared_.size(); ++t) {
+        cleared_[t] = simplified(cleared_[t]);
+        if (cleared_[t].is_constant(false)) constants_.emplace(Bit{BitKind::transition, t}, false);
+    }
+}
+
+void LadderBuild::make_transitions() {
+    begin("Transitions that are cleared");
+    for (const Statement& statement : section(SectionKind::receptivities)) {
+        const Bit bit = statement.targets.front();
+        if (constants_.count(bit) > 0) continue;
+        context_ = statement.comment;
+        origin_ = statement.origin;
+        Power cause = power(cleared_[bit.index]);
+        add_rung(std::move(cause), CoilKind::normal, {bit}, statement.comment, statement.origin);
+    }
+}
+
+/// SBR 4 as the course has it: CDX resets, then CAX sets. What sets or resets a step after the
+/// formula in the program (Init) stands in the same two rungs, as in the course's tables:
+/// `CAX + Init` and `CDX . /Init` of an initial step, `CAX . /Init` and `CDX + Init` of another.
+void LadderBuild::make_steps() {
+    begin("Steps: CDX resets, CAX sets");
+    const std::size_t steps = grafcet_.steps.size();
+    auto into = by_step(steps);
+    auto out_of = by_step(steps);
+    std::vector<Causes> otherwise(steps);
+    const auto conjunct = [](const Condition& condition) {
+        return condition.kind == Condition::Kind::conjunction ? condition.operands.back()
+                                                              : condition;
+    };
+    for (const Statement& statement : section(SectionKind::evolution)) {
+        for (const Bit bit : statement.targets) {
+            // The transition is the last factor of a statement of SBR 4.
+            if (bit.kind == BitKind::activate) {
+                into[bit.index].push_back(conjunct(statement.condition));
+            } else if (bit.kind == BitKind::deactivate) {
+                out_of[bit.index].push_back(conjunct(statement.condition));
+            } else if (bit.kind == BitKind::step) {
+                Causes& causes = otherwise[bit.index];
+                (statement.kind == Statement::Kind::set ? causes.set : causes.reset)
+                    .push_back(statement.condition);
+            }
+        }
+    }
+    for (std::uint32_t s = 0; s < steps; ++s) {
+        const Condition set = or_condition(otherwise[s].set);
+        const Condition reset = or_condition(otherwise[s].reset);
+        const auto changed_by = [&](std::vector<Condition> transitions, const Condition& as_well,
+                                    const Condition& but_not) {
+            std::vector<Condition> causes;
+            causes.push_back(or_condition(std::move(transitions)));
+            causes.push_back(as_well);
+            std::vector<Condition> parts;
+            parts.push_back(or_condition(std::move(causes)));
+            parts.push_back(not_condition(but_not));
+            return simplified(and_condition(std::move(parts)));
+        };
+        const Condition deactivation = changed_by(std::move(out_of[s]), reset, set);
+        const Condition activation = changed_by(std::move(into[s]), set, reset);
+        const Step& step = grafcet_.steps[StepId{s}];
+        const std::string name = quoted_where_needed(step.name);
+        const std::vector<Bit> bit{{BitKind::step, s}};
+        if (!deactivation.is_constant(false)) {
+            Power cause = power(deactivation);
+            add_rung(std::move(cause), CoilKind::reset, bit, "step " + name + " is deactivated",
+                     step.where);
+        }
+        if (!activation.is_constant(false)) {
+            Power cause = power(activation);
+            add_rung(std::move(cause), CoilKind::set, bit, "step " + name + " is activated",
+                     step.where);
+        }
+    }
+}
+
+/// SBR 5. The forcing orders, a run of statements that set Tf0 and Tf1, are taken together.
+void LadderBuild::make_orders() {
+    begin("Forcing, enclosures, emergency stop");
+    const std::vector<Statement>& statements = section(SectionKind::orders);
+    for (std::size_t at = 0; at < statements.size();) {
+        const Statement& statement = statements[at];
+        const bool forces =
+            !statement.targets.empty() && statement.targets.front().kind == BitKind::forced_off;
+        if (forces) {
+            at = force(at);
+            continue;
+        }
+        if (statement.kind == Statement::Kind::table &&
+            statement.operation == TableOperation::pulse) {
+            pulses();
+        }
+        translate(statement);
+        ++at;
+    }
+}
+
+/// Forcing orders as set and reset coils, `Ts = Ts . /Tf0 + Tf1`: reset first, then set. All orders
+/// are those of the steps active before any of them is obeyed (one pass, Cordier, section 5.6), so
+/// the rungs begin with the steps that are deepest in the hierarchy of orders: a step is changed
+/// only after all rungs that ask for it. Gives the index of the first statement after the orders.
+std::size_t LadderBuild::force(std::size_t first) {
+    const std::vector<Statement>& statements = section(SectionKind::orders);
+    std::vector<std::vector<Bit>> off(grafcet_.steps.size());  // per step: who gives the orders
+    std::vector<std::vector<Bit>> on(grafcet_.steps.size());
+    std::size_t at = first;
+    Location where;
+    for (; statements[at].kind == Statement::Kind::set; ++at) {
+        for (const Bit bit : statements[at].targets) {
+            auto& orders = (bit.kind == BitKind::forced_off ? off : on)[bit.index];
+            orders.push_back(statements[at].condition.bit);
+        }
+        if (!where.is_known()) where = statements[at].origin;
+    }
+    std::vector<std::size_t> depth(off.size(), 0);
+    // Orders form no circle, so as many rounds as there are steps are enough.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t s = 0; s < off.size(); ++s) {
+            for (const Bit giver : off[s]) {
+                if (depth[s] > depth[giver.index]) continue;
+                depth[s] = depth[giver.index] + 1;
+                changed = true;
+            }
+        }
+    }
+    const auto rungs = [&](const std::vector<std::vector<Bit>>& orders, std::size_t level,
+                           CoilKind kind, const char* comment) {
+        std::map<std::vector<Bit>, std::vector<Bit>> steps_of;
+        for (std::uint32_t s = 0; s < orders.size(); ++s) {
+            if (depth[s] != level || orders[s].empty()) continue;
+            steps_of[orders[s]].push_back({BitKind::step, s});
+        }
+        for (const auto& [givers, steps] : steps_of) {
+            std::vector<Power> contacts;
+            for (const Bit giver : givers) contacts.push_back(contact(id_of(giver)));
+            add_rung(parallel(std::move(contacts)), kind, steps, comment, where);
+        }
+    };
+    for (std::size_t level = *std::max_element(depth.begin(), depth.end()); level > 0; --level) {
+        rungs(off, level, CoilKind::reset, "forcing orders: to the empty situation");
+        rungs(on, level, CoilKind::set, "forcing orders: steps that are to be active");
+    }
+    return at;
+}
+
+}  // namespace grafwire::ladder

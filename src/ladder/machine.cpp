@@ -1,0 +1,147 @@
+#include "ladder/machine.h"
+
+#include <algorithm>
+
+#include "ladder/scan.h"
+
+namespace grafwire::ladder {
+
+namespace {
+
+std::size_t edges_in(const Power& power) {
+    std::size_t count =
+        power.kind == Power::Kind::contact &&
+                (power.contact == ContactKind::rising || power.contact == ContactKind::falling)
+            ? 1
+            : 0;
+    for (const Power& part : power.parts) count += edges_in(part);
+    return count;
+}
+
+std::size_t edges_in(const Rung& rung) {
+    std::size_t count = edges_in(rung.power);
+    for (const Coil& coil : rung.coils) {
+        if (coil.kind == CoilKind::rising || coil.kind == CoilKind::falling) ++count;
+    }
+    return count;
+}
+
+std::size_t index_of(VariableId id) {
+    return static_cast<std::size_t>(id);
+}
+
+void append(std::string& key, std::uint64_t value) {
+    for (int shift = 0; shift < 64; shift += 8) {
+        key += static_cast<char>(static_cast<unsigned char>(value >> shift));
+    }
+}
+
+}  // namespace
+
+Machine::Machine(const Ladder& ladder) : ladder_(ladder) {
+    longest_.resize(ladder.variables.size());
+    for (const Rung& rung : ladder.rungs) {
+        first_edge_.push_back(edge_count_);
+        edge_count_ += edges_in(rung);
+        for (const Block& block : rung.blocks) {
+            if (block.type != BlockType::on_delay && block.type != BlockType::off_delay) continue;
+            Time& longest = longest_[index_of(block.target)];
+            longest = std::max(longest, block.operands.front().value);
+        }
+    }
+    find_memory();
+}
+
+/// A variable is remembered where a scan may read it before an ordinary coil or a function has
+/// written it. Set and reset coils leave it as it was, which is reading it.
+void Machine::find_memory() {
+    remembered_.assign(ladder_.variables.size(), false);
+    std::vector<bool> written(ladder_.variables.size(), false);
+    const auto read = [&](VariableId id) {
+        if (!written[index_of(id)]) remembered_[index_of(id)] = true;
+    };
+    const auto read_operand = [&](const Operand& operand) {
+        if (operand.kind == Operand::Kind::variable) read(operand.variable);
+    };
+    const auto read_power = [&](const Power& power, const auto& self) -> void {
+        if (power.kind == Power::Kind::contact) read(power.variable);
+        if (power.kind == Power::Kind::comparison) {
+            read_operand(power.left);
+            read_operand(power.right);
+        }
+        for (const Power& part : power.parts) self(part, self);
+    };
+    for (const Rung& rung : ladder_.rungs) {
+        read_power(rung.power, read_power);
+        for (const Block& block : rung.blocks) {
+            for (const Operand& operand : block.operands) read_operand(operand);
+            const bool always =
+                row_of(block.type).is_function && rung.power.kind == Power::Kind::wire;
+            if (always) {
+                written[index_of(block.target)] = true;
+            } else {
+                read(block.target);
+            }
+        }
+        for (const Coil& coil : rung.coils) {
+            if (coil.kind == CoilKind::set || coil.kind == CoilKind::reset) read(coil.variable);
+            written[index_of(coil.variable)] = true;
+        }
+    }
+    for (std::size_t v = 0; v < remembered_.size(); ++v) {
+        if (ladder_.variables[v].role == Role::input) remembered_[v] = false;
+    }
+}
+
+MachineState Machine::start() const {
+    MachineState state;
+    state.edges.resize(edge_count_);
+    for (const Variable& variable : ladder_.variables) {
+        MachineState::Cell cell;
+        if (variable.type == Type::bit && variable.initial != 0) cell.bit.value = Logic::one;
+        if (variable.type == Type::integer) cell.number = variable.initial;
+        state.cells.push_back(cell);
+    }
+    return state;
+}
+
+void Machine::set(MachineState& state, VariableId variable, Logic value) const {
+    state.cells[index_of(variable)].bit = {value, variable};
+}
+
+Machine::Outcome Machine::scan(MachineState& state, Time now) const {
+    Scan scan(*this, state, now);
+    return scan.run();
+}
+
+std::optional<VariableId> Machine::open_memory(const MachineState& state) const {
+    for (std::size_t v = 0; v < state.cells.size(); ++v) {
+        if (!remembered_[v]) continue;
+        for (const Signal& signal : {state.cells[v].bit, state.cells[v].last}) {
+            if (signal.value == Logic::unknown) return signal.source;
+        }
+    }
+    for (const Signal& signal : state.edges) {
+        if (signal.value == Logic::unknown) return signal.source;
+    }
+    return std::nullopt;
+}
+
+std::string Machine::key(const MachineState& state, Time now) const {
+    std::string key;
+    for (std::size_t v = 0; v < state.cells.size(); ++v) {
+        if (!remembered_[v]) continue;
+        const MachineState::Cell& cell = state.cells[v];
+        key += static_cast<char>(cell.bit.value);
+        if (ladder_.variables[v].type == Type::bit) continue;
+        key += static_cast<char>(cell.last.value);
+        append(key, static_cast<std::uint64_t>(cell.number));
+        // A timer that has reached its preset stays there.
+        const Time elapsed = cell.runs ? std::min(now - cell.since, longest_[v]) : -1;
+        append(key, static_cast<std::uint64_t>(elapsed));
+    }
+    for (const Signal& signal : state.edges) key += static_cast<char>(signal.value);
+    return key;
+}
+
+}  // namespace grafwire::ladder

@@ -1,0 +1,240 @@
+#include "ladder/scan.h"
+
+#include <algorithm>
+
+namespace grafwire::ladder {
+
+namespace {
+
+constexpr Signal zero{Logic::zero, {}};
+constexpr Signal one{Logic::one, {}};
+
+Signal not_(Signal a) {
+    if (a.value == Logic::unknown) return a;
+    return a.value == Logic::one ? zero : one;
+}
+
+Signal and_(Signal a, Signal b) {
+    if (a.value == Logic::zero || b.value == Logic::zero) return zero;
+    return a.value == Logic::unknown ? a : b;
+}
+
+Signal or_(Signal a, Signal b) {
+    return not_(and_(not_(a), not_(b)));
+}
+
+Signal signal_of(bool value) {
+    return value ? one : zero;
+}
+
+/// Two's complement, without undefined behaviour.
+std::int64_t wrapped(std::uint64_t value) {
+    return static_cast<std::int64_t>(value);
+}
+
+}  // namespace
+
+Machine::Outcome Scan::run() {
+    outcome_.writers.assign(ladder_.variables.size(), Machine::nobody);
+    for (rung_ = 0; rung_ < ladder_.rungs.size() && !outcome_.needs; ++rung_) {
+        const Rung& rung = ladder_.rungs[rung_];
+        next_edge_ = machine_.first_edge_[rung_];
+        Signal power = flow(rung.power);
+        for (const Block& block : rung.blocks) power = execute(block, power);
+        for (const Coil& coil : rung.coils) execute(coil, power);
+    }
+    return std::move(outcome_);
+}
+
+bool Scan::decided(Signal signal) {
+    if (signal.value == Logic::unknown && !outcome_.needs) outcome_.needs = signal.source;
+    return signal.value == Logic::one;
+}
+
+void Scan::write(VariableId id, Signal value) {
+    cell(id).bit = value;
+    outcome_.writers[static_cast<std::size_t>(id)] = rung_;
+}
+
+Signal Scan::bit(const Operand& operand) {
+    return operand.kind == Operand::Kind::variable ? cell(operand.variable).bit
+                                                   : signal_of(operand.value != 0);
+}
+
+std::int64_t Scan::number(const Operand& operand) {
+    return operand.kind == Operand::Kind::variable ? cell(operand.variable).number : operand.value;
+}
+
+Signal Scan::edge(Signal operand, bool rising) {
+    Signal& last = state_.edges[next_edge_++];
+    const Signal edge = rising ? and_(operand, not_(last)) : and_(not_(operand), last);
+    last = operand;
+    return edge;
+}
+
+Signal Scan::contact(const Power& power) {
+    const Signal value = cell(power.variable).bit;
+    switch (power.contact) {
+        case ContactKind::normal:
+            return value;
+        case ContactKind::negated:
+            return not_(value);
+        case ContactKind::rising:
+            return edge(value, true);
+        case ContactKind::falling:
+            return edge(value, false);
+    }
+    return zero;
+}
+
+bool Scan::compare(const Power& power) {
+    const std::int64_t left = number(power.left);
+    const std::int64_t right = number(power.right);
+    switch (power.relation) {
+        case Relation::equal:
+            return left == right;
+        case Relation::not_equal:
+            return left != right;
+        case Relation::less:
+            return left < right;
+        case Relation::less_equal:
+            return left <= right;
+        case Relation::greater:
+            return left > right;
+        case Relation::greater_equal:
+            return left >= right;
+    }
+    return false;
+}
+
+Signal Scan::flow(const Power& power) {
+    Signal result = one;
+    switch (power.kind) {
+        case Power::Kind::wire:
+            return one;
+        case Power::Kind::contact:
+            return contact(power);
+        case Power::Kind::comparison:
+            return signal_of(compare(power));
+        case Power::Kind::series:
+            for (const Power& part : power.parts) result = and_(result, flow(part));
+            return result;
+        case Power::Kind::parallel:
+            result = zero;
+            for (const Power& part : power.parts) result = or_(result, flow(part));
+            return result;
+    }
+    return result;
+}
+
+void Scan::execute(const Coil& coil, Signal power) {
+    const Signal before = cell(coil.variable).bit;
+    switch (coil.kind) {
+        case CoilKind::normal:
+            write(coil.variable, power);
+            return;
+        case CoilKind::negated:
+            write(coil.variable, not_(power));
+            return;
+        case CoilKind::set:
+            if (power.value != Logic::zero) write(coil.variable, or_(before, power));
+            return;
+        case CoilKind::reset:
+            if (power.value != Logic::zero) write(coil.variable, and_(before, not_(power)));
+            return;
+        case CoilKind::rising:
+            write(coil.variable, edge(power, true));
+            return;
+        case CoilKind::falling:
+            write(coil.variable, edge(power, false));
+            return;
+    }
+}
+
+Signal Scan::execute(const Block& block, Signal power) {
+    if (row_of(block.type).is_function) return execute_function(block, power);
+    MachineState::Cell& instance = cell(block.target);
+    const Signal last = instance.last;
+    instance.last = power;
+    switch (block.type) {
+        case BlockType::rise:
+            write(block.target, and_(power, not_(last)));
+            break;
+        case BlockType::fall:
+            write(block.target, and_(not_(power), last));
+            break;
+        case BlockType::set_dominant:
+            write(block.target, or_(power, and_(instance.bit, not_(bit(block.operands[0])))));
+            break;
+        case BlockType::reset_dominant:
+            write(block.target, and_(or_(power, instance.bit), not_(bit(block.operands[0]))));
+            break;
+        case BlockType::on_delay:
+            if (!decided(power)) {
+                instance.runs = false;
+                write(block.target, zero);
+                break;
+            }
+            if (!instance.runs) instance.since = now_;
+            instance.runs = true;
+            write(block.target, signal_of(now_ - instance.since >= block.operands[0].value));
+            break;
+        case BlockType::off_delay: {
+            if (decided(power) || instance.bit.value != Logic::one) {
+                instance.runs = false;
+                write(block.target, power);
+                break;
+            }
+            if (!instance.runs) instance.since = now_;
+            instance.runs = now_ - instance.since < block.operands[0].value;
+            write(block.target, signal_of(instance.runs));
+            break;
+        }
+        default:
+            execute_counter(block, decided(and_(power, not_(last))));
+            break;
+    }
+    return instance.bit;
+}
+
+void Scan::execute_counter(const Block& block, bool counts) {
+    MachineState::Cell& instance = cell(block.target);
+    const bool loads = decided(bit(block.operands[0]));
+    const std::int64_t preset = number(block.operands[1]);
+    const bool up = block.type == BlockType::count_up;
+    if (loads) {
+        instance.number = up ? 0 : preset;
+    } else if (counts) {
+        instance.number += up ? 1 : -1;
+    }
+    write(block.target, signal_of(up ? instance.number >= preset : instance.number <= 0));
+}
+
+Signal Scan::execute_function(const Block& block, Signal power) {
+    if (!decided(power)) return power;
+    std::vector<std::int64_t> in;
+    for (const Operand& operand : block.operands) in.push_back(number(operand));
+    const auto bits = [&](std::size_t i) { return static_cast<std::uint64_t>(in[i]); };
+    std::int64_t result = in[0];
+    switch (block.type) {
+        case BlockType::add:
+            result = wrapped(bits(0) + bits(1));
+            break;
+        case BlockType::subtract:
+            result = wrapped(bits(0) - bits(1));
+            break;
+        case BlockType::multiply:
+            result = wrapped(bits(0) * bits(1));
+            break;
+        case BlockType::limit:
+            result = std::max(in[0], std::min(in[1], in[2]));
+            break;
+        default:
+            break;
+    }
+    cell(block.target).number = result;
+    outcome_.writers[static_cast<std::size_t>(block.target)] = rung_;
+    return power;
+}
+
+}  // namespace grafwire::ladder
