@@ -99,7 +99,7 @@ struct Operand {
     Kind kind = Kind::number;
     std::int64_t value = 0;  ///< of a number; of a time in picoseconds, as text/time.h has it; a
                              ///< bit constant is the number 0 or 1
-    VariableId variable{};  ///< of a variable; an instance of a counter stands for its CV
+    VariableId variable{};   ///< of a variable; an instance of a counter stands for its CV
     bool operator==(const Operand&) const = default;
 };
 

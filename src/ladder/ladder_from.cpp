@@ -244,6 +244,16 @@ Ladder LadderBuild::make() {
     ladder_.name = grafcet_.name;
     ladder_.title = grafcet_.title;
     next_work_ = program_.scratch_bits;
+    ladder_.remarks.emplace_back(
+        "Executed from top to bottom, once a scan. The transitions (T...) are worked out first; "
+        "then "
+        "every step (X...) is reset by those out of it and set by those into it.");
+    if (program_.has_modes) {
+        ladder_.remarks.emplace_back(
+            "Inputs of the modes: Init = 1 holds the initial situation, AUdur = 1 deactivates "
+            "every "
+            "step, AUdoux = 1 switches off every continuous output.");
+    }
     simplify_program();
     declare_names();
     make_start();

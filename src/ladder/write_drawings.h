@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "ladder/ladder.h"
+
+namespace grafwire::ladder {
+
+/// The diagram drawn in characters (box drawing), at most `width` columns wide unless a single name
+/// is wider: a head with the variables, then the sections and rungs with their comments.
+std::string write_text(const Ladder& ladder, int width = 100);
+/// One rung between its rails, without comment; lines are indented by `indent` blanks.
+std::string write_rung(const Ladder& ladder, const Rung& rung, int width, std::size_t indent = 0);
+
+/// The diagram as a picture: a self-contained SVG file for light and dark viewers.
+std::string write_svg(const Ladder& ladder);
+
+}  // namespace grafwire::ladder
