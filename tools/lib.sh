@@ -13,6 +13,7 @@ g++                  /usr/bin/g++
 libboost-dev         /usr/include/boost/version.hpp
 libcli11-dev         /usr/include/CLI/CLI.hpp
 libfmt-dev           /usr/include/fmt/core.h
+libpugixml-dev       /usr/include/pugixml.hpp
 ninja-build          /usr/bin/ninja
 nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
 '
@@ -20,6 +21,7 @@ packages_to_test='
 doctest-dev          /usr/include/doctest/doctest.h
 fp-compiler          /usr/bin/fpc
 iverilog             /usr/bin/iverilog
+libxml2-utils        /usr/bin/xmllint
 ngspice              /usr/bin/ngspice
 python3              /usr/bin/python3
 yosys                /usr/bin/yosys

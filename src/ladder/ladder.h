@@ -179,6 +179,9 @@ struct Ladder {
     std::string title;
     std::vector<std::string> remarks;  ///< how the program is to be used, a line each
     std::vector<Variable> variables;
+    /// The first of them, so many, are the chart's: inputs, outputs, steps, vars, counters.
+    std::size_t declared = 0;
+    std::uint32_t integer_bits = 16;  ///< that hold every integer and every sum: 16, 32 or 64
     std::vector<Rung> rungs;
 
     const Variable& variable(VariableId id) const {

@@ -56,6 +56,8 @@ class LadderBuild {
     /// Appends the blocks that add up a sum, the last of them into `target`.
     void add_up(const Sum& sum, VariableId target, std::vector<Block>& blocks);
     void check_range(const Sum& sum);
+    /// Makes integers wide enough.
+    void note_range(std::int64_t low, std::int64_t high);
 
     // ladder_names.cpp
     void declare_names();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "ladder/ladder_build.h"
 
@@ -155,6 +156,7 @@ Power LadderBuild::comparison(const Comparison& comparison) {
 }
 
 Operand LadderBuild::value_of(const Sum& sum) {
+    check_range(sum);
     Operand operand;
     if (is_number(sum)) {
         operand.value = sum[0].negative ? -sum[0].value : sum[0].value;
@@ -172,8 +174,17 @@ Operand LadderBuild::value_of(const Sum& sum) {
     return operand;
 }
 
+void LadderBuild::note_range(std::int64_t low, std::int64_t high) {
+    const auto holds = [&](std::int64_t limit) { return low >= -limit - 1 && high <= limit; };
+    const std::uint32_t bits = holds(INT16_MAX) ? 16 : holds(INT32_MAX) ? 32 : 64;
+    ladder_.integer_bits = std::max(ladder_.integer_bits, bits);
+}
+
 void LadderBuild::check_range(const Sum& sum) {
-    if (range_of(grafcet_, sum)) return;
+    if (const auto range = range_of(grafcet_, sum)) {
+        note_range(range->low, range->high);
+        return;
+    }
     diagnostics_.error(Code::unsupported_by_style, origin_,
                        "a sum here can exceed 64 bits, which no ladder diagram holds; use counters "
                        "of smaller ranges");

@@ -256,6 +256,7 @@ Ladder LadderBuild::make() {
     }
     simplify_program();
     declare_names();
+    ladder_.declared = ladder_.variables.size();
     make_start();
     make_previous();
     make_section(SectionKind::edges, "Edges");

@@ -52,6 +52,7 @@ void LadderBuild::declare_names() {
     declare_bits(BitKind::var, grafcet_.vars.size(), Role::memory, "");
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         const Counter& counter = grafcet_.counters[CounterId{c}];
+        note_range(counter.low, counter.high);
         integers_[{false, c}] = declare(counter.name, Type::integer, Role::memory,
                                         fmt::format("{}..{}", counter.low, counter.high));
     }

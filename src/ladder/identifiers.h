@@ -1,0 +1,29 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grafwire::ladder {
+
+/// Makes names into identifiers of IEC 61131-3 (section 2.1.2: ASCII letters, digits, single
+/// underscores, no case, no keywords), one-to-one and readable: `V+` becomes V_plus, `↑dcy`
+/// rise_dcy, `5s/X13` n5s_X13.
+class Identifiers {
+  public:
+    /// The identifiers of a group of names, none of which any group before has taken. Names that
+    /// are identifiers keep their spelling before the others get theirs.
+    std::vector<std::string> add(const std::vector<std::string>& names);
+
+  private:
+    bool take(const std::string& identifier);
+
+    std::set<std::string> taken_;  ///< in capitals
+};
+
+bool is_identifier(std::string_view name);
+/// In capitals, as identifiers are compared.
+std::string capitals(std::string_view name);
+
+}  // namespace grafwire::ladder
