@@ -77,6 +77,10 @@ enum class Code {
     bad_offset,
     program_too_long,
     read_leniently,  ///< a warning: something was put right while reading
+    // Programs.
+    unsupported_by_language,
+    // Ladder diagrams.
+    bad_ladder,
 };
 
 /// One message with its place. Notes name the other parties (the earlier declaration, the other

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "text/time.h"
+
+namespace grafwire::ladder {
+
+/// `T#1m30s500ms`, `TIME#1.5s`, `t#250us`; underscores are skipped. Empty where the text is none,
+/// or is negative or out of range.
+std::optional<Time> parse_time_literal(std::string_view text);
+
+/// `12`, `-3`, `INT#12`, `16#FF`, `2#1010`, `TRUE`, `FALSE`. Empty where the text is none, or has
+/// more than 64 bits.
+std::optional<std::int64_t> parse_number_literal(std::string_view text);
+
+}  // namespace grafwire::ladder
