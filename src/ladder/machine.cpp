@@ -144,4 +144,54 @@ std::string Machine::key(const MachineState& state, Time now) const {
     return key;
 }
 
+std::string Machine::save(const MachineState& state) const {
+    std::string memory;
+    for (std::size_t v = 0; v < state.cells.size(); ++v) {
+        if (!remembered_[v]) continue;
+        const MachineState::Cell& cell = state.cells[v];
+        memory += static_cast<char>(cell.bit.value);
+        if (ladder_.variables[v].type == Type::bit) continue;
+        memory += static_cast<char>(cell.last.value);
+        memory += static_cast<char>(cell.runs ? 1 : 0);
+        append(memory, static_cast<std::uint64_t>(cell.number));
+        append(memory, static_cast<std::uint64_t>(cell.since));
+    }
+    for (const Signal& signal : state.edges) memory += static_cast<char>(signal.value);
+    return memory;
+}
+
+MachineState Machine::load(const std::string& memory) const {
+    MachineState state;
+    std::size_t at = 0;
+    const auto byte = [&] { return static_cast<unsigned char>(memory[at++]); };
+    const auto logic = [&] { return static_cast<Logic>(byte()); };
+    const auto number = [&] {
+        std::uint64_t value = 0;
+        for (int shift = 0; shift < 64; shift += 8) value |= std::uint64_t{byte()} << shift;
+        return static_cast<std::int64_t>(value);
+    };
+    state.cells.resize(ladder_.variables.size());
+    for (std::size_t v = 0; v < state.cells.size(); ++v) {
+        if (!remembered_[v]) continue;
+        MachineState::Cell& cell = state.cells[v];
+        cell.bit.value = logic();
+        if (ladder_.variables[v].type == Type::bit) continue;
+        cell.last.value = logic();
+        cell.runs = byte() != 0;
+        cell.number = number();
+        cell.since = number();
+    }
+    state.edges.resize(edge_count_);
+    for (Signal& signal : state.edges) signal.value = logic();
+    return state;
+}
+
+std::vector<Time> Machine::delays() const {
+    std::vector<Time> delays;
+    for (const Time longest : longest_) {
+        if (longest != 0) delays.push_back(longest);
+    }
+    return delays;
+}
+
 }  // namespace grafwire::ladder

@@ -51,6 +51,8 @@ class Machine {
         /// Per variable: the rung that wrote it last in this scan, an index into Ladder::rungs (a
         /// set or reset coil without power writes nothing).
         std::vector<std::uint32_t> writers;
+        /// Per rung: the power that reached its coils.
+        std::vector<Logic> powers;
     };
     static constexpr std::uint32_t nobody = 0xffffffffU;
     Outcome scan(MachineState& state, Time now) const;
@@ -60,6 +62,13 @@ class Machine {
     /// The part of a state on which the future depends, times relative to `now`: two states of one
     /// key behave alike.
     std::string key(const MachineState& state, Time now) const;
+    /// What is remembered, as bytes, and back. Bits in them must be known; the others are 0 in the
+    /// state that comes back.
+    std::string save(const MachineState& state) const;
+    MachineState load(const std::string& memory) const;
+
+    /// The presets of its timers.
+    std::vector<Time> delays() const;
 
   private:
     friend class Scan;

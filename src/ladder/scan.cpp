@@ -41,6 +41,7 @@ Machine::Outcome Scan::run() {
         next_edge_ = machine_.first_edge_[rung_];
         Signal power = flow(rung.power);
         for (const Block& block : rung.blocks) power = execute(block, power);
+        outcome_.powers.push_back(power.value);
         for (const Coil& coil : rung.coils) execute(coil, power);
     }
     return std::move(outcome_);

@@ -1,0 +1,134 @@
+// A witness against a ladder diagram, in words: the rungs in which the difference came about.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/ladder_device.h"
+#include "check/story.h"
+#include "ladder/write_drawings.h"
+
+namespace grafwire {
+
+namespace {
+
+using ladder::VariableId;
+
+constexpr std::size_t most_rungs = 8;
+
+bool writes(const ladder::Rung& rung, VariableId variable) {
+    for (const ladder::Coil& coil : rung.coils) {
+        if (coil.variable == variable) return true;
+    }
+    for (const ladder::Block& block : rung.blocks) {
+        if (block.target == variable) return true;
+    }
+    return false;
+}
+
+void collect_reads(const ladder::Power& power, std::vector<VariableId>& variables) {
+    if (power.kind == ladder::Power::Kind::contact) variables.push_back(power.variable);
+    for (const ladder::Operand* operand : {&power.left, &power.right}) {
+        if (power.kind == ladder::Power::Kind::comparison &&
+            operand->kind == ladder::Operand::Kind::variable) {
+            variables.push_back(operand->variable);
+        }
+    }
+    for (const ladder::Power& part : power.parts) collect_reads(part, variables);
+}
+
+/// The rungs that a difference in some variables may come from: those that write them, then those
+/// that write what these read before them in the same scan.
+std::vector<std::size_t> suspects(const ladder::Ladder& ladder, std::vector<VariableId> differing,
+                                  const std::vector<VariableId>& steps) {
+    std::vector<std::size_t> found;
+    const auto add = [&](VariableId variable, std::size_t end) {
+        for (std::size_t r = 0; r < end && found.size() < most_rungs; ++r) {
+            if (!writes(ladder.rungs[r], variable)) continue;
+            if (std::find(found.begin(), found.end(), r) == found.end()) found.push_back(r);
+        }
+    };
+    for (const VariableId variable : differing) add(variable, ladder.rungs.size());
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        std::vector<VariableId> read;
+        collect_reads(ladder.rungs[found[at]].power, read);
+        for (const VariableId variable : read) {
+            const bool is_step = std::find(steps.begin(), steps.end(), variable) != steps.end();
+            if (!is_step) add(variable, found[at]);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace
+
+/// The scan at the end of the witness, as the diagram executes it.
+ladder::Machine::Outcome LadderDevice::last_scan(const Witness& witness) const {
+    ladder::MachineState state = machine_.start();
+    ladder::Machine::Outcome outcome;
+    for (const auto& [variable, input] : input_of_) machine_.set(state, variable, Logic::zero);
+    std::size_t next = 0;
+    const std::vector<Stimuli::Change>& changes = witness.stimuli.changes;
+    for (Time now = 0; now <= witness.stimuli.end; now += witness.scan_period) {
+        for (; next < changes.size() && changes[next].at <= now; ++next) {
+            for (const auto& [input, value] : changes[next].assignments) {
+                const auto& variable = names_.inputs[input];
+                if (variable) machine_.set(state, *variable, value ? Logic::one : Logic::zero);
+            }
+        }
+        outcome = machine_.scan(state, now);
+    }
+    return outcome;
+}
+
+std::string LadderDevice::tell(const Witness& witness, Language language) const {
+    Story story(grafcet_, witness, language);
+    story.tell_changes();
+    story.tell_reference();
+    story.tell_difference(story.choose("the ladder diagram", "le schéma à contacts"));
+    const ladder::Machine::Outcome scan = last_scan(witness);
+    std::vector<VariableId> differing;
+    for (std::size_t v = 0; v < witness.values.size(); ++v) {
+        if (witness.values[v].expected == witness.values[v].got) continue;
+        const VariableId variable =
+            v < names_.steps.size() ? names_.steps[v] : names_.outputs[v - names_.steps.size()];
+        differing.push_back(variable);
+        const std::uint32_t writer = scan.writers[static_cast<std::size_t>(variable)];
+        const std::string& name = ladder_.variable(variable).name;
+        if (writer == ladder::Machine::nobody) {
+            story.add(fmt::format(
+                fmt::runtime(story.choose("  no network has written {} in this scan\n",
+                                          "  aucun réseau n'a écrit {} dans cette scrutation\n")),
+                name));
+        } else {
+            story.add(fmt::format(
+                fmt::runtime(story.choose("  {} was last written in network {}\n",
+                                          "  {} a été écrit en dernier dans le réseau {}\n")),
+                name, ladder_.rungs[writer].number));
+        }
+    }
+    const std::vector<std::size_t> rungs = suspects(ladder_, differing, names_.steps);
+    if (!rungs.empty()) {
+        story.add(story.choose("The networks that decide it, in this scan:\n",
+                               "Les réseaux qui en décident, dans cette scrutation :\n"));
+    }
+    for (const std::size_t r : rungs) {
+        const ladder::Rung& rung = ladder_.rungs[r];
+        const bool passes = r < scan.powers.size() && scan.powers[r] == Logic::one;
+        std::string head =
+            fmt::format(fmt::runtime(story.choose("  network {}", "  réseau {}")), rung.number);
+        if (rung.origin.is_known()) {
+            head += fmt::format(fmt::runtime(story.choose(", line {}", ", ligne {}")),
+                                rung.origin.line);
+        }
+        if (!rung.comment.empty()) head += fmt::format(" ({})", rung.comment);
+        head += passes
+                    ? story.choose(": power reaches its end", " : le courant passe")
+                    : story.choose(": power does not reach its end", " : le courant ne passe pas");
+        story.add(head + "\n" + ladder::write_rung(ladder_, rung, 72, 4));
+    }
+    return story.take();
+}
+
+}  // namespace grafwire
