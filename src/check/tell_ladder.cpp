@@ -14,7 +14,13 @@ namespace {
 
 using ladder::VariableId;
 
-constexpr std::size_t most_rungs = 8;
+constexpr std::size_t most_rungs = 12;
+
+/// A variable that is not what it should be.
+struct Difference {
+    VariableId variable{};
+    bool expected = false;
+};
 
 bool writes(const ladder::Rung& rung, VariableId variable) {
     for (const ladder::Coil& coil : rung.coils) {
@@ -24,6 +30,18 @@ bool writes(const ladder::Rung& rung, VariableId variable) {
         if (block.target == variable) return true;
     }
     return false;
+}
+
+/// Whether a rung may be why: a set coil that had power where there should be a 0, or had none
+/// where there should be a 1; a reset coil likewise; any other coil.
+bool may_be_why(const ladder::Rung& rung, bool has_power, const Difference& difference) {
+    for (const ladder::Coil& coil : rung.coils) {
+        if (coil.variable != difference.variable) continue;
+        if (coil.kind == ladder::CoilKind::set) return has_power != difference.expected;
+        if (coil.kind == ladder::CoilKind::reset) return has_power == difference.expected;
+        return true;
+    }
+    return writes(rung, difference.variable);
 }
 
 void collect_reads(const ladder::Power& power, std::vector<VariableId>& variables) {
@@ -37,24 +55,32 @@ void collect_reads(const ladder::Power& power, std::vector<VariableId>& variable
     for (const ladder::Power& part : power.parts) collect_reads(part, variables);
 }
 
-/// The rungs that a difference in some variables may come from: those that write them, then those
-/// that write what these read before them in the same scan.
-std::vector<std::size_t> suspects(const ladder::Ladder& ladder, std::vector<VariableId> differing,
+/// The rungs that the differences may come from: one variable after the other those that decide it,
+/// each with those that write what it reads, before it in the same scan. Steps are not followed:
+/// what a scan found active was right, or the difference would have shown earlier.
+std::vector<std::size_t> suspects(const ladder::Ladder& ladder, const std::vector<Logic>& powers,
+                                  const std::vector<Difference>& differences,
                                   const std::vector<VariableId>& steps) {
     std::vector<std::size_t> found;
-    const auto add = [&](VariableId variable, std::size_t end) {
-        for (std::size_t r = 0; r < end && found.size() < most_rungs; ++r) {
-            if (!writes(ladder.rungs[r], variable)) continue;
-            if (std::find(found.begin(), found.end(), r) == found.end()) found.push_back(r);
-        }
+    const auto add = [&](std::size_t rung) {
+        if (found.size() == most_rungs) return;
+        if (std::find(found.begin(), found.end(), rung) == found.end()) found.push_back(rung);
     };
-    for (const VariableId variable : differing) add(variable, ladder.rungs.size());
-    for (std::size_t at = 0; at < found.size(); ++at) {
-        std::vector<VariableId> read;
-        collect_reads(ladder.rungs[found[at]].power, read);
-        for (const VariableId variable : read) {
-            const bool is_step = std::find(steps.begin(), steps.end(), variable) != steps.end();
-            if (!is_step) add(variable, found[at]);
+    for (const Difference& difference : differences) {
+        std::size_t next = found.size();
+        for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
+            if (may_be_why(ladder.rungs[r], powers[r] == Logic::one, difference)) add(r);
+        }
+        for (; next < found.size(); ++next) {
+            std::vector<VariableId> read;
+            const std::size_t reader = found[next];
+            collect_reads(ladder.rungs[reader].power, read);
+            for (const VariableId variable : read) {
+                if (std::find(steps.begin(), steps.end(), variable) != steps.end()) continue;
+                for (std::size_t r = 0; r < reader; ++r) {
+                    if (writes(ladder.rungs[r], variable)) add(r);
+                }
+            }
         }
     }
     std::sort(found.begin(), found.end());
@@ -88,12 +114,12 @@ std::string LadderDevice::tell(const Witness& witness, Language language) const 
     story.tell_reference();
     story.tell_difference(story.choose("the ladder diagram", "le schéma à contacts"));
     const ladder::Machine::Outcome scan = last_scan(witness);
-    std::vector<VariableId> differing;
+    std::vector<Difference> differences;
     for (std::size_t v = 0; v < witness.values.size(); ++v) {
         if (witness.values[v].expected == witness.values[v].got) continue;
         const VariableId variable =
             v < names_.steps.size() ? names_.steps[v] : names_.outputs[v - names_.steps.size()];
-        differing.push_back(variable);
+        differences.push_back({variable, witness.values[v].expected == Logic::one});
         const std::uint32_t writer = scan.writers[static_cast<std::size_t>(variable)];
         const std::string& name = ladder_.variable(variable).name;
         if (writer == ladder::Machine::nobody) {
@@ -108,14 +134,15 @@ std::string LadderDevice::tell(const Witness& witness, Language language) const 
                 name, ladder_.rungs[writer].number));
         }
     }
-    const std::vector<std::size_t> rungs = suspects(ladder_, differing, names_.steps);
+    const std::vector<std::size_t> rungs =
+        suspects(ladder_, scan.powers, differences, names_.steps);
     if (!rungs.empty()) {
         story.add(story.choose("The networks that decide it, in this scan:\n",
                                "Les réseaux qui en décident, dans cette scrutation :\n"));
     }
     for (const std::size_t r : rungs) {
         const ladder::Rung& rung = ladder_.rungs[r];
-        const bool passes = r < scan.powers.size() && scan.powers[r] == Logic::one;
+        const bool passes = scan.powers[r] == Logic::one;
         std::string head =
             fmt::format(fmt::runtime(story.choose("  network {}", "  réseau {}")), rung.number);
         if (rung.origin.is_known()) {
