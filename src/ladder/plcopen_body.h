@@ -29,6 +29,7 @@ class PlcopenBody {
 
     /// An element with its localId, place and size.
     pugi::xml_node element(const char* name, Point corner, int width, int height);
+    std::uint64_t new_id() { return next_id_++; }
     static std::uint64_t id_of(pugi::xml_node element);
     /// A connectionPointIn at `at`, with wires to where it is fed from.
     static void inlet(pugi::xml_node owner, Point corner, Point at,

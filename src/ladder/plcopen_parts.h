@@ -11,4 +11,10 @@ namespace grafwire::ladder {
 void write_ladder_body(const Ladder& ladder, const std::vector<std::string>& names,
                        pugi::xml_node body);
 
+/// The sequential function chart of a GRAFCET: its interface and its body. What SFC cannot say
+/// (orders, enclosures, conditions of actions, actions on clearing and on events, transitions
+/// without a step before or after) stands in comments.
+void write_sfc_interface(const Grafcet& grafcet, pugi::xml_node pou);
+void write_sfc_body(const Grafcet& grafcet, pugi::xml_node body);
+
 }  // namespace grafwire::ladder

@@ -128,10 +128,11 @@ std::vector<std::string> identifiers_of(const Ladder& ladder) {
     return names;
 }
 
-std::string write_plcopen(const ScanProgram&, const Ladder& ladder) {
+std::string write_plcopen(const ScanProgram& scan, const Ladder& ladder) {
     const std::vector<std::string> names = identifiers_of(ladder);
     Identifiers programs;
     const std::string program = programs.add({ladder.name}).front();
+    const std::string chart = programs.add({ladder.name + " SFC"}).front();
     pugi::xml_document document;
     pugi::xml_node declaration = document.append_child(pugi::node_declaration);
     declaration.append_attribute("version") = "1.0";
@@ -148,6 +149,10 @@ std::string write_plcopen(const ScanProgram&, const Ladder& ladder) {
     add_interface(pou, ladder, names);
     write_ladder_body(ladder, names, add(add(pou, "body"), "LD"));
     add_text(add(pou, "documentation"), documentation_of(ladder, names));
+
+    pugi::xml_node sfc = add_program(pous, chart);
+    write_sfc_interface(*scan.grafcet, sfc);
+    write_sfc_body(*scan.grafcet, add(add(sfc, "body"), "SFC"));
 
     add_instance(project, program);
     std::ostringstream text;
