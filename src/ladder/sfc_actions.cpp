@@ -57,8 +57,10 @@ std::string write_text(const Grafcet& grafcet, const Write& write) {
         return target + " := " + write_expression(grafcet, grafcet.expressions, write.value);
     }
     std::string text = target + " :=";
+    bool is_first = true;
     for (const SumTerm& term : grafcet.sums[write.sum]) {
-        text += term.negative ? " - " : " + ";
+        text += term.negative ? " - " : is_first ? " " : " + ";
+        is_first = false;
         text += term.counter == SumTerm::no_counter
                     ? fmt::format("{}", term.value)
                     : quoted_where_needed(grafcet.counters[CounterId{term.counter}].name);

@@ -30,6 +30,8 @@ struct Cell {
     Outlet below() const {
         return {PlcopenBody::id_of(node), "", {corner.x + width / 2, corner.y + height}};
     }
+    /// Of a bar: straight above column x.
+    Outlet below_at(int x) const { return {PlcopenBody::id_of(node), "", {x, corner.y + height}}; }
     Point above() const { return {corner.x + width / 2, corner.y}; }
 };
 
@@ -42,6 +44,10 @@ class SfcBody {
           body_(body) {}
 
     void write() {
+        const bool has_sources = std::any_of(
+            grafcet_.transitions.begin(), grafcet_.transitions.end(),
+            [](const Transition& transition) { return transition.preceding_count == 0; });
+        if (has_sources) top_ += level_height;
         write_observer();
         make_elements();
         for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) connect_step(StepId{s});
@@ -54,24 +60,30 @@ class SfcBody {
   private:
     Cell make(const char* name, Point middle, int width, int height);
     Point middle_of(const SfcLayout::Place& place) const {
-        return {140 + column_width * place.column, 240 + level_height * place.level};
+        return {140 + column_width * place.column, top_ + level_height * place.level};
     }
+    int column_of(StepId id) const { return middle_of(layout_.steps[index_of(id)]).x; }
+    int column_of(TransitionId id) const { return middle_of(layout_.transitions[index_of(id)]).x; }
     void make_elements();
+    void make_transition(TransitionId id);
     void write_observer();
     void connect_step(StepId id);
     void connect_transition(TransitionId id);
-    void connect_bar(const Cell& cell, const std::vector<Outlet>& sources,
-                     const std::vector<Point>& ends, bool named_outlets);
+    /// A horizontal bar at a height, as wide as what meets there.
+    Cell make_bar(const char* name, std::vector<int> ends, int y, int thickness);
+    static void connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
+                            const std::vector<int>& ends, bool named_outlets);
     void write_remarks();
     std::vector<SfcLayout::Link> joined(StepId id) const;
-    /// What the transition hangs on: a step, or the bar of a selection below it.
-    Outlet out_of(StepId id) const;
-    Outlet out_of(TransitionId id) const;
+    /// What a transition or step at column x hangs on: what is before it, or the bar below that.
+    Outlet out_of(StepId id, int x) const;
+    Outlet out_of(TransitionId id, int x) const;
 
     const Grafcet& grafcet_;
     SfcNames names_;
     SfcLayout layout_;
     PlcopenBody body_;
+    int top_ = 60;  ///< of the first level
     std::vector<Cell> steps_;
     std::vector<Cell> transitions_;
     std::map<StepId, Cell> selections_;    ///< below steps with several transitions
@@ -98,6 +110,13 @@ std::vector<SfcLayout::Link> SfcBody::joined(StepId id) const {
     return links;
 }
 
+Cell SfcBody::make_bar(const char* name, std::vector<int> ends, int y, int thickness) {
+    const auto [left, right] = std::minmax_element(ends.begin(), ends.end());
+    constexpr int overhang = 10;
+    const int middle = (*left + *right) / 2;
+    return make(name, {middle, y}, *right - *left + 2 * overhang, thickness);
+}
+
 void SfcBody::make_elements() {
     for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
         const StepId id{s};
@@ -106,69 +125,87 @@ void SfcBody::make_elements() {
         step.node.append_attribute("name") = names_.steps[s].c_str();
         if (grafcet_.steps[id].initial) step.node.append_attribute("initialStep") = true;
         steps_.push_back(step);
-        const auto bar = [&](const char* name, int y) {
-            return make(name, {middle.x, middle.y + y}, 60, 1);
-        };
-        if (layout_.out_of[s].size() > 1) selections_[id] = bar("selectionDivergence", 55);
-        if (joined(id).size() > 1) convergences_[id] = bar("selectionConvergence", -20);
-    }
-    for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
-        const TransitionId id{t};
-        const Transition& transition = grafcet_.transitions[id];
-        const Point middle = middle_of(layout_.transitions[t]);
-        transitions_.push_back(make("transition", {middle.x, middle.y + 90}, 20, 2));
-        const auto bar = [&](const char* name, int y) {
-            return make(name, {middle.x, middle.y + y}, 60, 3);
-        };
-        if (transition.preceding_count > 1) joins_[id] = bar("simultaneousConvergence", 72);
-        if (transition.following_count > 1) splits_[id] = bar("simultaneousDivergence", 108);
-        int offset = 0;
-        for (const StepId step : grafcet_.following(transition)) {
-            for (const SfcLayout::Link& link : layout_.into[index_of(step)]) {
-                if (link.transition != id || !link.is_jump) continue;
-                Cell jump = make("jumpStep", {middle.x + offset, middle.y + 122}, 12, 14);
-                jump.node.append_attribute("targetName") = names_.steps[index_of(step)].c_str();
-                jumps_[id].push_back(jump);
-                offset += 40;
-            }
+        std::vector<int> below{middle.x};
+        std::vector<int> above{middle.x};
+        for (const TransitionId next : layout_.out_of[s]) below.push_back(column_of(next));
+        for (const SfcLayout::Link& link : joined(id)) above.push_back(column_of(link.transition));
+        if (below.size() > 2) {
+            selections_[id] = make_bar("selectionDivergence", below, middle.y + 60, 1);
         }
+        if (above.size() > 2) {
+            convergences_[id] = make_bar("selectionConvergence", above, middle.y - 20, 1);
+        }
+    }
+    for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t)
+        make_transition(TransitionId{t});
+}
+
+void SfcBody::make_transition(TransitionId id) {
+    const Transition& transition = grafcet_.transitions[id];
+    const Point middle = middle_of(layout_.transitions[index_of(id)]);
+    transitions_.push_back(make("transition", {middle.x, middle.y + 90}, 20, 2));
+    std::vector<int> above{middle.x};
+    std::vector<int> below{middle.x};
+    for (const StepId step : grafcet_.preceding(transition)) above.push_back(column_of(step));
+    int jump_x = middle.x;
+    for (const StepId step : grafcet_.following(transition)) {
+        const std::vector<SfcLayout::Link>& links = layout_.into[index_of(step)];
+        const bool is_jump = std::any_of(links.begin(), links.end(), [&](const auto& link) {
+            return link.transition == id && link.is_jump;
+        });
+        if (!is_jump) {
+            below.push_back(column_of(step));
+            continue;
+        }
+        Cell jump = make("jumpStep", {jump_x, middle.y + 122}, 12, 14);
+        jump.node.append_attribute("targetName") = names_.steps[index_of(step)].c_str();
+        jumps_[id].push_back(jump);
+        below.push_back(jump_x);
+        jump_x += 60;
+    }
+    if (transition.preceding_count > 1) {
+        joins_[id] = make_bar("simultaneousConvergence", above, middle.y + 75, 3);
+    }
+    if (transition.following_count > 1) {
+        splits_[id] = make_bar("simultaneousDivergence", below, middle.y + 106, 3);
     }
 }
 
-Outlet SfcBody::out_of(StepId id) const {
+Outlet SfcBody::out_of(StepId id, int x) const {
     const auto bar = selections_.find(id);
-    return bar == selections_.end() ? steps_[index_of(id)].below() : bar->second.below();
+    if (bar == selections_.end()) return steps_[index_of(id)].below();
+    return bar->second.below_at(x);
 }
 
-Outlet SfcBody::out_of(TransitionId id) const {
+Outlet SfcBody::out_of(TransitionId id, int x) const {
     const auto bar = splits_.find(id);
-    return bar == splits_.end() ? transitions_[index_of(id)].below() : bar->second.below();
+    if (bar == splits_.end()) return transitions_[index_of(id)].below();
+    return bar->second.below_at(x);
 }
 
-/// A bar: where it is fed from, and an outlet for each of what hangs on it.
-void SfcBody::connect_bar(const Cell& cell, const std::vector<Outlet>& sources,
-                          const std::vector<Point>& ends, bool named_outlets) {
-    const bool converges = sources.size() > 1;
-    if (converges) {
-        for (const Outlet& source : sources) {
-            PlcopenBody::inlet(cell.node, cell.corner, cell.above(), {source});
-        }
-    } else {
-        PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
+/// A bar with what leads to it, each straight from above, and the columns of what hangs on it.
+void SfcBody::connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
+                          const std::vector<int>& ends, bool named_outlets) {
+    for (const Outlet& source : sources) {
+        PlcopenBody::inlet(bar.node, bar.corner, {source.at.x, bar.corner.y}, {source});
     }
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        PlcopenBody::outlet(cell.node, cell.corner, cell.below().at, named_outlets);
+    for (const int x : ends) {
+        PlcopenBody::outlet(bar.node, bar.corner, bar.below_at(x).at, named_outlets);
     }
 }
 
 void SfcBody::connect_step(StepId id) {
     const Cell& cell = steps_[index_of(id)];
+    const int x = cell.above().x;
     std::vector<Outlet> sources;
-    for (const SfcLayout::Link& link : joined(id)) sources.push_back(out_of(link.transition));
     const auto convergence = convergences_.find(id);
+    for (const SfcLayout::Link& link : joined(id)) {
+        const bool is_alone = convergence == convergences_.end();
+        sources.push_back(out_of(link.transition, is_alone ? x : column_of(link.transition)));
+    }
     if (convergence != convergences_.end()) {
-        connect_bar(convergence->second, sources, {Point()}, false);
-        sources = {convergence->second.below()};
+        connect_bar(convergence->second, sources, {x}, false);
+        sources = {convergence->second.below_at(x)};
     }
     if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
     PlcopenBody::outlet(cell.node, cell.corner, cell.below().at, true);
@@ -179,19 +216,24 @@ void SfcBody::connect_step(StepId id) {
     }
     const auto selection = selections_.find(id);
     if (selection == selections_.end()) return;
-    connect_bar(selection->second, {cell.below()},
-                std::vector<Point>(layout_.out_of[index_of(id)].size()), true);
+    std::vector<int> ends;
+    for (const TransitionId next : layout_.out_of[index_of(id)]) ends.push_back(column_of(next));
+    connect_bar(selection->second, {cell.below()}, ends, true);
 }
 
 void SfcBody::connect_transition(TransitionId id) {
     const Transition& transition = grafcet_.transitions[id];
     const Cell& cell = transitions_[index_of(id)];
+    const int x = cell.above().x;
     std::vector<Outlet> sources;
-    for (const StepId step : grafcet_.preceding(transition)) sources.push_back(out_of(step));
     const auto join = joins_.find(id);
+    for (const StepId step : grafcet_.preceding(transition)) {
+        const bool is_joined = join != joins_.end() && selections_.count(step) == 0;
+        sources.push_back(out_of(step, is_joined ? column_of(step) : x));
+    }
     if (join != joins_.end()) {
-        connect_bar(join->second, sources, {Point()}, false);
-        sources = {join->second.below()};
+        connect_bar(join->second, sources, {x}, false);
+        sources = {join->second.below_at(x)};
     }
     if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
     PlcopenBody::outlet(cell.node, cell.corner, cell.below().at);
@@ -203,20 +245,29 @@ void SfcBody::connect_transition(TransitionId id) {
     add_text(node.append_child("documentation"),
              fmt::format("({}) {}", quoted_where_needed(transition.name),
                          write_expression(grafcet_, grafcet_.expressions, transition.receptivity)));
-    if (const auto split = splits_.find(id); split != splits_.end()) {
-        connect_bar(split->second, {cell.below()}, std::vector<Point>(transition.following_count),
-                    true);
+    const auto split = splits_.find(id);
+    std::vector<int> ends;
+    for (const StepId step : grafcet_.following(transition)) {
+        for (const SfcLayout::Link& link : joined(step)) {
+            if (link.transition != id) continue;
+            const bool converges = convergences_.count(step) > 0;
+            ends.push_back(converges ? column_of(id) : column_of(step));
+        }
     }
     for (const Cell& jump : jumps_[id]) {
-        PlcopenBody::inlet(jump.node, jump.corner, jump.above(), {out_of(id)});
+        const Point above = jump.above();
+        PlcopenBody::inlet(jump.node, jump.corner, above, {out_of(id, above.x)});
+        ends.push_back(above.x);
     }
+    if (split != splits_.end()) connect_bar(split->second, {cell.below()}, ends, true);
 }
 
 /// Edges and time conditions are worked out by an action of a step that is always active.
 void SfcBody::write_observer() {
     const std::string text = observing_text(grafcet_, names_);
     if (text.empty()) return;
-    Cell step = make("step", {140, 20}, step_width, step_height);
+    Cell step = make("step", {140, top_ - 40}, step_width, step_height);
+    top_ += step_height + 60;
     step.node.append_attribute("name") = "observe";
     step.node.append_attribute("initialStep") = true;
     PlcopenBody::outlet(step.node, step.corner, step.below().at, true);
