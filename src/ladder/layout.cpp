@@ -355,6 +355,14 @@ std::vector<std::string> wrapped_text(const std::string& text, std::size_t width
     std::size_t last_blank = std::string::npos;  // in `line`
     for (std::size_t at = 0; at < text.size();) {
         const std::uint32_t bytes = std::max(decode_utf8(text, at).length, 1U);
+        if (in_line == width && text[at] == ' ') {
+            lines.push_back(std::move(line));
+            line.clear();
+            in_line = 0;
+            last_blank = std::string::npos;
+            ++at;
+            continue;
+        }
         if (in_line == width) {
             const bool at_blank = last_blank != std::string::npos && last_blank > 0;
             lines.push_back(at_blank ? line.substr(0, last_blank) : line);
