@@ -112,12 +112,10 @@ Piece Layout::comparison(const Power& power) {
                                          operand_text(ladder_, power.right));
     Piece piece{{}, 1, 1};
     Drawing& drawing = piece.drawing;
-    int width = length(text) + 4;
-    if (width % 2 == 0) ++width;
+    const int width = length(text) + 4;
     drawing.width = width + 2;
     drawing.height = 2;
-    drawing.symbols.push_back(
-        {Drawing::Symbol::Kind::comparison, drawing.width / 2, 1, text, width});
+    drawing.symbols.push_back({Drawing::Symbol::Kind::comparison, 1 + width / 2, 1, text, width});
     wire_across(drawing, 0, 1, 1);
     wire_across(drawing, width + 1, width + 2, 1);
     return piece;

@@ -28,7 +28,7 @@ struct Drawing {
         int x = 0;  ///< of the middle cell
         int y = 0;
         std::string text;  ///< the mark (empty, `/`, `P`, `N`, `S`, `R`), or what is compared
-        int width = 3;     ///< in cells, odd
+        int width = 3;     ///< in cells; the first is x - width / 2
     };
     struct Label {
         enum class Kind { name, arrow };

@@ -98,9 +98,9 @@ void Picture::paragraph(const std::string& words, std::string_view kind) {
 
 void Picture::symbol(const Drawing::Symbol& symbol) {
     const double y = y_of(symbol.y + 0.5);
-    const double middle = x_of(symbol.x + 0.5);
     const double half = cell_width * symbol.width / 2.0;
-    const double left = middle - half;
+    const double left = x_of(symbol.x - symbol.width / 2);
+    const double middle = left + half;
     const double right = middle + half;
     if (symbol.kind == Drawing::Symbol::Kind::coil) {
         const double r = half - 1;
