@@ -65,21 +65,20 @@ void must_be_found(const Grafcet& grafcet, const Ladder& faulty, std::uint32_t n
 
 TEST_CASE("the ladder diagrams of the examples are equivalent") {
     for (const ChartFiles& chart : example_charts()) {
-        if (chart.name == "level-crossing" || chart.name == "press") continue;  // long
         CAPTURE(chart.name);
         const auto grafcet = read_grafcet(chart.chart);
         for (const bool modes : {true, false}) {
             const Ladder ladder = ladder_of(*grafcet, modes);
             const LadderDevice device(*grafcet, ladder, find_names(*grafcet, ladder));
             CHECK(device.has_modes() == modes);
+            // One has too many states for a complete exploration to be a matter of a second.
+            const bool is_large = chart.name == "level-crossing";
             CheckOptions options;
-            options.max_cases = 20'000;
-            const CheckResult result =
-                check_scans(*grafcet, device, natural_period(*grafcet, device), options);
+            options.max_cases = is_large ? 20'000 : 0;
+            const Time period = natural_period(*grafcet, device);
+            const CheckResult result = check_scans(*grafcet, device, period, options);
             CHECK(result.verdict != Verdict::different);
-            if (chart.name == "nine-steps" || chart.name == "rule-5") {
-                CHECK(result.verdict == Verdict::equivalent);
-            }
+            if (!is_large) CHECK(result.verdict == Verdict::equivalent);
         }
     }
 }

@@ -166,6 +166,19 @@ TEST_CASE("a picture escapes what is not text in XML") {
     CHECK(svg.find("<b") == std::string::npos);
 }
 
+TEST_CASE("integers are as wide as their sums need") {
+    const auto bits = [](const std::string& range, const std::string& sum) {
+        return ladder_of("counter n : " + range + " graph G { initial 0 0 -> 0 : [" + sum + "] }",
+                         false)
+            .integer_bits;
+    };
+    CHECK(bits("0..9", "n > 3") == 16);
+    CHECK(bits("-32768..32767", "n > 3") == 16);
+    CHECK(bits("0..32767", "n + 1 > 3") == 32);
+    CHECK(bits("0..9", "n > 40000") == 32);
+    CHECK(bits("0..9", "n - 5000000000 > 3") == 64);
+}
+
 TEST_CASE("text is cut at blanks where there are some") {
     CHECK(ladder::wrapped_text("one two three", 7) == std::vector<std::string>{"one two", "three"});
     CHECK(ladder::wrapped_text("ééééé", 2) == std::vector<std::string>{"éé", "éé", "é"});
