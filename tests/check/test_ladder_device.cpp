@@ -7,6 +7,7 @@
 #include "evolution/run.h"
 #include "ladder/chart_files.h"
 #include "ladder/ladder_from.h"
+#include "random/random_cases.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {
@@ -81,6 +82,22 @@ TEST_CASE("the ladder diagrams of the examples are equivalent") {
             if (!is_large) CHECK(result.verdict == Verdict::equivalent);
         }
     }
+}
+
+TEST_CASE("the ladder diagrams of random charts are not different") {
+    check_property(
+        [](const RandomCase& item) -> std::string {
+            const auto grafcet = read_grafcet(item.chart);
+            const Ladder ladder = ladder_of(*grafcet);
+            const LadderDevice device(*grafcet, ladder, find_names(*grafcet, ladder));
+            CheckOptions options;
+            options.max_cases = 5'000;
+            const Time period = natural_period(*grafcet, device);
+            const CheckResult result = check_scans(*grafcet, device, period, options);
+            if (result.verdict != Verdict::different) return {};
+            return device.tell(*result.witness, Language::english);
+        },
+        Features::small(), 960'000, 100, 1);
 }
 
 TEST_CASE("faults in the rungs of transitions and steps are found and named") {
