@@ -99,7 +99,8 @@ void Picture::paragraph(const std::string& words, std::string_view kind) {
 void Picture::symbol(const Drawing::Symbol& symbol) {
     const double y = y_of(symbol.y + 0.5);
     const double half = cell_width * symbol.width / 2.0;
-    const double left = x_of(symbol.x - symbol.width / 2);
+    const int first = symbol.x - symbol.width / 2;
+    const double left = x_of(first);
     const double middle = left + half;
     const double right = middle + half;
     if (symbol.kind == Drawing::Symbol::Kind::coil) {
