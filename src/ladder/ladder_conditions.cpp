@@ -185,7 +185,7 @@ void LadderBuild::check_range(const Sum& sum) {
         note_range(range->low, range->high);
         return;
     }
-    diagnostics_.error(Code::unsupported_by_style, origin_,
+    diagnostics_.error(Code::unsupported_by_language, origin_,
                        "a sum here can exceed 64 bits, which no ladder diagram holds; use counters "
                        "of smaller ranges");
 }
