@@ -88,14 +88,17 @@ void declare_options(CLI::App& app, CheckRequest& request) {
     app.add_option("--delay", request.delay, "delay of every gate: unit (1 ns)")
         ->check(CLI::IsMember({"unit"}))
         ->capture_default_str();
-    app.add_option("--against", request.against,
-                   "compare this .blif or .json (Yosys) netlist, or this .awl listing (S7-200), "
-                   "instead of a generated netlist");
+    app.add_option(
+        "--against", request.against,
+        "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this "
+        ".xml ladder diagram (PLCopen), instead of a generated netlist");
+    app.add_option("--program", request.program,
+                   "ladder diagrams: which program of the project, where it holds several");
     app.add_option("--io", request.io,
                    "listings: table of assignment, which address stands for which name");
     app.add_option("--scan", request.scan,
-                   "listings: the time from one scan to the next (default: one that divides all "
-                   "delays)");
+                   "listings and ladder diagrams: the time from one scan to the next (default: one "
+                   "that divides all delays)");
     app.add_option("--cpu", request.cpu, "listings: the controller, 212 or 214")
         ->check(CLI::IsMember({"212", "214"}))
         ->capture_default_str();
@@ -125,6 +128,9 @@ std::function<int()> declare_check(CLI::App& app, const Language& language) {
             return static_cast<int>(bad_request);
         }
         if (is_listing(request->against)) return check_listing_file(*request, *loaded, language);
+        if (request->against.ends_with(".xml")) {
+            return check_ladder_file(*request, *loaded, language);
+        }
         // Make the netlist, or read the one to compare with.
         const auto netlist = netlist_to_compare(*request, *loaded, language);
         if (!netlist) return static_cast<int>(bad_request);

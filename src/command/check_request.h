@@ -16,6 +16,7 @@ struct CheckRequest {
     std::string path;
     NetlistRequest netlist;
     std::string against;
+    std::string program;
     std::string io;
     std::string cpu = "214";
     std::string scan;
@@ -70,5 +71,8 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 
 /// Compares an S7-200 listing with the GRAFCET, and reports.
 int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
+
+/// Compares a ladder diagram in a PLCopen project with the GRAFCET, and reports.
+int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
 
 }  // namespace grafwire

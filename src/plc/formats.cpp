@@ -2,6 +2,7 @@
 
 #include "plc/languages.h"
 #include "plc/write_il.h"
+#include "plc/write_ladder.h"
 #include "plc/write_pl7.h"
 #include "plc/write_s7.h"
 #include "plc/write_st.h"
@@ -23,8 +24,12 @@ void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnosti
 constexpr PlcFormat table[] = {
     {"text", ".txt", "the program of one scan, a statement a line", text},
     {"il", ".il", "Instruction List, a function block (IEC 61131-3)", write_il},
+    {"ladder", ".txt", "ladder diagram, in characters", write_ladder_text},
+    {"ladder-svg", ".svg", "ladder diagram, as a picture", write_ladder_svg},
     {"pl7-2", ".txt", "PL7-2 with its GRAFCET (Telemecanique TSX 17-20, TSX 27, TSX 47)",
      write_pl7},
+    {"plcopen", ".xml", "ladder diagram and SFC, as a project (PLCopen TC6 XML 2.01)",
+     write_plcopen},
     {"s7-200", ".awl", "instruction list of the table method (SIMATIC S7-200)", write_s7,
      "--io --addresses --mnemonics --offsets --tables --cpu", check_s7_io, write_s7_addresses},
     {"st", ".st", "Structured Text, a function block (IEC 61131-3)", write_st},

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "check/ladder_device.h"
+#include "check/scan_check.h"
+#include "command/check_request.h"
+#include "evolution/run.h"
+#include "ladder/read_plcopen_ladder.h"
+
+namespace grafwire {
+
+namespace {
+
+std::optional<ladder::Ladder> load_ladder(const std::string& path, const std::string& program) {
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(path, diagnostics);
+    std::optional<ladder::Ladder> ladder;
+    if (!diagnostics.has_errors()) {
+        ladder = ladder::read_plcopen_ladder(source, diagnostics, program);
+    }
+    diagnostics.sort_by_place();
+    std::fputs(format_diagnostics(diagnostics, source, 20).c_str(), stderr);
+    return ladder;
+}
+
+/// Whether every step and output has its variable; shows what is missing.
+bool can_compare(const std::string& path, const LadderNames& names, Language language) {
+    const bool french = language == Language::french;
+    if (!names.missing.empty()) {
+        complain(fmt::format(
+            fmt::runtime(french
+                             ? "{}: pas de variable BOOL de ce nom : {} ; chaque étape (X...) et "
+                               "chaque sortie doit avoir la sienne"
+                             : "{}: no BOOL variable of this name: {}; every step (X...) and "
+                               "every output must have its own"),
+            path, fmt::join(names.missing, ", ")));
+        return false;
+    }
+    if (!names.missing_inputs.empty()) {
+        warn(fmt::format(fmt::runtime(french ? "{}: sans l'entrée {}" : "{}: has no input {}"),
+                         path, fmt::join(names.missing_inputs, ", ")));
+    }
+    return true;
+}
+
+std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const LadderDevice& device,
+                                          const Witness& witness, const std::string& story) {
+    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
+    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+            {"witness.txt", story},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
+            {"got.csv", write_csv(got)},
+            {"got.vcd", write_vcd(got, grafcet.name)}};
+}
+
+}  // namespace
+
+int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language) {
+    const Grafcet& grafcet = loaded.grafcet;
+    // Read the diagram, and find everything the GRAFCET names in it.
+    const auto ladder = load_ladder(request.against, request.program);
+    if (!ladder) return bad_request;
+    const LadderNames names = find_names(grafcet, *ladder);
+    if (!can_compare(request.against, names, language)) return bad_request;
+    // Compare it with the reference after every scan, in every reachable state.
+    const LadderDevice device(grafcet, *ladder, names);
+    const auto period = scan_period(request, grafcet, device);
+    if (!period) return bad_request;
+    CheckResult result;
+    {
+        Progress progress(request.max_seconds);
+        result = check_scans(grafcet, device, *period, check_options(request, progress));
+    }
+    // Report, with the networks that a difference comes from.
+    std::string story;
+    std::vector<WitnessFile> files;
+    if (result.witness) {
+        story = device.tell(*result.witness, language);
+        files = files_of_witness(grafcet, device, *result.witness, story);
+    }
+    return report_check(request, grafcet, device_subject(request.path, request.against, *period),
+                        result, story, files, language);
+}
+
+}  // namespace grafwire
