@@ -58,13 +58,22 @@ std::string indented(const std::string& text) {
     return result;
 }
 
-std::string coverage_text(const CheckResult& result, bool french) {
+/// A program that is executed scan by scan passes through unstable situations like the reference.
+std::string coverage_text(const CheckResult& result, bool is_scanned, bool french) {
     const Coverage& coverage = result.coverage;
-    std::string text = fmt::format(
-        fmt::runtime(french ? "  {} situations stables, {} cas comparés, {} sans situation stable\n"
-                            : "  {} stable situations, {} cases compared, {} without a stable "
-                              "situation\n"),
-        coverage.situations, coverage.cases, coverage.unstable);
+    std::string text;
+    if (is_scanned) {
+        text = fmt::format(fmt::runtime(french ? "  {} situations, {} cycles comparés\n"
+                                               : "  {} situations, {} scans compared\n"),
+                           coverage.situations, coverage.cases);
+    } else {
+        text = fmt::format(
+            fmt::runtime(
+                french ? "  {} situations stables, {} cas comparés, {} sans situation stable\n"
+                       : "  {} stable situations, {} cases compared, {} without a stable "
+                         "situation\n"),
+            coverage.situations, coverage.cases, coverage.unstable);
+    }
     if (!result.complete && result.verdict == Verdict::undecided) {
         text += fmt::format(
             fmt::runtime(
@@ -87,14 +96,16 @@ CheckSubject netlist_subject(const std::string& file, const std::string& style,
             {{"style", "style", "style", style},
              {"cdx", "CDX", "CDX", cdx},
              {"delay", "delays", "retards", delay}},
-            {}};
+            {},
+            false};
 }
 
-CheckSubject device_subject(const std::string& file, const std::string& device, Time period) {
+CheckSubject device_subject(const std::string& file, const std::string& program, Time period) {
     return {file,
-            {{"device", "device", "automate", device},
+            {{"program", "program", "programme", program},
              {"period", "a scan every", "un cycle toutes les", format_duration(period)}},
-            {}};
+            {},
+            true};
 }
 
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,
@@ -109,7 +120,7 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
         fmt::format("{}: {} ({})\n", subject.file,
                     french ? french_verdict(result.verdict) : verdict_name(result.verdict),
                     fmt::join(properties, ", "));
-    text += coverage_text(result, french);
+    text += coverage_text(result, subject.is_scanned, french);
     if (result.first_unstable) {
         text += french ? "\nRemarque : le GRAFCET n'a pas de situation stable ici ("
                        : "\nRemark: the GRAFCET itself has no stable situation here (";

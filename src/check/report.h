@@ -22,14 +22,15 @@ struct CheckSubject {
     };
     std::vector<Property> properties;
     std::vector<std::string> witness_files;  ///< what was written for the witness
+    bool is_scanned = false;                 ///< compared scan by scan, not in stable situations
 };
 
 /// A netlist. `style`: `nand`, for a netlist from elsewhere its file; `cdx`: `successor` or
 /// `transition`; `delay`: `unit`.
 CheckSubject netlist_subject(const std::string& file, const std::string& style,
                              const std::string& cdx, const std::string& delay);
-/// A program that is executed scan by scan. `device`: what executes it, or its file.
-CheckSubject device_subject(const std::string& file, const std::string& device, Time period);
+/// A program that is executed scan by scan. `program`: its file.
+CheckSubject device_subject(const std::string& file, const std::string& program, Time period);
 
 /// The report for people: verdict, coverage, the witness and what it shows.
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,

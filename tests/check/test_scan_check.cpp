@@ -90,7 +90,7 @@ Where they part:
     const CheckSubject subject = device_subject("warning.grafcet", "the list", witness.scan_period);
     const std::string text = write_check_text(subject, grafcet, result, "", Language::english);
     CHECK(text.substr(0, text.find('\n')) ==
-          "warning.grafcet: different (device the list, a scan every 5ms)");
+          "warning.grafcet: different (program the list, a scan every 5ms)");
 }
 
 TEST_CASE("a program that reads an input where the GRAFCET does not is found out") {

@@ -83,7 +83,7 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
                                     listing("manipulator.io")});
     CHECK(good.status == 0);
     CHECK(good.err.empty());
-    CHECK(contains(good.out, "manipulator.grafcet: equivalent (device "));
+    CHECK(contains(good.out, "manipulator.grafcet: equivalent (program "));
     CHECK(contains(good.out, "a scan every 100ms)"));
     const ScratchFolder folder;
     const Ran bad = grafwire_with({"check", chart, "--against", listing("manipulator.printed.awl"),
@@ -127,7 +127,7 @@ TEST_CASE("what plc --to s7-200 writes, the check finds equivalent") {
         REQUIRE(made.status == 0);
         const Ran ran = grafwire_with({"check", chart, "--against", program, "--io", table});
         CHECK(ran.status == 0);
-        CHECK(contains(ran.out, ": equivalent (device "));
+        CHECK(contains(ran.out, ": equivalent (program "));
     }
 }
 
