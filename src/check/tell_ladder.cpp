@@ -6,7 +6,7 @@
 
 #include "check/ladder_device.h"
 #include "check/story.h"
-#include "ladder/write_drawings.h"
+#include "ladder/draw/write_drawings.h"
 
 namespace grafwire {
 

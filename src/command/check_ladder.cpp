@@ -4,7 +4,7 @@
 #include "check/scan_check.h"
 #include "command/check_request.h"
 #include "evolution/run.h"
-#include "ladder/read_plcopen_ladder.h"
+#include "ladder/plcopen/read_plcopen_ladder.h"
 
 namespace grafwire {
 

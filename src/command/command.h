@@ -9,7 +9,7 @@
 #include "equations/equations.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist_from.h"
-#include "s7/binding.h"
+#include "s7/machine/binding.h"
 #include "text/language.h"
 #include "trace/stimuli.h"
 

@@ -4,10 +4,10 @@
 
 #include "command/command.h"
 #include "command/trace_output.h"
-#include "s7/binding.h"
-#include "s7/machine.h"
+#include "s7/machine/binding.h"
+#include "s7/machine/machine.h"
+#include "s7/machine/run_listing.h"
 #include "s7/parse_listing.h"
-#include "s7/run_listing.h"
 
 namespace grafwire {
 

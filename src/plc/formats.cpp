@@ -1,13 +1,13 @@
 #include "plc/formats.h"
 
-#include "plc/languages.h"
-#include "plc/write_il.h"
+#include "plc/computer/languages.h"
+#include "plc/iec/write_il.h"
+#include "plc/iec/write_st.h"
+#include "plc/pl7/write_pl7.h"
+#include "plc/step7/write_stl.h"
 #include "plc/write_ladder.h"
-#include "plc/write_pl7.h"
 #include "plc/write_s7.h"
-#include "plc/write_st.h"
-#include "plc/write_stl.h"
-#include "s7/assignment.h"
+#include "s7/generate/assignment.h"
 
 namespace grafwire {
 

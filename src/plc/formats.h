@@ -1,27 +1,15 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "plc/shared/plc_options.h"
 #include "program/program.h"
-#include "s7/cpu.h"
-#include "s7/io_assignment.h"
 #include "text/diagnostics.h"
 
 namespace grafwire {
-
-/// Each format heeds some of them; see PlcFormat::options.
-struct PlcOptions {
-    /// Addresses for inputs, outputs and steps; without, they are assigned in order.
-    const s7::IoAssignment* io = nullptr;
-    Mnemonics mnemonics = Mnemonics::simatic;  ///< of instruction lists
-    bool offsets = true;                       ///< byte offsets before instructions
-    bool wide_tables = false;                  ///< tables beyond the 80 steps of the method
-    std::optional<s7::Cpu> cpu;                ///< the controller that the program has to fit
-};
 
 /// One row per language. A writer gives the whole file; where the language cannot hold the program
 /// it says which limit is exceeded in `diagnostics`, and the text is empty then. Same chart, same

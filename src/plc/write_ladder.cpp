@@ -1,8 +1,8 @@
 #include "plc/write_ladder.h"
 
+#include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/write_drawings.h"
-#include "ladder/write_plcopen.h"
+#include "ladder/plcopen/write_plcopen.h"
 
 namespace grafwire {
 

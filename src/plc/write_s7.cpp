@@ -1,7 +1,7 @@
 #include "plc/write_s7.h"
 
-#include "s7/assignment.h"
-#include "s7/listing_from.h"
+#include "s7/generate/assignment.h"
+#include "s7/generate/listing_from.h"
 #include "s7/write_listing.h"
 
 namespace grafwire {

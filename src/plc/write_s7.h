@@ -2,7 +2,9 @@
 
 #include <string>
 
-#include "plc/formats.h"
+#include "plc/shared/plc_options.h"
+#include "program/program.h"
+#include "text/diagnostics.h"
 
 namespace grafwire {
 

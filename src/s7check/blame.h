@@ -6,8 +6,8 @@
 
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
-#include "s7/binding.h"
-#include "s7/machine.h"
+#include "s7/machine/binding.h"
+#include "s7/machine/machine.h"
 
 namespace grafwire {
 

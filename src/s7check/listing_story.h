@@ -5,7 +5,7 @@
 
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
-#include "s7/machine.h"
+#include "s7/machine/machine.h"
 #include "s7check/blame.h"
 #include "text/language.h"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "s7/binding.h"
 #include "s7/listing.h"
+#include "s7/machine/binding.h"
 
 namespace grafwire {
 

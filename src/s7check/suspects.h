@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "s7/binding.h"
-#include "s7/machine.h"
+#include "s7/machine/binding.h"
+#include "s7/machine/machine.h"
 #include "s7/outline.h"
 #include "s7check/blame.h"
 

@@ -13,7 +13,7 @@
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
-#include "s7/machine.h"
+#include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 #include "s7/write_listing.h"
 #include "trace/stimuli.h"

@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "ladder/draw/layout.h"
+#include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/layout.h"
-#include "ladder/write_drawings.h"
 #include "random/read_text.h"
 #include "text/utf8.h"
 

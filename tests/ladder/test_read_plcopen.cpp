@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/read_plcopen_ladder.h"
-#include "ladder/write_drawings.h"
-#include "ladder/write_plcopen.h"
+#include "ladder/plcopen/read_plcopen_ladder.h"
+#include "ladder/plcopen/write_plcopen.h"
 #include "random/random_source.h"
 #include "random/read_text.h"
 

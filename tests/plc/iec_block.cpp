@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "plc/iec_names.h"
+#include "plc/iec/iec_names.h"
 
 namespace grafwire::testing {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "s7/io_assignment.h"
-#include "s7/machine.h"
+#include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 
 namespace grafwire::testing {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "random/read_text.h"
-#include "s7/assignment.h"
+#include "s7/generate/assignment.h"
 #include "s7/write_listing.h"
 
 namespace grafwire::testing {

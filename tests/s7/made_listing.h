@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "s7/listing_from.h"
+#include "s7/generate/listing_from.h"
 
 namespace grafwire::testing {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "s7/machine.h"
+#include "s7/machine/machine.h"
 
 namespace grafwire::testing {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "grafcet/grafcet.h"
-#include "s7/listing_from.h"
+#include "s7/generate/listing_from.h"
 #include "trace/stimuli.h"
 #include "trace/trace.h"
 

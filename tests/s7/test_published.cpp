@@ -6,9 +6,9 @@
 
 #include "evolution/run.h"
 #include "random/read_text.h"
-#include "s7/binding.h"
 #include "s7/listings.h"
-#include "s7/run_listing.h"
+#include "s7/machine/binding.h"
+#include "s7/machine/run_listing.h"
 
 namespace grafwire::testing {
 

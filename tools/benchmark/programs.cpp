@@ -18,8 +18,8 @@
 #include "grafcet/parse_grafcet.h"
 #include "plc/formats.h"
 #include "program/program.h"
-#include "s7/listing_from.h"
-#include "s7/machine.h"
+#include "s7/generate/listing_from.h"
+#include "s7/machine/machine.h"
 #include "sections.h"
 
 namespace bench {

@@ -8,10 +8,9 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/grafwire)
 get_property(libraries GLOBAL PROPERTY GRAFWIRE_LIBRARIES)
 foreach(library ${libraries})
   target_compile_features(${library} PUBLIC cxx_std_20)
-  string(REPLACE "grafwire_" "" folder ${library})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire
+  FILES_MATCHING PATTERN "*.h" PATTERN command EXCLUDE)
 install(TARGETS ${libraries} EXPORT grafwireTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT grafwireTargets NAMESPACE grafwire:: DESTINATION ${package_folder})
 if(TARGET grafwire)

@@ -1,0 +1,155 @@
+// Layout of an SFC. A depth-first walk from the initial steps finds the links that close a loop
+// (those that lead to a step on the way that the walk has come); they become jumps. The level of a
+// step is the length of the longest way to it without jumps, so that the branches of a selection or
+// of simultaneous sequences meet below all of them. A branch after the first opens a new column.
+
+#include "ladder/plcopen/sfc_layout.h"
+
+#include <algorithm>
+
+namespace grafwire::ladder {
+
+namespace {
+
+class Walk {
+  public:
+    Walk(const Grafcet& grafcet, SfcLayout& layout)
+        : grafcet_(grafcet), layout_(layout), states_(grafcet.steps.size(), State::unseen) {
+        layout.steps.resize(grafcet.steps.size());
+        layout.transitions.resize(grafcet.transitions.size());
+        layout.out_of.resize(grafcet.steps.size());
+        layout.into.resize(grafcet.steps.size());
+        placed_.resize(grafcet.transitions.size(), false);
+        for (std::uint32_t t = 0; t < grafcet.transitions.size(); ++t) {
+            for (const StepId step : grafcet.preceding(grafcet.transitions[TransitionId{t}])) {
+                layout.out_of[index_of(step)].push_back(TransitionId{t});
+            }
+        }
+    }
+
+    void walk_graph(const Graph& graph) {
+        for (const bool initial : {true, false}) {
+            for (std::uint32_t i = 0; i < graph.step_count; ++i) {
+                const StepId step{graph.first_step + i};
+                if (grafcet_.steps[step].initial != initial) continue;
+                if (states_[index_of(step)] == State::unseen) walk_from(step);
+            }
+        }
+        for (std::uint32_t i = 0; i < graph.transition_count; ++i) {
+            const TransitionId id{graph.first_transition + i};
+            if (!placed_[index_of(id)]) place(id, layout_.columns++);  // source transitions
+        }
+        ++layout_.columns;  // a gap between graphs
+    }
+
+    void set_levels() {
+        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
+            const bool is_source = grafcet_.transitions[TransitionId{t}].preceding_count == 0;
+            if (is_source) layout_.transitions[t].level = -1;  // above the step it leads to
+        }
+        std::reverse(finished_.begin(), finished_.end());
+        for (const StepId step : finished_) {
+            const int level = layout_.steps[index_of(step)].level;
+            for (const TransitionId id : layout_.out_of[index_of(step)]) {
+                SfcLayout::Place& place = layout_.transitions[index_of(id)];
+                place.level = std::max(place.level, level);
+                for (const StepId next : grafcet_.following(grafcet_.transitions[id])) {
+                    if (is_jump(id, next)) continue;
+                    int& below = layout_.steps[index_of(next)].level;
+                    below = std::max(below, level + 1);
+                }
+            }
+        }
+        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
+            const TransitionId id{t};
+            for (const StepId step : grafcet_.following(grafcet_.transitions[id])) {
+                layout_.into[index_of(step)].push_back({id, step, is_jump(id, step)});
+            }
+        }
+    }
+
+  private:
+    enum class State : std::uint8_t { unseen, on_the_way, finished };
+    struct Frame {
+        StepId step{};
+        std::size_t next = 0;  ///< of its successors
+        std::vector<StepId> successors;
+    };
+
+    void place(TransitionId id, int column) {
+        layout_.transitions[index_of(id)].column = column;
+        placed_[index_of(id)] = true;
+    }
+
+    Frame enter(StepId step, int column) {
+        states_[index_of(step)] = State::on_the_way;
+        layout_.steps[index_of(step)].column = column;
+        Frame frame{step, 0, {}};
+        bool is_first = true;
+        for (const TransitionId id : layout_.out_of[index_of(step)]) {
+            if (!placed_[index_of(id)]) place(id, is_first ? column : layout_.columns++);
+            is_first = false;
+            for (const StepId next : grafcet_.following(grafcet_.transitions[id])) {
+                frame.successors.push_back(next);
+            }
+        }
+        return frame;
+    }
+
+    /// The column of the transition that leads to a step, where no other step stands below it yet.
+    int column_for(StepId step, StepId from) {
+        for (const TransitionId id : layout_.out_of[index_of(from)]) {
+            const auto following = grafcet_.following(grafcet_.transitions[id]);
+            if (following.front() == step) return layout_.transitions[index_of(id)].column;
+        }
+        return layout_.columns++;
+    }
+
+    void walk_from(StepId first) {
+        std::vector<Frame> way;
+        way.push_back(enter(first, layout_.columns++));
+        while (!way.empty()) {
+            Frame& frame = way.back();
+            if (frame.next == frame.successors.size()) {
+                states_[index_of(frame.step)] = State::finished;
+                finished_.push_back(frame.step);
+                way.pop_back();
+                continue;
+            }
+            const StepId next = frame.successors[frame.next++];
+            const State state = states_[index_of(next)];
+            if (state == State::on_the_way) jumps_.emplace_back(frame.step, next);
+            if (state == State::unseen) way.push_back(enter(next, column_for(next, frame.step)));
+        }
+    }
+
+    /// Whether a link from any step before the transition closes a loop.
+    bool is_jump(TransitionId id, StepId to) {
+        if (!sorted_) std::sort(jumps_.begin(), jumps_.end());
+        sorted_ = true;
+        const auto preceding = grafcet_.preceding(grafcet_.transitions[id]);
+        return std::any_of(preceding.begin(), preceding.end(), [&](StepId from) {
+            return std::binary_search(jumps_.begin(), jumps_.end(), std::pair(from, to));
+        });
+    }
+
+    const Grafcet& grafcet_;
+    SfcLayout& layout_;
+    std::vector<State> states_;
+    std::vector<bool> placed_;  ///< per transition
+    std::vector<StepId> finished_;
+    std::vector<std::pair<StepId, StepId>> jumps_;
+    bool sorted_ = false;
+};
+
+}  // namespace
+
+SfcLayout sfc_layout(const Grafcet& grafcet) {
+    SfcLayout layout;
+    Walk walk(grafcet, layout);
+    for (const Graph& graph : grafcet.graphs) walk.walk_graph(graph);
+    walk.set_levels();
+    return layout;
+}
+
+}  // namespace grafwire::ladder

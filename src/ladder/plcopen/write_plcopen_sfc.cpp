@@ -1,0 +1,293 @@
+// The SFC body. Elements are made first, all of them, because each refers to those before it by
+// number, loops included; then they are connected.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "grafcet/write_grafcet.h"
+#include "ladder/plcopen/plcopen_parts.h"
+#include "ladder/plcopen/sfc_actions.h"
+#include "ladder/plcopen/sfc_layout.h"
+#include "ladder/plcopen/structured_text.h"
+
+namespace grafwire::ladder {
+
+namespace {
+
+constexpr int column_width = 280;
+constexpr int level_height = 180;
+constexpr int step_width = 70;
+constexpr int step_height = 40;
+
+/// An element of the chart: where it is, and what comes out of it below.
+struct Cell {
+    pugi::xml_node node;
+    Point corner;
+    int width = 0;
+    int height = 0;
+    Outlet below() const {
+        return {PlcopenBody::id_of(node), "", {corner.x + width / 2, corner.y + height}};
+    }
+    /// Of a bar: straight above column x.
+    Outlet below_at(int x) const { return {PlcopenBody::id_of(node), "", {x, corner.y + height}}; }
+    Point above() const { return {corner.x + width / 2, corner.y}; }
+};
+
+class SfcBody {
+  public:
+    SfcBody(const Grafcet& grafcet, pugi::xml_node body)
+        : grafcet_(grafcet),
+          names_(sfc_names(grafcet)),
+          layout_(sfc_layout(grafcet)),
+          body_(body) {}
+
+    void write() {
+        const bool has_sources = std::any_of(
+            grafcet_.transitions.begin(), grafcet_.transitions.end(),
+            [](const Transition& transition) { return transition.preceding_count == 0; });
+        if (has_sources) top_ += level_height;
+        write_observer();
+        make_elements();
+        for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) connect_step(StepId{s});
+        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
+            connect_transition(TransitionId{t});
+        }
+        write_remarks();
+    }
+
+  private:
+    Cell make(const char* name, Point middle, int width, int height);
+    Point middle_of(const SfcLayout::Place& place) const {
+        return {140 + column_width * place.column, top_ + level_height * place.level};
+    }
+    int column_of(StepId id) const { return middle_of(layout_.steps[index_of(id)]).x; }
+    int column_of(TransitionId id) const { return middle_of(layout_.transitions[index_of(id)]).x; }
+    void make_elements();
+    void make_transition(TransitionId id);
+    void write_observer();
+    void connect_step(StepId id);
+    void connect_transition(TransitionId id);
+    /// A horizontal bar at a height, as wide as what meets there.
+    Cell make_bar(const char* name, std::vector<int> ends, int y, int thickness);
+    static void connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
+                            const std::vector<int>& ends, bool named_outlets);
+    void write_remarks();
+    std::vector<SfcLayout::Link> joined(StepId id) const;
+    /// What a transition or step at column x hangs on: what is before it, or the bar below that.
+    Outlet out_of(StepId id, int x) const;
+    Outlet out_of(TransitionId id, int x) const;
+
+    const Grafcet& grafcet_;
+    SfcNames names_;
+    SfcLayout layout_;
+    PlcopenBody body_;
+    int top_ = 60;  ///< of the first level
+    std::vector<Cell> steps_;
+    std::vector<Cell> transitions_;
+    std::map<StepId, Cell> selections_;    ///< below steps with several transitions
+    std::map<StepId, Cell> convergences_;  ///< above steps that several transitions lead to
+    std::map<TransitionId, Cell> splits_;  ///< below transitions with several following steps
+    std::map<TransitionId, Cell> joins_;   ///< above those with several preceding ones
+    std::map<TransitionId, std::vector<Cell>> jumps_;
+};
+
+Cell SfcBody::make(const char* name, Point middle, int width, int height) {
+    Cell cell;
+    cell.corner = {middle.x - width / 2, middle.y};
+    cell.width = width;
+    cell.height = height;
+    cell.node = body_.element(name, cell.corner, width, height);
+    return cell;
+}
+
+std::vector<SfcLayout::Link> SfcBody::joined(StepId id) const {
+    std::vector<SfcLayout::Link> links;
+    for (const SfcLayout::Link& link : layout_.into[index_of(id)]) {
+        if (!link.is_jump) links.push_back(link);
+    }
+    return links;
+}
+
+Cell SfcBody::make_bar(const char* name, std::vector<int> ends, int y, int thickness) {
+    const auto [left, right] = std::minmax_element(ends.begin(), ends.end());
+    constexpr int overhang = 10;
+    const int middle = (*left + *right) / 2;
+    return make(name, {middle, y}, *right - *left + 2 * overhang, thickness);
+}
+
+void SfcBody::make_elements() {
+    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
+        const StepId id{s};
+        const Point middle = middle_of(layout_.steps[s]);
+        Cell step = make("step", middle, step_width, step_height);
+        step.node.append_attribute("name") = names_.steps[s].c_str();
+        if (grafcet_.steps[id].initial) step.node.append_attribute("initialStep") = true;
+        steps_.push_back(step);
+        std::vector<int> below{middle.x};
+        std::vector<int> above{middle.x};
+        for (const TransitionId next : layout_.out_of[s]) below.push_back(column_of(next));
+        for (const SfcLayout::Link& link : joined(id)) above.push_back(column_of(link.transition));
+        if (below.size() > 2) {
+            selections_[id] = make_bar("selectionDivergence", below, middle.y + 60, 1);
+        }
+        if (above.size() > 2) {
+            convergences_[id] = make_bar("selectionConvergence", above, middle.y - 20, 1);
+        }
+    }
+    for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t)
+        make_transition(TransitionId{t});
+}
+
+void SfcBody::make_transition(TransitionId id) {
+    const Transition& transition = grafcet_.transitions[id];
+    const Point middle = middle_of(layout_.transitions[index_of(id)]);
+    transitions_.push_back(make("transition", {middle.x, middle.y + 90}, 20, 2));
+    std::vector<int> above{middle.x};
+    std::vector<int> below{middle.x};
+    for (const StepId step : grafcet_.preceding(transition)) above.push_back(column_of(step));
+    int jump_x = middle.x;
+    for (const StepId step : grafcet_.following(transition)) {
+        const std::vector<SfcLayout::Link>& links = layout_.into[index_of(step)];
+        const bool is_jump = std::any_of(links.begin(), links.end(), [&](const auto& link) {
+            return link.transition == id && link.is_jump;
+        });
+        if (!is_jump) {
+            below.push_back(column_of(step));
+            continue;
+        }
+        Cell jump = make("jumpStep", {jump_x, middle.y + 122}, 12, 14);
+        jump.node.append_attribute("targetName") = names_.steps[index_of(step)].c_str();
+        jumps_[id].push_back(jump);
+        below.push_back(jump_x);
+        jump_x += 60;
+    }
+    if (transition.preceding_count > 1) {
+        joins_[id] = make_bar("simultaneousConvergence", above, middle.y + 75, 3);
+    }
+    if (transition.following_count > 1) {
+        splits_[id] = make_bar("simultaneousDivergence", below, middle.y + 106, 3);
+    }
+}
+
+Outlet SfcBody::out_of(StepId id, int x) const {
+    const auto bar = selections_.find(id);
+    if (bar == selections_.end()) return steps_[index_of(id)].below();
+    return bar->second.below_at(x);
+}
+
+Outlet SfcBody::out_of(TransitionId id, int x) const {
+    const auto bar = splits_.find(id);
+    if (bar == splits_.end()) return transitions_[index_of(id)].below();
+    return bar->second.below_at(x);
+}
+
+/// A bar with what leads to it, each straight from above, and the columns of what hangs on it.
+void SfcBody::connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
+                          const std::vector<int>& ends, bool named_outlets) {
+    for (const Outlet& source : sources) {
+        PlcopenBody::inlet(bar.node, bar.corner, {source.at.x, bar.corner.y}, {source});
+    }
+    for (const int x : ends) {
+        PlcopenBody::outlet(bar.node, bar.corner, bar.below_at(x).at, named_outlets);
+    }
+}
+
+void SfcBody::connect_step(StepId id) {
+    const Cell& cell = steps_[index_of(id)];
+    const int x = cell.above().x;
+    std::vector<Outlet> sources;
+    const auto convergence = convergences_.find(id);
+    for (const SfcLayout::Link& link : joined(id)) {
+        const bool is_alone = convergence == convergences_.end();
+        sources.push_back(out_of(link.transition, is_alone ? x : column_of(link.transition)));
+    }
+    if (convergence != convergences_.end()) {
+        connect_bar(convergence->second, sources, {x}, false);
+        sources = {convergence->second.below_at(x)};
+    }
+    if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
+    PlcopenBody::outlet(cell.node, cell.corner, cell.below().at, true);
+    const Point side{cell.corner.x + cell.width, cell.corner.y + cell.height / 2};
+    if (has_sfc_actions(grafcet_, names_, id)) {
+        PlcopenBody::outlet(cell.node, cell.corner, side, true, "connectionPointOutAction");
+        write_sfc_actions(grafcet_, names_, id, {PlcopenBody::id_of(cell.node), "", side}, body_);
+    }
+    const auto selection = selections_.find(id);
+    if (selection == selections_.end()) return;
+    std::vector<int> ends;
+    for (const TransitionId next : layout_.out_of[index_of(id)]) ends.push_back(column_of(next));
+    connect_bar(selection->second, {cell.below()}, ends, true);
+}
+
+void SfcBody::connect_transition(TransitionId id) {
+    const Transition& transition = grafcet_.transitions[id];
+    const Cell& cell = transitions_[index_of(id)];
+    const int x = cell.above().x;
+    std::vector<Outlet> sources;
+    const auto join = joins_.find(id);
+    for (const StepId step : grafcet_.preceding(transition)) {
+        const bool is_joined = join != joins_.end() && selections_.count(step) == 0;
+        sources.push_back(out_of(step, is_joined ? column_of(step) : x));
+    }
+    if (join != joins_.end()) {
+        connect_bar(join->second, sources, {x}, false);
+        sources = {join->second.below_at(x)};
+    }
+    if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
+    PlcopenBody::outlet(cell.node, cell.corner, cell.below().at);
+    pugi::xml_node node = cell.node;
+    pugi::xml_node condition = node.append_child("condition").append_child("inline");
+    condition.append_attribute("name") = "";
+    add_text(condition.append_child("ST"),
+             structured_text(grafcet_, names_, transition.receptivity));
+    add_text(node.append_child("documentation"),
+             fmt::format("({}) {}", quoted_where_needed(transition.name),
+                         write_expression(grafcet_, grafcet_.expressions, transition.receptivity)));
+    const auto split = splits_.find(id);
+    std::vector<int> ends;
+    for (const StepId step : grafcet_.following(transition)) {
+        for (const SfcLayout::Link& link : joined(step)) {
+            if (link.transition != id) continue;
+            const bool converges = convergences_.count(step) > 0;
+            ends.push_back(converges ? column_of(id) : column_of(step));
+        }
+    }
+    for (const Cell& jump : jumps_[id]) {
+        const Point above = jump.above();
+        PlcopenBody::inlet(jump.node, jump.corner, above, {out_of(id, above.x)});
+        ends.push_back(above.x);
+    }
+    if (split != splits_.end()) connect_bar(split->second, {cell.below()}, ends, true);
+}
+
+/// Edges and time conditions are worked out by an action of a step that is always active.
+void SfcBody::write_observer() {
+    const std::string text = observing_text(grafcet_, names_);
+    if (text.empty()) return;
+    Cell step = make("step", {140, top_ - 40}, step_width, step_height);
+    top_ += step_height + 60;
+    step.node.append_attribute("name") = "observe";
+    step.node.append_attribute("initialStep") = true;
+    PlcopenBody::outlet(step.node, step.corner, step.below().at, true);
+    const Point side{step.corner.x + step.width, step.corner.y + step.height / 2};
+    PlcopenBody::outlet(step.node, step.corner, side, true, "connectionPointOutAction");
+    write_sfc_action_block({{"N", "", "", text}}, {PlcopenBody::id_of(step.node), "", side}, body_);
+}
+
+void SfcBody::write_remarks() {
+    Point at{140 + column_width * layout_.columns, 20};
+    for (const std::string& remark : sfc_remarks(grafcet_, names_)) {
+        body_.comment(at, 500, remark);
+        at.y += 30;
+    }
+}
+
+}  // namespace
+
+void write_sfc_body(const Grafcet& grafcet, pugi::xml_node body) {
+    SfcBody(grafcet, body).write();
+}
+
+}  // namespace grafwire::ladder

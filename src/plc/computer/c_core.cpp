@@ -1,0 +1,225 @@
+// The functions of a program in C. Each section of the scan is a function, named beside the
+// subroutine of the method that it is; whole tables are worked on word by word, `Ts[w] = (Tp[w] &
+// ~Td[w]) | Ta[w]`, which is what makes the table method fast.
+
+#include "plc/computer/c_core.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "plc/computer/c_blocks.h"
+#include "plc/computer/language_parts.h"
+#include "plc/shared/program_needs.h"
+#include "plc/shared/section_titles.h"
+#include "plc/shared/step_ranges.h"
+
+namespace grafwire {
+
+namespace {
+
+ConditionSpelling spelling(bool wide) {
+    ConditionSpelling result;
+    result.negation = "!";
+    result.conjunction = " && ";
+    result.disjunction = " || ";
+    result.exclusive_or = " ^ ";
+    result.one = "true";
+    result.zero = "false";
+    result.relations = {"==", "!=", "<", "<=", ">", ">="};
+    result.before_first_number = wide ? "INT64_C(" : "INT32_C(";
+    result.after_first_number = ")";
+    return result;
+}
+
+}  // namespace
+
+CCore::CCore(const ScanProgram& program, const NameRules& rules)
+    : program_(without_idle_tables(program)),
+      names_(program_, rules),
+      wide_(integer_bits(program_).value_or(64) > 32),
+      conditions_(
+          spelling(wide_), [this](Bit bit) { return name(bit); },
+          [this](IntegerCell cell) { return name(cell); }) {}
+
+std::string CCore::name(Bit bit) const {
+    if (bit.kind == BitKind::scratch) return names_[bit];
+    const std::string_view holder = holder_name(bit.kind);
+    if (is_step_table(bit.kind)) return fmt::format("is(g->{}, {})", holder, names_[bit]);
+    return fmt::format("g->{}.{}{}", holder, names_[bit],
+                       bit.kind == BitKind::time_value ? ".value" : "");
+}
+
+std::string CCore::name(IntegerCell cell) const {
+    return cell.is_scratch ? names_[cell] : "g->counters." + names_[cell];
+}
+
+std::string CCore::functions() const {
+    SourceText sections("//");
+    for (std::size_t s = 1; s < section_count; ++s) {
+        write_section(sections, static_cast<SectionKind>(s));
+    }
+    write_entry_points(sections);
+    std::string called = sections.take();
+    // What calls a helper comes before it in the list, so that one pass finds all; in the program
+    // it comes behind it.
+    std::string text;
+    for (const c::Helper& helper : c::helpers) {
+        if (!calls(called, helper.name) && !calls(text, helper.name)) continue;
+        std::string written(helper.text);
+        for (std::size_t at; (at = written.find("INTEGER")) != std::string::npos;) {
+            written.replace(at, 7, integer_type());
+        }
+        text.insert(0, written);
+    }
+    return text + called;
+}
+
+void CCore::write_section(SourceText& out, SectionKind section) const {
+    if (program_.section(section).empty()) return;
+    out.blank();
+    out.comment(section_title(section));
+    out.line(
+        fmt::format("static void {}({}_grafcet *g) {{", section_function(section), names_.chart()));
+    out.indent();
+    for (const Statement& statement : program_.section(section)) write(out, statement);
+    out.outdent();
+    out.line("}");
+}
+
+void CCore::write_entry_points(SourceText& out) const {
+    const std::string& chart = names_.chart();
+    out.blank();
+    out.comment(section_title(SectionKind::start));
+    out.line(fmt::format("void {0}_start({0}_grafcet *g, const {0}_inputs *in) {{", chart));
+    out.indent();
+    out.line("memset(g, 0, sizeof *g);");
+    out.line("g->inputs = *in;");
+    for (const Statement& statement : program_.section(SectionKind::start)) write(out, statement);
+    out.outdent();
+    out.line("}");
+    out.blank();
+    out.comment("One scan. The clock, in us, never goes back.");
+    out.line(
+        fmt::format("void {0}_scan({0}_grafcet *g, const {0}_inputs *in, int64_t now) {{", chart));
+    out.indent();
+    out.line("g->inputs = *in;");
+    out.line("g->now = now;");
+    for (std::size_t s = 1; s < section_count; ++s) {
+        const auto section = static_cast<SectionKind>(s);
+        if (program_.section(section).empty()) continue;
+        out.line(fmt::format("{}(g);", section_function(section)));
+    }
+    out.outdent();
+    out.line("}");
+}
+
+void CCore::write(SourceText& out, const Statement& statement) const {
+    if (says_more(statement)) out.comment(statement.comment);
+    switch (statement.kind) {
+        case Statement::Kind::assign:
+            write_assignment(out, statement);
+            return;
+        case Statement::Kind::table:
+            write_table(out, statement.operation);
+            return;
+        case Statement::Kind::time:
+            out.line(fmt::format("observe(&g->time.{}, {}, {}, {}, g->now);",
+                                 names_[statement.targets[0]], conditions_.of(statement.condition),
+                                 microseconds(statement.on_delay),
+                                 microseconds(statement.off_delay)));
+            return;
+        case Statement::Kind::set:
+        case Statement::Kind::reset:
+        case Statement::Kind::move:
+            break;
+    }
+    const bool always = statement.condition.is_constant(true);
+    const bool moves = statement.kind == Statement::Kind::move;
+    if (moves && always) {
+        out.line(move_text(statement));
+        return;
+    }
+    if (!always) {
+        out.line(fmt::format("if ({}) {{", conditions_.of(statement.condition)));
+        out.indent();
+    }
+    if (moves) {
+        out.line(move_text(statement));
+    } else {
+        write_targets(out, statement);
+    }
+    if (!always) {
+        out.outdent();
+        out.line("}");
+    }
+}
+
+void CCore::write_assignment(SourceText& out, const Statement& statement) const {
+    const Bit target = statement.targets[0];
+    assert(!is_step_table(target.kind));
+    const std::string_view type = target.kind == BitKind::scratch ? "const bool " : "";
+    out.line(fmt::format("{}{} = {};", type, name(target), conditions_.of(statement.condition)));
+}
+
+void CCore::write_targets(SourceText& out, const Statement& statement) const {
+    const bool sets = statement.kind == Statement::Kind::set;
+    const std::string_view operation = sets ? "set" : "reset";
+    const auto step = [&](std::uint32_t index) { return names_[Bit{BitKind::step, index}]; };
+    for (const StepRange& range : step_ranges(statement.targets)) {
+        const std::string table = fmt::format("g->{}", holder_name(range.table));
+        if (range.first == range.last) {
+            out.line(fmt::format("{}({}, {});", operation, table, step(range.first)));
+        } else {
+            out.line(fmt::format("{}_all({}, {}, {});", operation, table, step(range.first),
+                                 step(range.last)));
+        }
+    }
+    for (const Bit bit : single_bits(statement.targets)) {
+        out.line(fmt::format("{} = {};", name(bit), sets ? "true" : "false"));
+    }
+}
+
+std::string CCore::move_text(const Statement& statement) const {
+    const std::string type =
+        statement.integer.is_scratch ? fmt::format("const {} ", integer_type()) : "";
+    const bool is_number =
+        statement.sum.size() == 1 && statement.sum.front().counter == SumTerm::no_counter;
+    const std::string value =
+        statement.sum.empty() ? name(statement.source) : conditions_.of(statement.sum);
+    const std::int64_t number =
+        is_number ? (statement.sum.front().negative ? -1 : 1) * statement.sum.front().value : 0;
+    // What was worked out beforehand, and a number in the range, needs no holding within it.
+    if (statement.sum.empty() ||
+        (is_number && number >= statement.low && number <= statement.high)) {
+        return fmt::format("{}{} = {};", type, name(statement.integer), value);
+    }
+    return fmt::format("{}{} = within({}, {}, {});", type, name(statement.integer), statement.low,
+                       value, statement.high);
+}
+
+void CCore::write_table(SourceText& out, TableOperation operation) const {
+    std::string text;
+    switch (operation) {
+        case TableOperation::remember:
+            text = "g->Tp[w] = g->Ts[w];";
+            break;
+        case TableOperation::clear:
+            text = uses(program_, BitKind::forced_off)
+                       ? "g->Ta[w] = g->Td[w] = g->Tf1[w] = g->Tf0[w] = 0;"
+                       : "g->Ta[w] = g->Td[w] = 0;";
+            break;
+        case TableOperation::evolve:
+            text = "g->Ts[w] = (g->Tp[w] & ~g->Td[w]) | g->Ta[w];";
+            break;
+        case TableOperation::force:
+            text = "g->Ts[w] = (g->Ts[w] & ~g->Tf0[w]) | g->Tf1[w];";
+            break;
+        case TableOperation::pulse:
+            text = "g->Tpulse[w] = g->Ts[w] & ~g->Tp[w];";
+            break;
+    }
+    out.line("for (int w = 0; w < STEP_WORDS; ++w) " + text);
+}
+
+}  // namespace grafwire

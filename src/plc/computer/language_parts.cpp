@@ -1,0 +1,138 @@
+#include "plc/computer/language_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/write_grafcet.h"
+#include "plc/shared/program_needs.h"
+#include "trace/trace.h"
+
+namespace grafwire {
+
+std::string_view section_function(SectionKind section) {
+    switch (section) {
+        case SectionKind::start:
+            return "start";
+        case SectionKind::begin:
+            return "begin_scan";
+        case SectionKind::edges:
+            return "find_edges";
+        case SectionKind::receptivities:
+            return "test_receptivities";
+        case SectionKind::evolution:
+            return "evolve";
+        case SectionKind::orders:
+            return "obey_orders";
+        case SectionKind::stored:
+            return "run_stored_actions";
+        case SectionKind::times:
+            return "observe_times";
+        case SectionKind::outputs:
+            return "drive_outputs";
+    }
+    return {};
+}
+
+std::string_view holder_name(BitKind kind) {
+    switch (kind) {
+        case BitKind::input:
+        case BitKind::control:
+            return "inputs";
+        case BitKind::output:
+            return "outputs";
+        case BitKind::var:
+            return "vars";
+        case BitKind::step:
+            return "Ts";
+        case BitKind::previous:
+            return "Tp";
+        case BitKind::pulse:
+            return "Tpulse";
+        case BitKind::activate:
+            return "Ta";
+        case BitKind::deactivate:
+            return "Td";
+        case BitKind::forced_on:
+            return "Tf1";
+        case BitKind::forced_off:
+            return "Tf0";
+        case BitKind::transition:
+            return "Tt";
+        case BitKind::may_evolve:
+            return "Tfig";
+        case BitKind::edge:
+            return "edge";
+        case BitKind::edge_memory:
+            return "memory";
+        case BitKind::time_value:
+            return "time";
+        case BitKind::scratch:
+            break;  // stands alone
+    }
+    return {};
+}
+
+std::int64_t microseconds(Time delay) {
+    return delay / microsecond + (delay % microsecond != 0 ? 1 : 0);
+}
+
+bool check_integers(const ScanProgram& program, std::string_view language,
+                    Diagnostics& diagnostics) {
+    if (integer_bits(program)) return true;
+    diagnostics.error(Code::beyond_limit, wide_integer(program, 64),
+                      fmt::format("this sum can go beyond the 64 bits of integers in {}; give its "
+                                  "counters smaller ranges, or write --to python",
+                                  language));
+    return false;
+}
+
+void write_title(SourceText& out, const ScanProgram& program, std::string_view kind) {
+    const Grafcet& grafcet = *program.grafcet;
+    std::string title = quoted_where_needed(grafcet.name);
+    if (!grafcet.title.empty()) title += fmt::format(": {}", grafcet.title);
+    out.comment(title);
+    out.comment({});
+    out.comment(
+        fmt::format("A GRAFCET (IEC 60848) as {}, written by grafwire. A scan is one", kind));
+    out.comment(
+        "of the table method (Cordier, \"Méthode d'implémentation du GRAFCET\", 1998); each of");
+    out.comment("its parts says which subroutine of the method it is, SBR 0 to SBR 8.");
+}
+
+bool says_more(const Statement& statement) {
+    return statement.kind != Statement::Kind::table ||
+           (statement.operation != TableOperation::remember &&
+            statement.operation != TableOperation::clear);
+}
+
+void write_changed_names(SourceText& out, const ProgramNames& names) {
+    if (names.changed().empty()) return;
+    out.comment({});
+    out.comment("Names that are spelt differently in the GRAFCET:");
+    std::size_t longest = 0;
+    for (const auto& [name, original] : names.changed()) {
+        longest = std::max(longest, name.size());
+    }
+    for (const auto& [name, original] : names.changed()) {
+        out.comment(fmt::format("  {:<{}}  {}", name, longest, original));
+    }
+}
+
+std::vector<std::string> trace_heading(const Grafcet& grafcet) {
+    constexpr std::size_t longest = 70;
+    std::string heading = write_csv(empty_trace(grafcet));
+    heading.pop_back();  // the end of the line
+    std::vector<std::string> parts{""};
+    for (std::size_t at = 0; at < heading.size();) {
+        const std::size_t end = std::min(heading.find(',', at), heading.size() - 1) + 1;
+        if (!parts.back().empty() && parts.back().size() + end - at > longest) {
+            parts.emplace_back();
+        }
+        parts.back() += heading.substr(at, end - at);
+        at = end;
+    }
+    return parts;
+}
+
+}  // namespace grafwire

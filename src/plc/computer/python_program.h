@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "plc/shared/condition_text.h"
+#include "plc/shared/program_names.h"
+#include "plc/shared/source_text.h"
+#include "program/program.h"
+
+namespace grafwire {
+
+/// Writes a program in Python 3; the members are what its parts share.
+class PythonProgram {
+  public:
+    explicit PythonProgram(const ScanProgram& program);
+
+    std::string write();
+
+  private:
+    std::string name(Bit bit) const;
+    std::string name(IntegerCell cell) const {
+        return cell.is_scratch ? names_[cell] : "self.counters." + names_[cell];
+    }
+    // write_python.cpp
+    void write_steps();
+    void write_inputs();
+    void write_class();
+    void write_start();
+    /// `self.name = SimpleNamespace(a=value, …)`, where the program has any use for it.
+    void write_group(BitKind kind, std::size_t count, std::string_view value,
+                     std::string_view comment);
+    void write_run();
+    // python_statements.cpp
+    void write_section(SectionKind section);
+    void write_scan();
+    void write(const Statement& statement);
+    void write_actions(const Statement& statement);
+    std::string table_text(TableOperation operation) const;
+    /// A line that may need parentheses to go on in the next one.
+    void write_line(std::string_view before, std::string_view expression, std::string_view after);
+
+    ScanProgram program_;
+    const Grafcet& grafcet_;
+    ProgramNames names_;
+    ConditionText conditions_;
+    SourceText out_{"#", SourceText::Breaks::within_parentheses};
+};
+
+}  // namespace grafwire

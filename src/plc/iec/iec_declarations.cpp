@@ -1,0 +1,207 @@
+#include "plc/iec/iec_declarations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/write_grafcet.h"
+#include "plc/shared/program_needs.h"
+
+namespace grafwire {
+
+namespace {
+
+class IecDeclarations {
+  public:
+    IecDeclarations(const ScanProgram& program, const IecNames& names, unsigned bits)
+        : program_(program),
+          grafcet_(*program.grafcet),
+          names_(names),
+          integer_(bits == 16   ? "INT"
+                   : bits == 32 ? "DINT"
+                                : "LINT"),
+          index_(std::max(grafcet_.steps.size(), grafcet_.transitions.size()) < INT16_MAX
+                     ? "INT"
+                     : "DINT") {}
+
+    std::string write(std::string_view language) {
+        write_head(language);
+        text_ += fmt::format("FUNCTION_BLOCK {}\n", names_.block);
+        write_interface();
+        write_chart_variables();
+        write_indices();
+        write_tables();
+        write_edges_and_times();
+        return std::move(text_);
+    }
+
+  private:
+    void write_head(std::string_view language);
+    void write_interface();
+    void write_chart_variables();
+    void write_indices();
+    void write_tables();
+    void write_edges_and_times();
+
+    /// A block of declarations is written when it has any.
+    void begin(std::string_view kind) { block_ = fmt::format("{}\n", kind); }
+    void declare(std::string_view name, std::string_view type, std::string_view comment = {}) {
+        block_ += fmt::format("    {} : {};", name, type);
+        if (!comment.empty()) block_ += "  " + iec_comment(comment);
+        block_ += '\n';
+        declared_ = true;
+    }
+    void end() {
+        if (declared_) text_ += block_ + "END_VAR\n";
+        declared_ = false;
+    }
+    void declare_table(BitKind kind, std::size_t size, std::string_view comment) {
+        if (size == 0) return;
+        declare(names_.table(kind), fmt::format("ARRAY[0..{}] OF BOOL", size - 1), comment);
+    }
+
+    const ScanProgram& program_;
+    const Grafcet& grafcet_;
+    const IecNames& names_;
+    std::string integer_;  ///< the type of counters
+    std::string index_;    ///< the type of places in tables
+    std::string text_;
+    std::string block_;
+    bool declared_ = false;
+};
+
+void IecDeclarations::write_head(std::string_view language) {
+    std::string head = grafcet_.name;
+    if (!grafcet_.title.empty()) head += ": " + grafcet_.title;
+    text_ += iec_comment(head) + "\n";
+    text_ += iec_comment(fmt::format(
+                 "A GRAFCET (IEC 60848) in {} (IEC 61131-3), by the table method.", language)) +
+             "\n";
+    text_ +=
+        "(* Call the block once in every cycle of a task, its inputs and outputs connected. *)\n";
+    if (program_.has_modes) {
+        text_ +=
+            "(* Init: initial situation; AUdur: no step active; AUdoux: outputs off, the "
+            "situation stays. *)\n";
+    }
+    if (!names_.changed().empty())
+        text_ += "(* Names of the chart that the language does not have: *)\n";
+    for (const auto& [name, original] : names_.changed()) {
+        text_ += iec_comment(fmt::format("  {} is {}", name, original)) + "\n";
+    }
+    text_ += '\n';
+}
+
+void IecDeclarations::write_interface() {
+    begin("VAR_INPUT");
+    for (std::uint32_t i = 0; i < grafcet_.inputs.size(); ++i) {
+        declare(names_.of({BitKind::input, i}), "BOOL");
+    }
+    for (std::uint32_t c = 0; c < control_input_count && program_.has_modes; ++c) {
+        declare(names_.of({BitKind::control, c}), "BOOL");
+    }
+    end();
+    begin("VAR_OUTPUT");
+    for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
+        declare(names_.of({BitKind::output, o}), "BOOL");
+    }
+    end();
+}
+
+void IecDeclarations::write_chart_variables() {
+    begin("VAR");
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) {
+        declare(names_.of({BitKind::var, v}), "BOOL");
+    }
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
+        const Counter& counter = grafcet_.counters[CounterId{c}];
+        declare(names_.of(IntegerCell{false, c}), integer_,
+                fmt::format("{}..{}", counter.low, counter.high));
+    }
+    end();
+}
+
+void IecDeclarations::write_indices() {
+    const auto declare_indices = [&](BitKind kind, std::size_t size) {
+        for (std::uint32_t i = 0; i < size; ++i) {
+            declare(names_.index_of({kind, i}), fmt::format("{} := {}", index_, i));
+        }
+    };
+    begin("VAR CONSTANT  (* the places of steps, transitions and graphs in the tables *)");
+    declare_indices(BitKind::step, grafcet_.steps.size());
+    declare_indices(BitKind::transition, grafcet_.transitions.size());
+    if (uses(program_, BitKind::may_evolve)) {
+        declare_indices(BitKind::may_evolve, grafcet_.graphs.size());
+    }
+    end();
+}
+
+void IecDeclarations::write_tables() {
+    const std::size_t steps = grafcet_.steps.size();
+    begin("VAR  (* the tables *)");
+    declare_table(BitKind::step, steps, "the steps: 1 while active");
+    declare_table(BitKind::previous, steps, "Tp, the steps as the scan began");
+    declare_table(BitKind::activate, steps, "to be activated");
+    declare_table(BitKind::deactivate, steps, "to be deactivated");
+    if (uses(program_, BitKind::pulse)) {
+        declare_table(BitKind::pulse, steps, "activated in this scan");
+    }
+    if (has_forcing(program_)) {
+        declare_table(BitKind::forced_on, steps, "to be forced to 1");
+        declare_table(BitKind::forced_off, steps, "to be forced to 0");
+    }
+    declare_table(BitKind::transition, grafcet_.transitions.size(), "receptivities");
+    if (uses(program_, BitKind::may_evolve)) {
+        declare_table(BitKind::may_evolve, grafcet_.graphs.size(), "the graphs: 0 while frozen");
+    }
+    declare(names_.started, "BOOL", "1 after the first scan");
+    if (steps != 0) declare(names_.any, index_, "runs through the tables");
+    end();
+}
+
+void IecDeclarations::write_edges_and_times() {
+    const Expressions& pool = grafcet_.expressions;
+    const auto written = [&](ExprId id) { return write_expression(grafcet_, pool, id); };
+    begin("VAR  (* edges, time conditions, values held within a scan *)");
+    for (std::uint32_t i = 0; i < pool.edges().size(); ++i) {
+        declare(names_.of({BitKind::edge, i}), "BOOL", written(pool.edges()[i]));
+        declare(names_.of({BitKind::edge_memory, i}), "BOOL");
+    }
+    for (std::uint32_t i = 0; i < pool.time_conditions().size(); ++i) {
+        const ExprId id = pool.time_conditions()[i];
+        const TimeCondition& time = pool.time_condition_of(id);
+        const IecTimer timer = iec_timer_for(time.on_delay, time.off_delay);
+        if (timer == IecTimer::copy || timer == IecTimer::latch) {
+            declare(names_.of({BitKind::time_value, i}), "BOOL", written(id));
+        }
+        if (timer == IecTimer::ton || timer == IecTimer::latch) {
+            declare(names_.on_timer(i), "TON", written(id));
+        }
+        if (timer == IecTimer::tof || timer == IecTimer::latch) {
+            declare(names_.off_timer(i), timer == IecTimer::tof ? "TOF" : "TON", written(id));
+        }
+    }
+    for (std::uint32_t i = 0; i < program_.scratch_bits; ++i) {
+        declare(names_.of({BitKind::scratch, i}), "BOOL");
+    }
+    for (std::uint32_t i = 0; i < program_.scratch_integers; ++i) {
+        declare(names_.of(IntegerCell{true, i}), integer_);
+    }
+    end();
+}
+
+}  // namespace
+
+std::string iec_declarations(const ScanProgram& program, const IecNames& names,
+                             std::string_view language, Diagnostics& diagnostics) {
+    const std::optional<unsigned> bits = integer_bits(program);
+    if (!bits) {
+        diagnostics.error(Code::unsupported_by_style, wide_integer(program, 64),
+                          "a sum needs more than the 64 bits of LINT; make the ranges of its "
+                          "counters smaller");
+        return {};
+    }
+    return IecDeclarations(program, names, *bits).write(language);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,221 @@
+#include "plc/iec/iec_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "grafcet/write_grafcet.h"
+#include "plc/shared/program_needs.h"
+#include "plc/shared/source_text.h"
+
+namespace grafwire {
+
+namespace {
+
+// In the order of bytes, for binary search.
+// clang-format off
+constexpr std::string_view keywords[] = {
+    "abs", "acos", "action", "add", "and", "andn", "any", "any_bit", "any_date", "any_derived",
+    "any_elementary", "any_int", "any_magnitude", "any_num", "any_real", "any_string", "array",
+    "asin", "at", "atan", "bool", "by", "byte", "cal", "calc", "calcn", "case", "cd", "clk",
+    "concat", "configuration", "constant", "continue", "cos", "ctd", "ctu", "ctud", "cu", "cv",
+    "date", "date_and_time", "delete", "dint", "div", "do", "dt", "dword", "else", "elsif", "en",
+    "end_action", "end_case", "end_configuration", "end_for", "end_function", "end_function_block",
+    "end_if", "end_program", "end_repeat", "end_resource", "end_step", "end_struct",
+    "end_transition", "end_type", "end_var", "end_while", "eno", "eq", "et", "exit", "exp", "expt",
+    "f_edge", "f_trig", "false", "find", "for", "from", "function", "function_block", "ge", "gt",
+    "if", "in", "initial_step", "insert", "int", "interval", "jmp", "jmpc", "jmpcn", "ld", "ldate",
+    "ldn", "ldt", "le", "left", "len", "limit", "lint", "ln", "log", "lreal", "lt", "ltime", "ltod",
+    "lword", "max", "mid", "min", "mod", "move", "mul", "mux", "n", "namespace", "ne", "non_retain",
+    "not", "of", "on", "or", "orn", "overlap", "override", "pointer", "priority", "program", "pt",
+    "pv", "q", "q1", "qd", "qu", "r", "r1", "r_edge", "r_trig", "read_only", "read_write", "real",
+    "ref", "ref_to", "repeat", "replace", "resource", "ret", "retain", "retc", "retcn", "return",
+    "right", "rol", "ror", "rs", "rtc", "s", "s1", "sd", "sel", "sema", "shl", "shr", "sin",
+    "single", "sint", "sqrt", "sr", "st", "step", "stn", "string", "struct", "sub", "super", "tan",
+    "task", "then", "this", "time", "time_of_day", "to", "tod", "tof", "ton", "tp", "transition",
+    "true", "trunc", "type", "udint", "uint", "ulint", "until", "using", "usint", "var",
+    "var_access", "var_config", "var_external", "var_global", "var_in_out", "var_input",
+    "var_output", "var_temp", "while", "with", "word", "wstring", "xor", "xorn"
+};
+// clang-format on
+
+/// The table's name of the method (Cordier, section 3.2); empty where the bits have names of their
+/// own.
+std::string table_word(BitKind kind) {
+    switch (kind) {
+        case BitKind::step:
+            return "Ts";
+        case BitKind::previous:
+            return "Tprev";  // Tp would be the standard function block TP
+        case BitKind::pulse:
+            return "Tpulse";
+        case BitKind::activate:
+            return "Ta";
+        case BitKind::deactivate:
+            return "Td";
+        case BitKind::forced_on:
+            return "Tf1";
+        case BitKind::forced_off:
+            return "Tf0";
+        case BitKind::transition:
+            return "Tt";
+        case BitKind::may_evolve:
+            return "Tfig";
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+bool is_iec_keyword(std::string_view word) {
+    return std::binary_search(std::begin(keywords), std::end(keywords), word);
+}
+
+std::string iec_time(Time duration) {
+    std::string text = format_duration(duration);
+    if (text.ends_with("min")) text.resize(text.size() - 2);  // m is the minute of the language
+    return "T#" + text;
+}
+
+std::string iec_comment(std::string_view text) {
+    std::string comment = "(* ";
+    for (const char c : comment_text(text)) {
+        const char before = comment.back();
+        if ((before == '*' && c == ')') || (before == '(' && c == '*')) comment.push_back(' ');
+        comment.push_back(c);
+    }
+    return comment + " *)";
+}
+
+IecTimer iec_timer_for(Time on_delay, Time off_delay) {
+    if (on_delay == 0) return off_delay == 0 ? IecTimer::copy : IecTimer::tof;
+    return off_delay == 0 ? IecTimer::ton : IecTimer::latch;
+}
+
+IecNames::IecNames(const ScanProgram& program)
+    : program_(program), grafcet_(*program.grafcet), names_(false, is_iec_keyword) {
+    claim_interface();
+    claim_tables();
+    claim_edges();
+    claim_times();
+    for (std::uint32_t i = 0; i < program.scratch_bits; ++i) {
+        scratch_bits_.push_back(names_.claim(fmt::format("held_{}", i)));
+    }
+    for (std::uint32_t i = 0; i < program.scratch_integers; ++i) {
+        scratch_integers_.push_back(names_.claim(fmt::format("held_value_{}", i)));
+    }
+}
+
+std::string IecNames::claim(const std::string& wanted, const std::string& original) {
+    const std::string name = names_.claim(wanted);
+    if (name != original) changed_.emplace_back(name, original);
+    return name;
+}
+
+std::string IecNames::claim(const std::string& original) {
+    return claim(original, original);
+}
+
+void IecNames::claim_interface() {
+    for (const Input& input : grafcet_.inputs) inputs_.push_back(claim(input.name));
+    for (std::size_t c = 0; c < control_input_count; ++c) {
+        if (!program_.has_modes) break;
+        controls_.push_back(claim(std::string(input_name(grafcet_, grafcet_.inputs.size() + c))));
+    }
+    for (const Output& output : grafcet_.outputs) outputs_.push_back(claim(output.name));
+    for (const Var& var : grafcet_.vars) vars_.push_back(claim(var.name));
+    for (const Counter& counter : grafcet_.counters) counters_.push_back(claim(counter.name));
+    block = claim(grafcet_.name);
+}
+
+void IecNames::claim_tables() {
+    for (std::size_t kind = 0; kind < bit_kind_count; ++kind) {
+        const std::string word = table_word(static_cast<BitKind>(kind));
+        if (!word.empty()) tables_[kind] = names_.claim(word);
+    }
+    started = names_.claim("started");
+    any = names_.claim("i");
+    for (const Step& step : grafcet_.steps) {
+        steps_.push_back(claim("X" + step.name, "X" + step.name));
+    }
+    for (const Transition& transition : grafcet_.transitions) {
+        const std::string name = names_.claim("T" + transition.name);
+        if (name != "T" + transition.name) changed_.emplace_back(name, "(" + transition.name + ")");
+        transitions_.push_back(name);
+    }
+    if (!uses(program_, BitKind::may_evolve)) return;
+    for (const Graph& graph : grafcet_.graphs) graphs_.push_back(claim(graph.name));
+}
+
+std::string IecNames::operand_word(ExprId operand, std::size_t number) const {
+    const Expressions& pool = grafcet_.expressions;
+    if (pool.kind(operand) != ExprKind::variable) return fmt::format("{}", number);
+    return variable_name(grafcet_, pool.variable_of(operand));
+}
+
+void IecNames::claim_edges() {
+    const Expressions& pool = grafcet_.expressions;
+    for (std::size_t i = 0; i < pool.edges().size(); ++i) {
+        const ExprId edge = pool.edges()[i];
+        const std::string word = (pool.kind(edge) == ExprKind::rise ? "rise_" : "fall_") +
+                                 operand_word(pool.operands(edge).front(), i);
+        edges_.push_back(names_.claim(word));
+        edge_memories_.push_back(names_.claim(word + "_memory"));
+    }
+}
+
+void IecNames::claim_times() {
+    const Expressions& pool = grafcet_.expressions;
+    for (std::size_t i = 0; i < pool.time_conditions().size(); ++i) {
+        const TimeCondition& time = pool.time_condition_of(pool.time_conditions()[i]);
+        std::string word = operand_word(time.operand, i);
+        if (time.on_delay != 0) word = format_duration(time.on_delay) + "_" + word;
+        if (time.off_delay != 0) word += "_" + format_duration(time.off_delay);
+        const IecTimer timer = iec_timer_for(time.on_delay, time.off_delay);
+        const bool on = timer == IecTimer::ton || timer == IecTimer::latch;
+        const bool off = timer == IecTimer::tof || timer == IecTimer::latch;
+        const bool own = timer == IecTimer::copy || timer == IecTimer::latch;
+        on_timers_.push_back(on ? names_.claim("on_" + word) : "");
+        off_timers_.push_back(off ? names_.claim("off_" + word) : "");
+        times_.push_back(own  ? names_.claim("time_" + word)
+                         : on ? on_timers_.back() + ".Q"
+                              : off_timers_.back() + ".Q");
+    }
+}
+
+const std::string& IecNames::index_of(Bit bit) const {
+    if (bit.kind == BitKind::transition) return transitions_[bit.index];
+    if (bit.kind == BitKind::may_evolve) return graphs_[bit.index];
+    return steps_[bit.index];
+}
+
+std::string IecNames::of(Bit bit) const {
+    switch (bit.kind) {
+        case BitKind::input:
+            return inputs_[bit.index];
+        case BitKind::control:
+            return controls_[bit.index];
+        case BitKind::output:
+            return outputs_[bit.index];
+        case BitKind::var:
+            return vars_[bit.index];
+        case BitKind::edge:
+            return edges_[bit.index];
+        case BitKind::edge_memory:
+            return edge_memories_[bit.index];
+        case BitKind::time_value:
+            return times_[bit.index];
+        case BitKind::scratch:
+            return scratch_bits_[bit.index];
+        default:
+            return fmt::format("{}[{}]", table(bit.kind), index_of(bit));
+    }
+}
+
+std::string IecNames::of(IntegerCell cell) const {
+    return cell.is_scratch ? scratch_integers_[cell.index] : counters_[cell.index];
+}
+
+}  // namespace grafwire

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plc/shared/safe_names.h"
+#include "program/program.h"
+
+namespace grafwire {
+
+/// How a time condition is made of the standard function blocks (IEC 61131-3, 2.5.2.3.4).
+enum class IecTimer {
+    copy,   ///< no delay at all: the condition itself
+    ton,    ///< on-delay only: TON, its Q is the value
+    tof,    ///< off-delay only: TOF, its Q is the value
+    latch,  ///< both: a bit that two TON set and reset
+};
+IecTimer iec_timer_for(Time on_delay, Time off_delay);
+
+/// The names of a program in the textual languages of IEC 61131-3. A table is an array, a step its
+/// index in it: `Ts[X10]` is the X of step 10, `Ta[X10]` says that it is to be activated. Names do
+/// not depend on case there, and have no double underscores.
+class IecNames {
+  public:
+    explicit IecNames(const ScanProgram& program);
+
+    std::string of(Bit bit) const;
+    std::string of(IntegerCell cell) const;
+    /// The array of a table of steps, transitions or graphs.
+    const std::string& table(BitKind kind) const { return tables_[static_cast<std::size_t>(kind)]; }
+    /// The index of a step, transition or graph in its tables.
+    const std::string& index_of(Bit bit) const;
+    /// The function blocks of a time condition, by its place in Expressions::time_conditions.
+    const std::string& on_timer(std::uint32_t time) const { return on_timers_[time]; }
+    const std::string& off_timer(std::uint32_t time) const { return off_timers_[time]; }
+
+    /// A name that nothing has yet, for a label.
+    std::string new_label(std::string_view wanted) { return names_.claim(wanted); }
+
+    std::string block;    ///< the function block itself
+    std::string started;  ///< 1 after the first scan
+    std::string any;      ///< the variable that runs through a table
+
+    /// Names that are not those of the chart, each with what it stands for there.
+    const std::vector<std::pair<std::string, std::string>>& changed() const { return changed_; }
+
+  private:
+    std::string claim(const std::string& original);
+    std::string claim(const std::string& wanted, const std::string& original);
+    void claim_interface();
+    void claim_tables();
+    void claim_edges();
+    void claim_times();
+    /// `m` for an operand that is one variable, else the number.
+    std::string operand_word(ExprId operand, std::size_t number) const;
+
+    const ScanProgram& program_;
+    const Grafcet& grafcet_;
+    SafeNames names_;
+    std::array<std::string, bit_kind_count> tables_;
+    std::vector<std::string> inputs_, controls_, outputs_, vars_, counters_;
+    std::vector<std::string> steps_, transitions_, graphs_;
+    std::vector<std::string> edges_, edge_memories_;
+    std::vector<std::string> times_, on_timers_, off_timers_;
+    std::vector<std::string> scratch_bits_, scratch_integers_;
+    std::vector<std::pair<std::string, std::string>> changed_;
+};
+
+/// Whether a word, in lower case, is reserved in IEC 61131-3: keywords, types, operators of both
+/// languages, standard functions and function blocks.
+bool is_iec_keyword(std::string_view word);
+
+/// `T#1.5s`, exactly the duration (the last unit of a literal may have a fraction).
+std::string iec_time(Time duration);
+
+/// A comment of IEC 61131-3; a text that would end it early is written with a blank more.
+std::string iec_comment(std::string_view text);
+
+}  // namespace grafwire

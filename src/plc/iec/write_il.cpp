@@ -1,0 +1,303 @@
+// Instruction List.
+//
+// A condition is worked out in the current result, operand by operand in the order written; only
+// what is compound and not first stands in parentheses. Set and reset act where the result is 1, so
+// a transition is its conditions and then one line per step. Loops and conditional moves jump.
+
+#include "plc/iec/write_il.h"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "plc/iec/iec_declarations.h"
+#include "plc/iec/iec_names.h"
+#include "plc/shared/program_needs.h"
+#include "plc/shared/section_titles.h"
+
+namespace grafwire {
+
+namespace {
+
+class IlWriter {
+  public:
+    explicit IlWriter(const ScanProgram& program) : program_(program), names_(program) {}
+
+    std::string write(Diagnostics& diagnostics) {
+        text_ = iec_declarations(program_, names_, "Instruction List", diagnostics);
+        if (diagnostics.has_errors()) return {};
+        for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
+        text_ += "\nEND_FUNCTION_BLOCK\n";
+        return std::move(text_);
+    }
+
+  private:
+    void write_section(SectionKind kind);
+    void write_statement(const Statement& statement);
+    void write_table_loop(std::span<const Statement> statements);
+    void write_table_formula(TableOperation operation);
+    void write_move(const Statement& statement);
+    void write_time(const Statement& statement);
+
+    void load(const Condition& condition);
+    void combine(std::string_view operation, const Condition& operand);
+    void compare(const Comparison& comparison);
+    void load(const Sum& sum);
+    std::string text(const SumTerm& term) const;
+
+    void comment(std::string_view words) { text_ += iec_comment(words) + "\n"; }
+    void label(std::string_view name) { text_ += fmt::format("{}:\n", name); }
+    void op(std::string_view operation, std::string_view operand = {}) {
+        const std::string indent(4 + 2 * depth_, ' ');
+        text_ += operand.empty() ? fmt::format("{}{}\n", indent, operation)
+                                 : fmt::format("{}{:<5} {}\n", indent, operation, operand);
+    }
+    void op(std::string_view operation, Bit bit) { op(operation, names_.of(bit)); }
+    std::string at(BitKind kind) const {
+        return fmt::format("{}[{}]", names_.table(kind), names_.any);
+    }
+
+    ScanProgram program_;
+    IecNames names_;
+    std::string text_;
+    std::size_t depth_ = 0;  ///< of parentheses
+};
+
+std::string IlWriter::text(const SumTerm& term) const {
+    return term.counter == SumTerm::no_counter ? fmt::format("{}", term.value)
+                                               : names_.of(IntegerCell{false, term.counter});
+}
+
+void IlWriter::load(const Sum& sum) {
+    const SumTerm& first = sum.front();
+    if (first.negative && first.counter == SumTerm::no_counter) {
+        op("LD", "-" + text(first));
+    } else if (first.negative) {
+        op("LD", "0");
+        op("SUB", text(first));
+    } else {
+        op("LD", text(first));
+    }
+    for (const SumTerm& term : std::span(sum).subspan(1)) {
+        op(term.negative ? "SUB" : "ADD", text(term));
+    }
+}
+
+void IlWriter::compare(const Comparison& comparison) {
+    static constexpr const char* operations[] = {"EQ", "NE", "LT", "LE", "GT", "GE"};
+    const std::string operation = operations[static_cast<std::size_t>(comparison.relation)];
+    load(comparison.left);
+    const Sum& right = comparison.right;
+    if (right.size() == 1 && !right.front().negative) return op(operation, text(right.front()));
+    op(operation + "(");
+    ++depth_;
+    load(right);
+    --depth_;
+    op(")");
+}
+
+/// The current result and the operand, by AND, OR or XOR.
+void IlWriter::combine(std::string_view operation, const Condition& operand) {
+    const bool negated = operand.kind == Condition::Kind::negation;
+    const Condition& inner = negated ? operand.operands.front() : operand;
+    const std::string modified = fmt::format("{}{}", operation, negated ? "N" : "");
+    if (inner.kind == Condition::Kind::bit) return op(modified, inner.bit);
+    op(modified + "(");
+    ++depth_;
+    load(inner);
+    --depth_;
+    op(")");
+}
+
+void IlWriter::load(const Condition& condition) {
+    const char* operation = "XOR";
+    switch (condition.kind) {
+        case Condition::Kind::constant:
+            return op("LD", condition.value ? "TRUE" : "FALSE");
+        case Condition::Kind::bit:
+            return op("LD", condition.bit);
+        case Condition::Kind::negation:
+            if (condition.operands.front().kind == Condition::Kind::bit) {
+                return op("LDN", condition.operands.front().bit);
+            }
+            load(condition.operands.front());
+            return op("NOT");
+        case Condition::Kind::comparison:
+            return compare(condition.comparison);
+        case Condition::Kind::conjunction:
+            operation = "AND";
+            break;
+        case Condition::Kind::disjunction:
+            operation = "OR";
+            break;
+        case Condition::Kind::exclusive_or:
+            break;
+    }
+    load(condition.operands.front());
+    for (const Condition& operand : std::span(condition.operands).subspan(1)) {
+        combine(operation, operand);
+    }
+}
+
+void IlWriter::write_section(SectionKind kind) {
+    const std::vector<Statement>& statements = program_.section(kind);
+    if (statements.empty() && kind != SectionKind::start) return;
+    text_ += '\n';
+    comment(section_title(kind));
+    std::string after_start;
+    if (kind == SectionKind::start) {
+        after_start = names_.new_label("after_start");
+        op("LD", names_.started);
+        op("JMPC", after_start);
+        op("LD", "TRUE");
+        op("ST", names_.started);
+    }
+    for (std::size_t at = 0; at < statements.size();) {
+        std::size_t end = at;
+        while (end < statements.size() && statements[end].kind == Statement::Kind::table) ++end;
+        if (end > at) {
+            write_table_loop(std::span(statements).subspan(at, end - at));
+            at = end;
+        } else {
+            write_statement(statements[at++]);
+        }
+    }
+    if (kind == SectionKind::start) label(after_start);
+}
+
+/// Whole-table operations that follow each other share one loop.
+void IlWriter::write_table_loop(std::span<const Statement> statements) {
+    const std::size_t steps = program_.grafcet->steps.size();
+    if (steps == 0) return;
+    const std::string loop = names_.new_label("each_step");
+    for (const Statement& statement : statements) comment(statement.comment);
+    op("LD", "0");
+    op("ST", names_.any);
+    label(loop);
+    for (const Statement& statement : statements) write_table_formula(statement.operation);
+    op("LD", names_.any);
+    op("ADD", "1");
+    op("ST", names_.any);
+    op("LE", fmt::format("{}", steps - 1));
+    op("JMPC", loop);
+}
+
+void IlWriter::write_table_formula(TableOperation operation) {
+    switch (operation) {
+        case TableOperation::remember:
+            op("LD", at(BitKind::step));
+            op("ST", at(BitKind::previous));
+            break;
+        case TableOperation::clear:
+            op("LD", "FALSE");
+            op("ST", at(BitKind::activate));
+            op("ST", at(BitKind::deactivate));
+            if (!has_forcing(program_)) break;
+            op("ST", at(BitKind::forced_on));
+            op("ST", at(BitKind::forced_off));
+            break;
+        case TableOperation::evolve:
+            op("LD", at(BitKind::previous));
+            op("ANDN", at(BitKind::deactivate));
+            op("OR", at(BitKind::activate));
+            op("ST", at(BitKind::step));
+            break;
+        case TableOperation::force:
+            op("LD", at(BitKind::step));
+            op("ANDN", at(BitKind::forced_off));
+            op("OR", at(BitKind::forced_on));
+            op("ST", at(BitKind::step));
+            break;
+        case TableOperation::pulse:
+            op("LD", at(BitKind::step));
+            op("ANDN", at(BitKind::previous));
+            op("ST", at(BitKind::pulse));
+            break;
+    }
+}
+
+void IlWriter::write_move(const Statement& statement) {
+    const bool always = statement.condition.is_constant(true);
+    const std::string after = always ? "" : names_.new_label("kept");
+    if (!always) {
+        load(statement.condition);
+        op("JMPCN", after);
+    }
+    if (statement.sum.empty()) {
+        op("LD", names_.of(statement.source));
+    } else {
+        load(statement.sum);
+        // What lies within the range anyway needs no limits.
+        const IntegerRange range = value_range(*program_.grafcet, statement.sum);
+        if (range.low < statement.low) op("MAX", fmt::format("{}", statement.low));
+        if (range.high > statement.high) op("MIN", fmt::format("{}", statement.high));
+    }
+    op("ST", names_.of(statement.integer));
+    if (!always) label(after);
+}
+
+void IlWriter::write_time(const Statement& statement) {
+    const Bit value = statement.targets.front();
+    const auto call = [&](const std::string& timer, const Condition& input, Time delay) {
+        load(input);
+        op("ST", timer + ".IN");
+        op("CAL", fmt::format("{}(PT := {})", timer, iec_time(delay)));
+    };
+    switch (iec_timer_for(statement.on_delay, statement.off_delay)) {
+        case IecTimer::copy:
+            load(statement.condition);
+            op("ST", value);
+            break;
+        case IecTimer::ton:
+            call(names_.on_timer(value.index), statement.condition, statement.on_delay);
+            break;
+        case IecTimer::tof:
+            call(names_.off_timer(value.index), statement.condition, statement.off_delay);
+            break;
+        case IecTimer::latch:
+            call(names_.on_timer(value.index),
+                 and_condition({statement.condition, not_condition(bit_condition(value))}),
+                 statement.on_delay);
+            call(names_.off_timer(value.index),
+                 and_condition({not_condition(statement.condition), bit_condition(value)}),
+                 statement.off_delay);
+            op("LD", value);
+            op("ANDN", names_.off_timer(value.index) + ".Q");
+            op("OR", names_.on_timer(value.index) + ".Q");
+            op("ST", value);
+            break;
+    }
+}
+
+void IlWriter::write_statement(const Statement& statement) {
+    comment(statement.comment);
+    switch (statement.kind) {
+        case Statement::Kind::assign:
+            load(statement.condition);
+            op("ST", statement.targets.front());
+            break;
+        case Statement::Kind::set:
+        case Statement::Kind::reset:
+            load(statement.condition);
+            for (const Bit bit : statement.targets) {
+                op(statement.kind == Statement::Kind::set ? "S" : "R", bit);
+            }
+            break;
+        case Statement::Kind::move:
+            write_move(statement);
+            break;
+        case Statement::Kind::time:
+            write_time(statement);
+            break;
+        case Statement::Kind::table:
+            break;
+    }
+}
+
+}  // namespace
+
+std::string write_il(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
+    return IlWriter(without_idle_tables(program)).write(diagnostics);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "plc/shared/plc_options.h"
+#include "program/program.h"
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+/// The program as a function block in Structured Text (IEC 61131-3, edition 2, section 3.3).
+std::string write_st(const ScanProgram& program, const PlcOptions& options,
+                     Diagnostics& diagnostics);
+
+}  // namespace grafwire

@@ -1,0 +1,70 @@
+#include "plc/pl7/pl7_head.h"
+
+#include <fmt/format.h>
+
+#include "grafcet/write_grafcet.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::string_view conventions = R"(
+Conventions of this listing: the program is entered with its charts and rungs drawn.
+   ** LABEL 3         a rung, or several; contacts in series are joined by . and in parallel by +,
+                      /I0,1 is a contact that is closed while the bit is 0, =1 is a wire, =0 none
+   --( ) --(S) --(R)  a coil; --(#) ends the rung of a transition
+   [W0 < 5]           a COMPAR block; --[W0 + 1 -> W0] an OPERATE block
+   --T0 TB=1s P=3     a timer block, E and C both driven by the rung; T0,D is 1 once 3 s are over
+   SY0                1 in the first scan after a cold start; the chart is initialised before it
+   SY21, SY22         1 in the preliminary processing: the chart is initialised, or has no step
+)";
+
+}  // namespace
+
+void check_pl7_chart(const Grafcet& grafcet, Diagnostics& diagnostics) {
+    for (const Order& order : grafcet.orders) {
+        if (order.kind == OrderKind::freeze) continue;
+        diagnostics.error(
+            Code::unsupported_by_style, order.where,
+            fmt::format("PL7-2 has no forcing order; write {} with transitions of its "
+                        "own, or take another language",
+                        quoted_where_needed(grafcet.graphs[order.graph].name)));
+    }
+    for (const Enclosure& enclosure : grafcet.enclosures) {
+        diagnostics.error(Code::unsupported_by_style, enclosure.where,
+                          "PL7-2 has no enclosing step; take another language");
+    }
+    for (const Transition& transition : grafcet.transitions) {
+        if (transition.preceding_count != 0 && transition.following_count != 0) continue;
+        diagnostics.error(Code::unsupported_by_style, transition.where,
+                          transition.preceding_count == 0
+                              ? "PL7-2 has no source transition; put a step before it"
+                              : "PL7-2 has no sink transition; put a step after it");
+    }
+}
+
+std::string pl7_head(const ScanProgram& program, Pl7Objects& objects) {
+    const Grafcet& grafcet = *program.grafcet;
+    std::string text = fmt::format(
+        "PL7-2   {}{}{}\n\nA GRAFCET (IEC 60848) for Telemecanique TSX 17-20, TSX 27 and TSX 47.\n",
+        grafcet.name, grafcet.title.empty() ? "" : ": ", grafcet.title);
+    text += conventions;
+    text += "\nASSIGNMENT\n\n";
+    for (const auto& [object, name] : objects.assignment()) {
+        text += fmt::format("   {:<8} {}\n", object, name);
+    }
+    return text;
+}
+
+std::string pl7_steps(const ScanProgram& program, Pl7Objects& objects) {
+    const Grafcet& grafcet = *program.grafcet;
+    std::string text;
+    for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) {
+        const Step& step = grafcet.steps[StepId{s}];
+        text += fmt::format("   {} {:<4} {}\n", step.initial ? '#' : ' ',
+                            objects.of(Bit{BitKind::step, s}), quoted_where_needed(step.name));
+    }
+    return text;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,135 @@
+#include "plc/pl7/pl7_objects.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace grafwire {
+
+namespace {
+
+/// The number of a step that is called by one; empty for `05`, `s1`, and numbers without a bit X.
+std::optional<std::uint32_t> own_number(std::string_view name) {
+    if (name.empty() || name.size() > 2 || (name.size() > 1 && name[0] == '0')) return std::nullopt;
+    std::uint32_t number = 0;
+    for (const char c : name) {
+        if (c < '0' || c > '9') return std::nullopt;
+        number = number * 10 + static_cast<std::uint32_t>(c - '0');
+    }
+    if (number >= Pl7Objects::steps) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+std::optional<Pl7Preset> pl7_preset(Time duration) {
+    struct Base {
+        const char* name;
+        Time length;
+    };
+    static constexpr Base bases[] = {
+        {"10ms", 10 * millisecond}, {"100ms", 100 * millisecond}, {"1s", second}, {"1mn", minute}};
+    for (const Base& base : bases) {
+        const Time count = duration / base.length;
+        if (duration % base.length == 0 && count >= 1 && count <= 9999) {
+            return Pl7Preset{base.name, count};
+        }
+    }
+    return std::nullopt;
+}
+
+Pl7Objects::Pl7Objects(const ScanProgram& program) : program_(program), grafcet_(*program.grafcet) {
+    number_steps();
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) of(Bit{BitKind::var, v});
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) of(IntegerCell{false, c});
+}
+
+/// Steps without a number of their own get the lowest ones left.
+void Pl7Objects::number_steps() {
+    std::set<std::uint32_t> taken;
+    for (const Step& step : grafcet_.steps) {
+        if (const auto number = own_number(step.name)) taken.insert(*number);
+    }
+    std::uint32_t next = 0;
+    for (const Step& step : grafcet_.steps) {
+        const auto number = own_number(step.name);
+        if (!number) {
+            while (taken.count(next) != 0) ++next;
+            taken.insert(next);
+        }
+        step_numbers_.push_back(number ? *number : next);
+    }
+}
+
+std::string Pl7Objects::at_module(char letter, std::uint32_t index, std::uint32_t size) {
+    return fmt::format("{}{},{}", letter, index / size, index % size);
+}
+
+std::string Pl7Objects::of(Bit bit) {
+    switch (bit.kind) {
+        case BitKind::input:
+            return at_module('I', bit.index, inputs_of_a_module);
+        case BitKind::control:
+            return at_module('I', static_cast<std::uint32_t>(grafcet_.inputs.size()) + bit.index,
+                             inputs_of_a_module);
+        case BitKind::output:
+            return at_module('O', bit.index, outputs_of_a_module);
+        case BitKind::step:
+            return fmt::format("X{}", step_numbers_[bit.index]);
+        default:
+            break;
+    }
+    const auto found = names_.find(bit);
+    if (found != names_.end()) return found->second;
+    return names_.emplace(bit, new_bit()).first->second;
+}
+
+std::string Pl7Objects::of(IntegerCell cell) {
+    const auto found = word_names_.find(cell);
+    if (found != word_names_.end()) return found->second;
+    return word_names_.emplace(cell, new_word()).first->second;
+}
+
+std::vector<std::pair<std::string, std::string>> Pl7Objects::assignment() {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (std::uint32_t i = 0; i < grafcet_.inputs.size(); ++i) {
+        rows.emplace_back(of(Bit{BitKind::input, i}), grafcet_.inputs[InputId{i}].name);
+    }
+    for (std::uint32_t c = 0; c < control_input_count && program_.has_modes; ++c) {
+        rows.emplace_back(of(Bit{BitKind::control, c}),
+                          input_name(grafcet_, grafcet_.inputs.size() + c));
+    }
+    for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
+        rows.emplace_back(of(Bit{BitKind::output, o}), grafcet_.outputs[OutputId{o}].name);
+    }
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) {
+        rows.emplace_back(of(Bit{BitKind::var, v}), grafcet_.vars[VarId{v}].name);
+    }
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
+        rows.emplace_back(of(IntegerCell{false, c}), grafcet_.counters[CounterId{c}].name);
+    }
+    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
+        rows.emplace_back(of(Bit{BitKind::step, s}), "X" + grafcet_.steps[StepId{s}].name);
+    }
+    return rows;
+}
+
+void Pl7Objects::check_limits(Diagnostics& diagnostics) const {
+    const auto check = [&](std::size_t used, std::size_t there_are, const char* what) {
+        if (used <= there_are) return;
+        diagnostics.error(Code::unsupported_by_style, {},
+                          fmt::format("the program needs {} {}, and PL7-2 has {}; divide the "
+                                      "GRAFCET",
+                                      used, what, there_are));
+    };
+    const std::size_t inputs =
+        grafcet_.inputs.size() + (program_.has_modes ? control_input_count : 0);
+    check(inputs, inputs_of_a_module * modules, "inputs");
+    check(grafcet_.outputs.size(), outputs_of_a_module * modules, "outputs");
+    check(grafcet_.steps.size(), steps, "steps");
+    check(bits_used_, bits, "internal bits");
+    check(words_used_, words, "words");
+    check(timers_used_, timers, "timers");
+}
+
+}  // namespace grafwire

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "plc/pl7/pl7_objects.h"
+#include "program/program.h"
+
+namespace grafwire {
+
+/// The rungs of one part of a PL7-2 program, as lines of text. Contacts can be negated, groups of
+/// them cannot: negations are moved inwards, and an exclusive OR becomes two branches. A COMPAR
+/// block compares a word with a word or a number, and an OPERATE block adds two: longer sums are
+/// worked out in rungs of their own beforehand.
+class Pl7Rungs {
+  public:
+    explicit Pl7Rungs(Pl7Objects& objects) : objects_(objects) {}
+
+    /// `** LABEL 3   comment`.
+    void label(std::string_view comment);
+    void rung(const Condition& condition, std::string_view coil) {
+        line(contacts(condition), coil);
+    }
+    /// A rung whose contacts are written already.
+    void line(std::string_view contacts, std::string_view coil);
+
+    /// Whether the contacts of a condition need rungs for sums.
+    static bool has_sums(const Condition& condition);
+    /// The contacts of a condition; rungs for its sums are added here.
+    std::string contacts(const Condition& condition);
+    /// The word or number that a sum is; rungs for it are added here.
+    std::string value(const Sum& sum);
+    /// A word or number with the value held within limits, where there are any.
+    std::string limited(const std::string& value, std::optional<std::int64_t> low,
+                        std::optional<std::int64_t> high);
+
+    const std::string& text() const { return text_; }
+    std::uint32_t labels() const { return labels_; }
+
+  private:
+    std::string series_or_parallel(const Condition& condition, bool in_series);
+    std::string compare(const Comparison& comparison);
+    std::string new_temporary();
+
+    Pl7Objects& objects_;
+    std::string text_;
+    std::uint32_t labels_ = 0;
+    std::set<std::string> temporaries_;  ///< words that hold a value for the next rungs
+};
+
+}  // namespace grafwire

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "s7/cpu.h"
+#include "s7/io_assignment.h"
+
+namespace grafwire {
+
+/// Each format heeds some of them; see PlcFormat::options.
+struct PlcOptions {
+    /// Addresses for inputs, outputs and steps; without, they are assigned in order.
+    const s7::IoAssignment* io = nullptr;
+    Mnemonics mnemonics = Mnemonics::simatic;  ///< of instruction lists
+    bool offsets = true;                       ///< byte offsets before instructions
+    bool wide_tables = false;                  ///< tables beyond the 80 steps of the method
+    std::optional<s7::Cpu> cpu;                ///< the controller that the program has to fit
+};
+
+}  // namespace grafwire

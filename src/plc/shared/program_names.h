@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plc/shared/safe_names.h"
+#include "program/program.h"
+
+namespace grafwire {
+
+/// What a language makes of names.
+struct NameRules {
+    bool case_matters = true;
+    /// Whether a word is none that a program may choose. Asked in lower case where case does not
+    /// matter.
+    bool (*is_reserved)(std::string_view word) = nullptr;
+};
+
+/// The names of a program in a language with records: inputs, outputs, vars and so on are fields of
+/// records of their own, so each group has its names to itself. Names of the chart are kept where
+/// the language can hold them (ascii_word); edges and time conditions are named after their texts:
+/// `rise_dcy`, `t5s_X13`.
+class ProgramNames {
+  public:
+    ProgramNames(const ScanProgram& program, const NameRules& rules);
+
+    /// The chart's own name.
+    const std::string& chart() const { return chart_; }
+    /// The name within its group; the tables of steps share one group, an edge and its memory
+    /// another.
+    const std::string& operator[](Bit bit) const;
+    const std::string& operator[](IntegerCell cell) const;
+
+    /// The declared inputs, then the control inputs where the program has modes.
+    std::vector<Bit> inputs() const;
+
+    /// Names that differ from those of the chart, each with the one it stands for, quoted where the
+    /// chart has to.
+    const std::vector<std::pair<std::string, std::string>>& changed() const { return changed_; }
+
+  private:
+    void name_chart();
+    void name_inputs();
+    void name_parts();
+    void name_expressions();
+    SafeNames group() const { return {rules_.case_matters, rules_.is_reserved}; }
+    void add(std::vector<std::string>& names, SafeNames& group, const std::string& original);
+
+    const ScanProgram& program_;
+    NameRules rules_;
+    std::string chart_;
+    std::vector<std::string> inputs_, controls_, outputs_, vars_, counters_;
+    std::vector<std::string> steps_, transitions_, graphs_, edges_, times_;
+    std::vector<std::string> scratch_bits_, scratch_integers_;
+    std::vector<std::pair<std::string, std::string>> changed_;
+};
+
+}  // namespace grafwire

@@ -1,0 +1,94 @@
+// Names of charts may be any text; a language has letters, digits and underscores. They are
+// transliterated, not numbered, because whoever commissions the program looks for the names of the
+// chart in it; a number keeps apart what transliteration makes equal.
+
+#include "plc/shared/safe_names.h"
+
+#include <fmt/format.h>
+
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+struct Spelling {
+    std::string_view ascii;
+    std::string_view characters;  ///< all that are spelt so
+};
+
+/// The letters of the languages of Western Europe, and the signs met in names of equipment.
+constexpr Spelling spellings[] = {
+    {"_plus_", "+"}, {"_minus_", "-"}, {"_star_", "*"}, {"_percent_", "%"}, {"_deg_", "°"},
+    {"2", "²"},      {"3", "³"},       {"u", "µùúûü"},  {"A", "ÀÁÂÃÄÅ"},    {"a", "àáâãäå"},
+    {"AE", "Æ"},     {"ae", "æ"},      {"C", "Ç"},      {"c", "ç"},         {"E", "ÈÉÊË"},
+    {"e", "èéêë"},   {"I", "ÌÍÎÏ"},    {"i", "ìíîï"},   {"N", "Ñ"},         {"n", "ñ"},
+    {"O", "ÒÓÔÕÖØ"}, {"o", "òóôõöø"},  {"OE", "Œ"},     {"oe", "œ"},        {"U", "ÙÚÛÜ"},
+    {"Y", "ÝŸ"},     {"y", "ýÿ"},      {"ss", "ß"},
+};
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::string spelling_of(CodePoint point, std::string_view bytes) {
+    if (point.value < 0x80 &&
+        (is_letter(static_cast<char>(point.value)) || is_digit(static_cast<char>(point.value)))) {
+        return std::string(bytes);
+    }
+    for (const Spelling& spelling : spellings) {
+        if (spelling.characters.find(bytes) != std::string_view::npos) {
+            return std::string(spelling.ascii);
+        }
+    }
+    if (point.value < 0x80) return "_";
+    return fmt::format("u{:04X}", static_cast<std::uint32_t>(point.value));
+}
+
+}  // namespace
+
+std::string ascii_word(std::string_view name) {
+    std::string spelt;
+    for (std::size_t at = 0; at < name.size();) {
+        const CodePoint point = decode_utf8(name, at);
+        const std::size_t length = point.length == 0 ? 1 : point.length;
+        spelt += spelling_of(point, name.substr(at, length));
+        at += length;
+    }
+    std::string word;
+    for (const char c : spelt) {
+        if (c == '_' && (word.empty() || word.back() == '_')) continue;
+        if (word.empty() && is_digit(c)) word = "n";
+        word.push_back(c);
+    }
+    while (!word.empty() && word.back() == '_') word.pop_back();
+    return word.empty() ? "n" : word;
+}
+
+std::string SafeNames::folded(std::string name) const {
+    if (case_matters_) return name;
+    for (char& c : name) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return name;
+}
+
+bool SafeNames::is_free(const std::string& name) const {
+    const std::string compared = folded(name);
+    return taken_.count(compared) == 0 && !is_reserved_(compared);
+}
+
+std::string SafeNames::claim(std::string_view wanted) {
+    const std::string word = ascii_word(wanted);
+    std::string name = word;
+    for (std::size_t number = 2; !is_free(name); ++number)
+        name = fmt::format("{}_{}", word, number);
+    taken_.insert(folded(name));
+    return name;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,91 @@
+#include "plc/shared/source_text.h"
+
+#include <fmt/format.h>
+
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+bool is_word_sign(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Signs that turn the direction of writing, and so make a program look like another one.
+bool turns_direction(char32_t sign) {
+    return (sign >= 0x202A && sign <= 0x202E) || (sign >= 0x2066 && sign <= 0x2069);
+}
+
+/// Where to break a line so that the first part has at most `room` bytes: in its second half, at
+/// the last blank of those within the fewest parentheses, `least_depth` at least; npos where there
+/// is none. `depth` counts the parentheses that are open, at the beginning and then at the break.
+std::size_t break_of(std::string_view text, std::size_t room, int least_depth, int& depth) {
+    constexpr std::size_t least_rest = 6;  // no line for ` then` or ` {` alone
+    std::size_t best = std::string_view::npos;
+    int here = depth;
+    for (std::size_t at = 0; at <= room; ++at) {
+        if (text[at] == '(') ++here;
+        if (text[at] == ')') --here;
+        if (text[at] != ' ' || at < room / 2 || text.size() - at < least_rest) continue;
+        if (here < least_depth || (best != std::string_view::npos && here > depth)) continue;
+        best = at;
+        depth = here;
+    }
+    return best;
+}
+
+}  // namespace
+
+void SourceText::line(std::string_view text) {
+    const int least_depth = breaks_ == Breaks::within_parentheses ? 1 : 0;
+    std::size_t indentation = depth_;
+    int parentheses = 0;
+    while (indentation + text.size() > width) {
+        const std::size_t at = break_of(text, width - indentation, least_depth, parentheses);
+        if (at == std::string_view::npos) break;
+        text_.append(indentation, ' ').append(text.substr(0, at)) += '\n';
+        text.remove_prefix(at + 1);
+        indentation = depth_ + 8;
+    }
+    text_.append(indentation, ' ').append(text) += '\n';
+}
+
+void SourceText::whole_line(std::string_view text) {
+    text_.append(depth_, ' ').append(text) += '\n';
+}
+
+void SourceText::comment(std::string_view text) {
+    whole_line(text.empty() ? comment_sign_
+                            : fmt::format("{} {}", comment_sign_, comment_text(text)));
+}
+
+std::string comment_text(std::string_view text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint point = decode_utf8(text, at);
+        const std::size_t length = point.length == 0 ? 1 : point.length;
+        if (point.value < 0x20 || point.value == 0x7F) {
+            result += ' ';
+        } else if (turns_direction(point.value)) {
+            result += fmt::format("<{:04X}>", static_cast<std::uint32_t>(point.value));
+        } else {
+            result += text.substr(at, length);
+        }
+        at += length;
+    }
+    // A backslash, or the trigraph of one, would join the next line to the comment.
+    if (!result.empty() && (result.back() == '\\' || result.back() == '/')) result += " .";
+    return result;
+}
+
+bool calls(std::string_view program, std::string_view function) {
+    const std::string call = std::string(function) + "(";
+    for (std::size_t at = program.find(call); at != std::string_view::npos;
+         at = program.find(call, at + 1)) {
+        if (at == 0 || !is_word_sign(program[at - 1])) return true;
+    }
+    return false;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,169 @@
+#include "plc/step7/stl_conditions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t stack_entries = 7;
+
+/// Bits above this index are auxiliary ones of this file; the program's own stay far below.
+constexpr std::uint32_t first_auxiliary = 0x8000'0000U;
+
+bool is_bit_or_its_negation(const Condition& condition) {
+    return condition.kind == Condition::Kind::bit ||
+           (condition.kind == Condition::Kind::negation &&
+            condition.operands.front().kind == Condition::Kind::bit);
+}
+
+bool is_product_of_bits(const Condition& condition) {
+    if (condition.kind != Condition::Kind::conjunction) return false;
+    for (const Condition& operand : condition.operands) {
+        if (!is_bit_or_its_negation(operand)) return false;
+    }
+    return true;
+}
+
+/// How many parentheses are open at a time while it is worked out as the operand of another.
+std::size_t depth_as_operand(const Condition& condition) {
+    if (is_bit_or_its_negation(condition)) return 0;
+    std::size_t depth = 0;
+    for (const Condition& operand : condition.operands) {
+        depth = std::max(depth, depth_as_operand(operand));
+    }
+    return condition.kind == Condition::Kind::negation ? std::max<std::size_t>(depth, 1)
+                                                       : depth + 1;
+}
+
+}  // namespace
+
+void StlConditions::load(const Condition& condition) {
+    auxiliaries_ = 0;
+    load_flat(flattened(condition, stack_entries));
+}
+
+/// The same condition with no more than so many levels of parentheses.
+Condition StlConditions::flattened(const Condition& condition, std::size_t levels) {
+    Condition flat = condition;
+    for (Condition& operand : flat.operands) {
+        if (depth_as_operand(operand) <= levels) continue;
+        // A negation shares its level with what it negates.
+        const std::size_t inner = operand.kind == Condition::Kind::negation ? levels : levels - 1;
+        operand = levels <= 1 ? worked_out(operand) : flattened(operand, inner);
+    }
+    return flat;
+}
+
+/// An auxiliary bit that has been given the value of a condition.
+Condition StlConditions::worked_out(const Condition& condition) {
+    load_flat(flattened(condition, stack_entries));
+    const Bit bit{BitKind::scratch, first_auxiliary + static_cast<std::uint32_t>(auxiliaries_)};
+    text_.op("=", text_.operand(memory_.auxiliary_bit(auxiliaries_++)), "auxiliary");
+    return bit_condition(bit);
+}
+
+/// The RLO and an operand: `U`, `O` or `X`.
+void StlConditions::combine(char operation, const Condition& operand) {
+    const bool negated = operand.kind == Condition::Kind::negation;
+    const Condition& inner = negated ? operand.operands.front() : operand;
+    const std::string written = fmt::format("{}{}", operation, negated ? "N" : "");
+    if (inner.kind == Condition::Kind::bit) {
+        const bool auxiliary = inner.bit.index >= first_auxiliary;
+        const StlAddress address = auxiliary
+                                       ? memory_.auxiliary_bit(inner.bit.index - first_auxiliary)
+                                       : memory_.of(inner.bit);
+        return text_.op(written, text_.operand(address),
+                        auxiliary ? "auxiliary" : memory_.symbol(inner.bit));
+    }
+    text_.op(written + "(");
+    load_flat(inner);
+    text_.op(")");
+}
+
+void StlConditions::load_flat(const Condition& condition) {
+    switch (condition.kind) {
+        case Condition::Kind::constant:
+            return text_.op(condition.value ? "SET" : "CLR");
+        case Condition::Kind::bit:
+            return combine('U', condition);
+        case Condition::Kind::negation:
+            if (is_bit_or_its_negation(condition)) return combine('U', condition);
+            load_flat(condition.operands.front());
+            return text_.op("NOT");
+        case Condition::Kind::comparison:
+            return compare(condition.comparison);
+        case Condition::Kind::conjunction:
+            for (const Condition& operand : condition.operands) combine('U', operand);
+            return;
+        case Condition::Kind::exclusive_or:
+            for (const Condition& operand : condition.operands) combine('X', operand);
+            return;
+        case Condition::Kind::disjunction:
+            for (const Condition& operand : condition.operands) {
+                if (!is_product_of_bits(operand)) {
+                    combine('O', operand);
+                    continue;
+                }
+                if (&operand != &condition.operands.front()) text_.op("O");
+                load_flat(operand);
+            }
+            return;
+    }
+}
+
+void StlConditions::load_constant(std::int64_t value) {
+    text_.op("L", integer_bytes_ == 2 ? fmt::format("{}", value) : fmt::format("L#{}", value));
+}
+
+void StlConditions::load(IntegerCell cell) {
+    text_.op("L", word(cell), memory_.symbol(cell));
+}
+
+void StlConditions::add_term(const SumTerm& term) {
+    if (term.counter == SumTerm::no_counter) {
+        load_constant(term.value);
+    } else {
+        load(IntegerCell{false, term.counter});
+    }
+    text_.op(integer_op(term.negative ? "-" : "+"));
+}
+
+void StlConditions::load(const Sum& sum) {
+    const SumTerm& first = sum.front();
+    std::span<const SumTerm> rest(sum);
+    if (first.counter == SumTerm::no_counter) {
+        load_constant(first.negative ? -first.value : first.value);
+        rest = rest.subspan(1);
+    } else if (first.negative) {
+        load_constant(0);
+    } else {
+        load(IntegerCell{false, first.counter});
+        rest = rest.subspan(1);
+    }
+    for (const SumTerm& term : rest) add_term(term);
+}
+
+/// Accumulator 2 is compared with accumulator 1. There are but these two, so a sum on the right is
+/// worked out first and put aside.
+void StlConditions::compare(const Comparison& comparison) {
+    static constexpr const char* relations[] = {"==", "<>", "<", "<=", ">", ">="};
+    const Sum& right = comparison.right;
+    const bool is_counter = right.front().counter != SumTerm::no_counter;
+    if (right.size() == 1 && !(is_counter && right.front().negative)) {
+        load(comparison.left);
+        load(right);
+    } else {
+        const std::string aside = StlText::word(memory_.auxiliary_integer(), integer_bytes_);
+        load(right);
+        text_.op("T", aside, "auxiliary");
+        load(comparison.left);
+        text_.op("L", aside, "auxiliary");
+    }
+    text_.op(integer_op(relations[static_cast<std::size_t>(comparison.relation)]));
+}
+
+}  // namespace grafwire

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "plc/step7/stl_memory.h"
+#include "plc/step7/stl_text.h"
+
+namespace grafwire {
+
+/// Writes conditions as strings of bit logic that leave their value in the RLO, and sums as
+/// arithmetic that leaves theirs in accumulator 1.
+///
+/// A string of U (AND) is closed by what reads the RLO; an OR of products is written with O alone,
+/// "AND before OR"; anything deeper stands in parentheses. The stack of parentheses holds seven
+/// entries (S7-300 instruction list), so what lies deeper is worked out beforehand into auxiliary
+/// bits.
+class StlConditions {
+  public:
+    StlConditions(StlMemory& memory, StlText& text, std::uint32_t integer_bytes)
+        : memory_(memory), text_(text), integer_bytes_(integer_bytes) {}
+
+    void load(const Condition& condition);
+    void load(const Sum& sum);
+    void load(IntegerCell cell);
+    void load_constant(std::int64_t value);
+    /// `>I`, `>D`.
+    std::string integer_op(std::string_view operation) const {
+        return std::string(operation) + (integer_bytes_ == 2 ? "I" : "D");
+    }
+    std::string word(IntegerCell cell) const {
+        return StlText::word(memory_.of(cell), integer_bytes_);
+    }
+
+  private:
+    Condition flattened(const Condition& condition, std::size_t levels);
+    Condition worked_out(const Condition& condition);
+    void load_flat(const Condition& condition);
+    void combine(char operation, const Condition& operand);
+    void compare(const Comparison& comparison);
+    void add_term(const SumTerm& term);
+
+    StlMemory& memory_;
+    StlText& text_;
+    std::uint32_t integer_bytes_;
+    std::size_t auxiliaries_ = 0;  ///< in use for the condition at hand
+};
+
+}  // namespace grafwire

@@ -1,0 +1,219 @@
+#include "plc/step7/stl_memory.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "grafcet/write_grafcet.h"
+#include "plc/shared/program_needs.h"
+
+namespace grafwire {
+
+namespace {
+
+/// The tables with a bit per step that the program uses.
+std::vector<BitKind> step_tables(const ScanProgram& program) {
+    std::vector<BitKind> kinds = {BitKind::step, BitKind::previous, BitKind::activate,
+                                  BitKind::deactivate};
+    if (has_forcing(program)) {
+        kinds.push_back(BitKind::forced_on);
+        kinds.push_back(BitKind::forced_off);
+    }
+    if (uses(program, BitKind::pulse)) kinds.push_back(BitKind::pulse);
+    return kinds;
+}
+
+std::string table_word(BitKind kind) {
+    switch (kind) {
+        case BitKind::previous:
+            return "Tp";
+        case BitKind::pulse:
+            return "Tpulse";
+        case BitKind::activate:
+            return "Ta";
+        case BitKind::deactivate:
+            return "Td";
+        case BitKind::forced_on:
+            return "Tf1";
+        default:
+            return "Tf0";
+    }
+}
+
+}  // namespace
+
+StlMemory::StlMemory(const ScanProgram& program, const PlcOptions& options, bool wide_integers,
+                     Diagnostics& diagnostics)
+    : program_(program), grafcet_(*program.grafcet) {
+    place_interface(options.io, diagnostics);
+    place_tables();
+    place_integers(wide_integers);
+    place_bits();
+    program_end_ = end_;
+}
+
+void StlMemory::check_size(Diagnostics& diagnostics) const {
+    if (end_ <= last_byte + 1) return;
+    diagnostics.error(Code::unsupported_by_style, {},
+                      fmt::format("the program needs bit memory up to MB {}, and no S7-300 or "
+                                  "S7-400 has more than MB {}; divide the GRAFCET",
+                                  end_ - 1, last_byte));
+}
+
+/// Inputs without an assignment come after those with one, in order.
+void StlMemory::place_interface(const s7::IoAssignment* io, Diagnostics& diagnostics) {
+    std::set<StlAddress> taken;
+    std::vector<std::pair<Bit, std::string>> names;
+    for (std::uint32_t i = 0; i < grafcet_.inputs.size(); ++i) {
+        names.emplace_back(Bit{BitKind::input, i}, grafcet_.inputs[InputId{i}].name);
+    }
+    for (std::uint32_t c = 0; c < control_input_count && program_.has_modes; ++c) {
+        names.emplace_back(Bit{BitKind::control, c},
+                           input_name(grafcet_, grafcet_.inputs.size() + c));
+    }
+    for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
+        names.emplace_back(Bit{BitKind::output, o}, grafcet_.outputs[OutputId{o}].name);
+    }
+    const auto area_of = [](Bit bit) { return bit.kind == BitKind::output ? 'A' : 'E'; };
+    for (const auto& [bit, name] : names) {
+        const s7::Operand* operand = io == nullptr ? nullptr : io->operand_of(name);
+        if (operand == nullptr) continue;
+        const s7::Area wanted = area_of(bit) == 'A' ? s7::Area::output : s7::Area::input;
+        if (operand->area != wanted || operand->width != s7::Width::bit) {
+            diagnostics.error(
+                Code::unsupported_by_style, {},
+                fmt::format("'{}' is to be a bit of the {}, {}0.0 and so on", name,
+                            wanted == s7::Area::output ? "outputs" : "inputs", area_of(bit)));
+            continue;
+        }
+        const StlAddress address{area_of(bit), static_cast<std::uint32_t>(operand->address),
+                                 operand->bit};
+        bits_.emplace(bit, address);
+        taken.insert(address);
+    }
+    for (const auto& [bit, name] : names) {
+        if (bits_.count(bit) != 0) continue;
+        StlAddress address{area_of(bit), area_of(bit) == 'A' ? 4U : 0U, 0};
+        while (taken.count(address) != 0) {
+            address.bit = (address.bit + 1) % 8;
+            if (address.bit == 0) ++address.byte;
+        }
+        bits_.emplace(bit, address);
+        taken.insert(address);
+    }
+}
+
+std::uint32_t StlMemory::take_bytes(std::uint32_t count, std::uint32_t alignment) {
+    end_ = (end_ + alignment - 1) / alignment * alignment;
+    const std::uint32_t first = end_;
+    end_ += count;
+    return first;
+}
+
+void StlMemory::place_tables() {
+    const auto steps = static_cast<std::uint32_t>(grafcet_.steps.size());
+    if (steps == 0) return;
+    table_bytes_ = steps <= 16 ? 2 : (steps + 31) / 32 * 4;
+    for (const BitKind kind : step_tables(program_)) {
+        tables_[static_cast<std::size_t>(kind)] = take_bytes(table_bytes_, 2);
+    }
+}
+
+void StlMemory::place_integers(bool wide) {
+    integer_bytes_ = wide ? 4 : 2;
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
+        integers_[{false, c}] = take_bytes(integer_bytes_, 2);
+    }
+    for (std::uint32_t i = 0; i < program_.scratch_integers; ++i) {
+        integers_[{true, i}] = take_bytes(integer_bytes_, 2);
+    }
+}
+
+/// Each kind begins with a byte of its own.
+void StlMemory::take_bits(BitKind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t byte = i % 8 == 0 ? take_bytes(1, 1) : end_ - 1;
+        bits_[{kind, i}] = {'M', byte, i % 8};
+    }
+}
+
+void StlMemory::place_bits() {
+    take_bits(BitKind::var, grafcet_.vars.size());
+    take_bits(BitKind::transition, grafcet_.transitions.size());
+    if (uses(program_, BitKind::may_evolve)) take_bits(BitKind::may_evolve, grafcet_.graphs.size());
+    take_bits(BitKind::edge, grafcet_.expressions.edges().size());
+    take_bits(BitKind::edge_memory, grafcet_.expressions.edges().size());
+    take_bits(BitKind::time_value, grafcet_.expressions.time_conditions().size());
+    take_bits(BitKind::scratch, program_.scratch_bits);
+}
+
+StlAddress StlMemory::of(Bit bit) const {
+    const auto found = bits_.find(bit);
+    if (found != bits_.end()) return found->second;
+    return {'M', table(bit.kind) + bit.index / 8, bit.index % 8};
+}
+
+std::uint32_t StlMemory::of(IntegerCell cell) const {
+    return integers_.at(cell);
+}
+
+StlAddress StlMemory::new_bit() {
+    if (last_new_bit_ && last_new_bit_->bit < 7) {
+        ++last_new_bit_->bit;
+    } else {
+        last_new_bit_ = StlAddress{'M', take_bytes(1, 1), 0};
+    }
+    return *last_new_bit_;
+}
+
+StlAddress StlMemory::auxiliary_bit(std::size_t number) {
+    while (auxiliary_bits_.size() <= number) auxiliary_bits_.push_back(new_bit());
+    return auxiliary_bits_[number];
+}
+
+std::uint32_t StlMemory::auxiliary_integer() {
+    if (!auxiliary_integer_) auxiliary_integer_ = take_bytes(integer_bytes_, 2);
+    return *auxiliary_integer_;
+}
+
+std::string StlMemory::edge_text(std::uint32_t edge) const {
+    return write_expression(grafcet_, grafcet_.expressions, grafcet_.expressions.edges()[edge]);
+}
+
+std::string StlMemory::symbol(Bit bit) const {
+    switch (bit.kind) {
+        case BitKind::input:
+            return grafcet_.inputs[InputId{bit.index}].name;
+        case BitKind::control:
+            return std::string(input_name(grafcet_, grafcet_.inputs.size() + bit.index));
+        case BitKind::output:
+            return grafcet_.outputs[OutputId{bit.index}].name;
+        case BitKind::var:
+            return grafcet_.vars[VarId{bit.index}].name;
+        case BitKind::step:
+            return "X" + grafcet_.steps[StepId{bit.index}].name;
+        case BitKind::transition:
+            return fmt::format("({})", grafcet_.transitions[TransitionId{bit.index}].name);
+        case BitKind::may_evolve:
+            return fmt::format("Tfig[{}]", grafcet_.graphs[GraphId{bit.index}].name);
+        case BitKind::edge:
+            return edge_text(bit.index);
+        case BitKind::edge_memory:
+            return "memory of " + edge_text(bit.index);
+        case BitKind::time_value:
+            return write_expression(grafcet_, grafcet_.expressions,
+                                    grafcet_.expressions.time_conditions()[bit.index]);
+        case BitKind::scratch:
+            return fmt::format("held {}", bit.index);
+        default:
+            return fmt::format("{}[{}]", table_word(bit.kind),
+                               grafcet_.steps[StepId{bit.index}].name);
+    }
+}
+
+std::string StlMemory::symbol(IntegerCell cell) const {
+    if (cell.is_scratch) return fmt::format("held value {}", cell.index);
+    return grafcet_.counters[CounterId{cell.index}].name;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "program/program.h"
+#include "s7/generate/assignment.h"
+#include "s7/generate/free_memory.h"
+#include "s7/generate/tables.h"
+#include "s7/generate/timers.h"
+#include "s7/listing.h"
+
+namespace grafwire::s7 {
+
+/// Where every bit and integer of a program lives.
+///
+/// The tables are those of the layout. Bits around them (memories and edges, values of time
+/// conditions, vars, bits within a scan) take V6.0 … V9.7 and then what lies behind the tables,
+/// where words stand too (Cordier, section 3.4).
+class Addresses {
+  public:
+    /// `width` is that of all integers: word or dword.
+    Addresses(const ScanProgram& program, const TableLayout& layout, bool wide,
+              const ResolvedAssignment& assignment, const std::vector<TimeConditionTimers>& timers,
+              Width width);
+
+    Operand operator[](Bit bit) const;
+    Operand operator[](IntegerCell integer) const;
+    /// Bits that hold a part of a condition within one statement, numbered from 0.
+    Operand working_bit(std::uint32_t number);
+    /// The two places in which sums are worked out: VW2 and VW4; or VD2 and a double word.
+    Operand accumulator(std::size_t number);
+
+    Width width() const { return width_; }
+    const TableLayout& layout() const { return layout_; }
+    /// The number of bytes of V memory in use, counted from VB0.
+    std::uint32_t variable_bytes() const { return variables_.end(); }
+
+  private:
+    void place_interface(const ResolvedAssignment& assignment);
+    void place_bits(const std::vector<TimeConditionTimers>& timers);
+    void place_integers(const ResolvedAssignment& assignment);
+    void place(Bit bit, FreeBits& memory);
+    Operand table_bit(std::uint32_t first_byte, std::uint32_t place) const;
+
+    const ScanProgram& program_;
+    TableLayout layout_;
+    TablePlaces places_;
+    Width width_;
+    FreeBits inputs_{Area::input, 0};
+    FreeBits outputs_{Area::output, 0};
+    FreeBits variables_{Area::variable, 6};
+    std::map<Bit, Operand> bits_;  ///< all that are in no table
+    std::map<IntegerCell, Operand> integers_;
+    std::vector<Operand> working_;
+    std::vector<Operand> accumulators_;
+};
+
+}  // namespace grafwire::s7

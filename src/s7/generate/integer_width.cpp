@@ -1,0 +1,113 @@
+#include "s7/generate/integer_width.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace grafwire::s7 {
+
+namespace {
+
+template <typename Integer>
+bool fits(const IntegerRange& range) {
+    return range.low >= std::numeric_limits<Integer>::min() &&
+           range.high <= std::numeric_limits<Integer>::max();
+}
+
+/// Looks at every sum of a program.
+class SumSurvey {
+  public:
+    SumSurvey(const ScanProgram& program, Diagnostics& diagnostics)
+        : program_(program), diagnostics_(diagnostics) {
+        for (const Counter& counter : program.grafcet->counters) {
+            note({counter.low, counter.high}, "counter '" + counter.name + "'", counter.where);
+        }
+        for (const std::vector<Statement>& section : program.sections) {
+            for (const Statement& statement : section) survey(statement);
+        }
+    }
+
+    bool needs_double_words() const { return wide_; }
+
+  private:
+    void survey(const Statement& statement) {
+        survey(statement.condition, statement);
+        if (statement.kind != Statement::Kind::move || statement.sum.empty()) return;
+        survey(statement.sum, statement);
+    }
+
+    void survey(const Condition& condition, const Statement& statement) {
+        if (condition.kind == Condition::Kind::comparison) {
+            survey(condition.comparison.left, statement);
+            survey(condition.comparison.right, statement);
+        }
+        for (const Condition& operand : condition.operands) survey(operand, statement);
+    }
+
+    void survey(const Sum& sum, const Statement& statement) {
+        const std::optional<IntegerRange> range = range_of(*program_.grafcet, sum);
+        if (range) {
+            note(*range, "a sum in '" + statement.comment + "'", statement.origin);
+        } else {
+            report("a sum in '" + statement.comment + "'", statement.origin);
+        }
+    }
+
+    void note(const IntegerRange& range, const std::string& what, Location where) {
+        if (!fits<std::int16_t>(range)) wide_ = true;
+        if (!fits<std::int32_t>(range)) report(what, where);
+    }
+
+    void report(const std::string& what, Location where) {
+        diagnostics_.error(
+            Code::beyond_limit, where,
+            fmt::format("{} can reach beyond the 32 bits that an S7-200 counts with; "
+                        "narrow the ranges of the counters",
+                        what));
+    }
+
+    const ScanProgram& program_;
+    Diagnostics& diagnostics_;
+    bool wide_ = false;
+};
+
+}  // namespace
+
+std::optional<Width> integer_width(const ScanProgram& program, const ResolvedAssignment& assignment,
+                                   Diagnostics& diagnostics) {
+    const std::size_t errors_before = diagnostics.error_count();
+    bool wide = SumSurvey(program, diagnostics).needs_double_words();
+    for (const auto& [counter, operand] : assignment.counters) {
+        wide = wide || operand.width == Width::dword;
+    }
+    for (const auto& [index, operand] : assignment.counters) {
+        if (!wide || operand.width == Width::dword) continue;
+        const Counter& counter = program.grafcet->counters[CounterId{index}];
+        diagnostics.error(
+            Code::beyond_limit, counter.where,
+            fmt::format("counter '{}' needs a double word in the assignment (VD instead of VW): a "
+                        "counter or sum of this chart needs more than 16 bits, or another counter "
+                        "has a double word",
+                        counter.name));
+    }
+    if (diagnostics.error_count() != errors_before) return std::nullopt;
+    return wide ? Width::dword : Width::word;
+}
+
+IntegerRange final_range(const Grafcet& grafcet, const Sum& sum) {
+    IntegerRange range;
+    for (const SumTerm& term : sum) {
+        IntegerRange part{term.value, term.value};
+        if (term.counter != SumTerm::no_counter) {
+            const Counter& counter = grafcet.counters[CounterId{term.counter}];
+            part = {counter.low, counter.high};
+        }
+        if (term.negative) part = {-part.high, -part.low};
+        range.low += part.low;
+        range.high += part.high;
+    }
+    return range;
+}
+
+}  // namespace grafwire::s7

@@ -1,0 +1,152 @@
+// A GRAFCET as a listing of the table method for S7-200.
+//
+// The method and its skeleton are Cordier's, "Méthode d'implémentation du GRAFCET sur automate à
+// instruction de type list" (1998): the tables of section 3.2, the subroutines of chapter V. The
+// work is divided as his text is: where things live (addresses.h, tables.h, timers.h), the skeleton
+// (listing_skeleton.cpp), the parts of the chart (listing_start.cpp, listing_sections.cpp,
+// listing_statements.cpp), conditions (condition_writer.h), and the head (listing_head.h).
+
+#include "s7/generate/listing_from.h"
+
+#include <fmt/format.h>
+
+#include "s7/generate/assignment.h"
+#include "s7/generate/integer_width.h"
+#include "s7/generate/listing_build.h"
+#include "s7/generate/listing_head.h"
+#include "s7/instruction_set.h"
+
+namespace grafwire::s7 {
+
+namespace {
+
+/// Bits of E, and of A.
+std::size_t image_bits(Cpu cpu) {
+    return static_cast<std::size_t>(row_of(cpu).image_bytes) * 8;
+}
+
+void check_tables(const Grafcet& grafcet, Diagnostics& diagnostics) {
+    const TableLayout layout = standard_tables();
+    const auto check = [&](std::string_view what, std::size_t count, std::uint32_t bytes) {
+        if (count <= std::size_t{bytes} * 8) return;
+        diagnostics.error(Code::beyond_limit, {},
+                          fmt::format("the chart has {} {}, and the tables of the method hold {}: "
+                                      "wide tables (--tables wide) hold them all",
+                                      count, what, bytes * 8));
+    };
+    check("steps", grafcet.steps.size(), layout.step_bytes);
+    check("transitions", grafcet.transitions.size(), layout.transition_bytes);
+    check("graphs", grafcet.graphs.size(), layout.graph_bytes);
+}
+
+/// What did not find room in the process images, and what the assignment forgot.
+class InterfaceCheck {
+  public:
+    InterfaceCheck(const Addresses& addresses, Cpu cpu, const ResolvedAssignment* assignment,
+                   Diagnostics& diagnostics)
+        : addresses_(addresses), cpu_(cpu), assignment_(assignment), diagnostics_(diagnostics) {}
+
+    void check(Bit bit, std::string_view name, Location where) {
+        const Operand operand = addresses_[bit];
+        const bool is_assigned = assignment_ != nullptr && assignment_->bits.contains(bit);
+        const bool is_output = bit.kind == BitKind::output;
+        if (!is_assigned && operand.address >= row_of(cpu_).image_bytes) {
+            diagnostics_.error(
+                Code::beyond_limit, where,
+                fmt::format("{} '{}' finds no room: an S7-200 has {} {}, {}0.0 … {}7.7; give some "
+                            "of them addresses in M or V with an assignment (--io) and carry them "
+                            "over to another controller",
+                            is_output ? "output" : "input", name, image_bits(cpu_),
+                            is_output ? "outputs" : "inputs", is_output ? 'A' : 'E',
+                            is_output ? 'A' : 'E'));
+        } else if (!is_assigned && assignment_ != nullptr) {
+            diagnostics_.warning(
+                Code::unassigned_name, where,
+                fmt::format("'{}' has no address in the assignment; it takes "
+                            "{}{}.{}",
+                            name, is_output ? 'A' : 'E', operand.address, operand.bit));
+        }
+    }
+
+  private:
+    const Addresses& addresses_;
+    Cpu cpu_;
+    const ResolvedAssignment* assignment_;
+    Diagnostics& diagnostics_;
+};
+
+void check_interface(const ScanProgram& program, InterfaceCheck check) {
+    const Grafcet& grafcet = *program.grafcet;
+    for (std::uint32_t i = 0; i < grafcet.inputs.size(); ++i) {
+        const Input& input = grafcet.inputs.items()[i];
+        check.check({BitKind::input, i}, input.name, input.where);
+    }
+    for (std::uint32_t c = 0; c < control_input_count; ++c) {
+        if (!reads_control(program, static_cast<ControlInput>(c))) continue;
+        check.check({BitKind::control, c}, input_name(grafcet, grafcet.inputs.size() + c), {});
+    }
+    for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
+        const Output& output = grafcet.outputs.items()[o];
+        check.check({BitKind::output, o}, output.name, output.where);
+    }
+}
+
+/// The memory of the controller that was asked for; of V memory at least that of a CPU 214.
+void check_memory(const Addresses& addresses, const NetworkList& networks,
+                  const std::optional<Cpu>& cpu, bool has_modes, Diagnostics& diagnostics) {
+    const CpuRow& row = row_of(cpu.value_or(Cpu::cpu_214));
+    if (addresses.variable_bytes() > static_cast<std::uint32_t>(row.variable_bytes)) {
+        diagnostics.error(Code::beyond_limit, {},
+                          fmt::format("the program needs {} bytes of V memory, and a {} has {}: "
+                                      "divide the chart between two controllers{}",
+                                      addresses.variable_bytes(), row.name, row.variable_bytes,
+                                      cpu == Cpu::cpu_212 ? ", or take a CPU 214" : ""));
+    }
+    const std::uint32_t size =
+        networks.size_of_part(Part::skeleton) + networks.size_of_part(Part::chart);
+    if (!cpu || size <= row.program_bytes) return;
+    diagnostics.error(
+        Code::beyond_limit, {},
+        fmt::format(
+            "the program takes {} bytes, and the program memory of a {} holds {}: {}{}", size,
+            row.name, row.program_bytes, has_modes ? "leave out the modes (--modes off), or " : "",
+            *cpu == Cpu::cpu_212 ? "take a CPU 214" : "divide the chart between two controllers"));
+}
+
+}  // namespace
+
+std::optional<AssignedListing> listing_from(const ScanProgram& given, const ListingOptions& options,
+                                            Diagnostics& diagnostics) {
+    const Grafcet& grafcet = *given.grafcet;
+    if (!options.wide_tables) check_tables(grafcet, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+
+    // Where things live.
+    const bool is_assigned = options.io != nullptr;
+    const ResolvedAssignment assignment = resolve_assignment(
+        grafcet, is_assigned ? *options.io : IoAssignment(), options.wide_tables, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+    const ScanProgram program =
+        is_assigned ? without_unassigned_controls(given, assignment) : given;
+    const Cpu cpu = options.cpu.value_or(Cpu::cpu_214);
+    const auto timers = plan_timers(program, cpu, diagnostics);
+    const auto width = integer_width(program, assignment, diagnostics);
+    if (diagnostics.has_errors() || !width) return std::nullopt;
+    Addresses addresses(program, options.wide_tables ? wide_tables(grafcet) : standard_tables(),
+                        options.wide_tables, assignment, timers, *width);
+    check_interface(
+        program, InterfaceCheck(addresses, cpu, is_assigned ? &assignment : nullptr, diagnostics));
+
+    // The networks, and what they take.
+    NetworkList networks = ListingBuild(program, addresses, timers).make_networks();
+    check_memory(addresses, networks, options.cpu, program.has_modes, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+    AssignedListing result;
+    result.assignment = assignment_of(program, addresses);
+    result.listing.head =
+        head_of(program, addresses, result.assignment, networks, options.mnemonics);
+    result.listing.networks = networks.take();
+    return result;
+}
+
+}  // namespace grafwire::s7

@@ -1,0 +1,227 @@
+#include "s7/machine/binding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "s7/operand_text.h"
+#include "text/utf8.h"
+
+namespace grafwire::s7 {
+
+namespace {
+
+/// What an address must be to stand for a name.
+enum class Wanted : std::uint8_t { input_bit, bit, word };
+
+bool fits(const Operand& operand, Wanted wanted) {
+    switch (wanted) {
+        case Wanted::input_bit:
+            return operand.area == Area::input && operand.width == Width::bit;
+        case Wanted::bit:
+            return operand.width == Width::bit;
+        case Wanted::word:
+            return operand.width != Width::bit || operand.area == Area::counter;
+    }
+    return false;
+}
+
+std::string_view text_of(Wanted wanted) {
+    switch (wanted) {
+        case Wanted::input_bit:
+            return "an input bit such as E0.4";
+        case Wanted::bit:
+            return "a bit such as V20.1";
+        case Wanted::word:
+            return "a word such as VW100";
+    }
+    return "";
+}
+
+class Binder {
+  public:
+    Binder(const Grafcet& grafcet, Diagnostics& diagnostics)
+        : grafcet_(grafcet), diagnostics_(diagnostics) {
+        for (std::size_t i = 0; i < grafcet.all_input_count(); ++i) {
+            declare(std::string(input_name(grafcet, i)), binding_.inputs, Wanted::input_bit);
+        }
+        for (const Step& step : grafcet.steps) {
+            declare("X" + step.name, binding_.steps, Wanted::bit);
+        }
+        for (const Output& output : grafcet.outputs) {
+            declare(output.name, binding_.outputs, Wanted::bit);
+        }
+        for (const Var& var : grafcet.vars) declare(var.name, binding_.vars, Wanted::bit);
+        for (const Counter& counter : grafcet.counters) {
+            declare(counter.name, binding_.counters, Wanted::word);
+        }
+        for (const Transition& transition : grafcet.transitions) {
+            declare("(" + transition.name + ")", binding_.transitions, Wanted::bit);
+        }
+        for (const Graph& graph : grafcet.graphs) {
+            declare(graph.name, binding_.graphs, Wanted::bit);
+        }
+    }
+
+    void assign(const IoAssignment::Entry& entry) {
+        const auto found = slots_.find(entry.name);
+        if (found == slots_.end()) {
+            report_unknown(entry);
+            return;
+        }
+        const Slot& slot = found->second;
+        if (!fits(entry.operand, slot.wanted)) {
+            diagnostics_.error(Code::bad_address, entry.where,
+                               fmt::format("{} is the address of {}, which needs {}",
+                                           write_operand(entry.operand, Mnemonics::simatic),
+                                           in_quotes(entry.name), text_of(slot.wanted)));
+            return;
+        }
+        (*slot.list)[slot.index] = entry.operand;
+    }
+
+    /// Every step, output and declared input needs an address; the rest may do without.
+    Binding finish() {
+        for (std::size_t i = 0; i < grafcet_.inputs.size(); ++i) {
+            require(binding_.inputs[i], "input", std::string(input_name(grafcet_, i)));
+        }
+        for (std::size_t i = 0; i < binding_.steps.size(); ++i) {
+            require(binding_.steps[i], "step", "X" + grafcet_.steps[static_cast<StepId>(i)].name);
+        }
+        for (std::size_t i = 0; i < binding_.outputs.size(); ++i) {
+            require(binding_.outputs[i], "output", grafcet_.outputs[static_cast<OutputId>(i)].name);
+        }
+        return std::move(binding_);
+    }
+
+  private:
+    struct Slot {
+        std::vector<std::optional<Operand>>* list = nullptr;
+        std::size_t index = 0;
+        Wanted wanted = Wanted::bit;
+    };
+
+    void declare(std::string name, std::vector<std::optional<Operand>>& list, Wanted wanted) {
+        slots_.emplace(std::move(name), Slot{&list, list.size(), wanted});
+        list.emplace_back();
+    }
+
+    void report_unknown(const IoAssignment::Entry& entry) {
+        std::vector<std::string> names;
+        for (const auto& [name, slot] : slots_) names.push_back(name);
+        std::sort(names.begin(), names.end());
+        const auto nearest = nearest_name(entry.name, {names.begin(), names.end()});
+        diagnostics_.error(
+            Code::unknown_name, entry.where,
+            fmt::format("the GRAFCET has no {}{}", in_quotes(entry.name),
+                        nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+    }
+
+    void require(const std::optional<Operand>& operand, std::string_view what,
+                 const std::string& name) {
+        if (operand) return;
+        diagnostics_.error(Code::bad_address, {},
+                           fmt::format("{} '{}' of the GRAFCET has no address", what, name));
+    }
+
+    const Grafcet& grafcet_;
+    Diagnostics& diagnostics_;
+    Binding binding_;
+    std::unordered_map<std::string, Slot> slots_;
+};
+
+bool is_control(std::string_view name) {
+    return name == "Init" || name == "AUdur" || name == "AUdoux";
+}
+
+bool is_freeze_bit(const Operand& operand) {
+    return operand.area == Area::variable && operand.width == Width::bit && operand.address <= 1;
+}
+
+}  // namespace
+
+std::optional<Binding> bind(const Grafcet& grafcet, const IoAssignment& io,
+                            Diagnostics& diagnostics) {
+    const std::size_t errors_before = diagnostics.error_count();
+    Binder binder(grafcet, diagnostics);
+    for (const IoAssignment::Entry& entry : io.entries) binder.assign(entry);
+    Binding binding = binder.finish();
+    diagnostics.sort_by_place();
+    if (diagnostics.error_count() != errors_before) return std::nullopt;
+    return binding;
+}
+
+bool is_shown(const IoAssignment::Entry& entry) {
+    return !entry.name.starts_with('(') && !is_freeze_bit(entry.operand);
+}
+
+Grafcet names_of(const IoAssignment& io) {
+    Grafcet grafcet;
+    for (const IoAssignment::Entry& entry : io.entries) {
+        const Operand& operand = entry.operand;
+        if (is_control(entry.name) || !is_shown(entry)) continue;
+        if (operand.width != Width::bit || operand.area == Area::counter) {
+            Counter counter;
+            counter.name = entry.name;
+            counter.low = INT16_MIN;
+            counter.high = INT16_MAX;
+            grafcet.counters.add(counter);
+        } else if (operand.area == Area::input) {
+            grafcet.inputs.add({entry.name, entry.where});
+        } else if (operand.area == Area::output) {
+            grafcet.outputs.add({entry.name, false, entry.where});
+        } else if (entry.name.starts_with('X') && entry.name.size() > 1) {
+            Step step;
+            step.name = entry.name.substr(1);
+            grafcet.steps.add(step);
+        } else {
+            grafcet.vars.add({entry.name, entry.where});
+        }
+    }
+    return grafcet;
+}
+
+IoAssignment addresses_of(const Listing& listing) {
+    std::set<Operand> bits;
+    for (const Network& network : listing.networks) {
+        for (const Instruction& instruction : network.instructions) {
+            for (const Operand& operand : instruction.operands) {
+                if (operand.area != Area::input && operand.area != Area::output) continue;
+                const bool is_bit = operand.width == Width::bit;
+                std::int32_t count = is_bit ? 1 : 1 << static_cast<int>(operand.width) << 2;
+                if (instruction.operation == Operation::set ||
+                    instruction.operation == Operation::reset) {
+                    count = instruction.operands[1].address;
+                } else if (instruction.operands.size() == 3) {
+                    count *= instruction.operands[2].address;  // FILL, BMB, BMW
+                }
+                for (std::int32_t i = 0; i < count; ++i) {
+                    Operand bit = operand;
+                    bit.width = Width::bit;
+                    bit.address += (operand.bit + i) / 8;
+                    bit.bit = static_cast<std::uint8_t>((operand.bit + i) % 8);
+                    bits.insert(bit);
+                }
+            }
+        }
+    }
+    IoAssignment io;
+    for (const Operand& bit : bits) {
+        io.entries.push_back({bit, write_operand(bit, Mnemonics::simatic), {}});
+    }
+    return io;
+}
+
+InputImage image_of(const Binding& binding, const InputValues& inputs) {
+    InputImage image;
+    for (std::size_t i = 0; i < binding.inputs.size(); ++i) {
+        if (!binding.inputs[i] || inputs[i] == 0) continue;
+        std::uint8_t& byte = image.value[static_cast<std::size_t>(binding.inputs[i]->address)];
+        byte = static_cast<std::uint8_t>(byte | 1U << binding.inputs[i]->bit);
+    }
+    return image;
+}
+
+}  // namespace grafwire::s7

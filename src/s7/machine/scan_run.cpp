@@ -1,0 +1,241 @@
+#include "s7/machine/scan_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace grafwire::s7 {
+
+namespace {
+
+/// A scan that executes more than this goes round in a circle: the program memory holds 4096 bytes.
+constexpr std::size_t most_instructions = 100'000;
+
+}  // namespace
+
+Machine::ScanEnd ScanRun::run() {
+    std::size_t executed = 0;
+    std::size_t at = 0;
+    while (at != ended && end_.is_done()) {
+        const DecodedInstruction& now = program_.code[at];
+        if (++executed > most_instructions) {
+            end_.error = {now.network_number, now.where,
+                          fmt::format("the scan does not come to an end: more than {} instructions",
+                                      most_instructions)};
+            break;
+        }
+        memory_.set_network(now.network);
+        at = execute(now, at);
+    }
+    return end_;
+}
+
+bool ScanRun::holds(Bit3 condition) {
+    if (!condition.known) need(condition.cause);
+    return condition.is(true);
+}
+
+std::size_t ScanRun::execute(const DecodedInstruction& now, std::size_t at) {
+    switch (now.operation) {
+        case Operation::call:
+        case Operation::return_:
+        case Operation::conditional_return:
+        case Operation::jump:
+        case Operation::end:
+        case Operation::main_end:
+            return execute_control(now, at);
+        case Operation::assign:
+        case Operation::set:
+        case Operation::reset:
+            execute_writing(now);
+            break;
+        case Operation::move:
+        case Operation::block_move:
+        case Operation::fill:
+        case Operation::invert:
+        case Operation::and_words:
+        case Operation::or_words:
+        case Operation::xor_words:
+        case Operation::add:
+        case Operation::subtract:
+        case Operation::increment:
+        case Operation::decrement:
+            if (holds(stack_.top())) execute_words(now);
+            break;
+        case Operation::on_delay:
+        case Operation::retentive_on_delay:
+            execute_timer(now);
+            break;
+        case Operation::count_up:
+        case Operation::count_up_down:
+            execute_counter(now);
+            break;
+        default:
+            execute_logic(now);
+            break;
+    }
+    return at + 1;
+}
+
+std::size_t ScanRun::execute_control(const DecodedInstruction& now, std::size_t at) {
+    const bool is_conditional =
+        now.operation != Operation::return_ && now.operation != Operation::main_end;
+    if (is_conditional && !holds(stack_.top())) return at + 1;
+    switch (now.operation) {
+        case Operation::call:
+            frames_.push_back({at + 1, stack_});
+            stack_ = BitStack(true);
+            return now.target;
+        case Operation::jump:
+            return now.target;
+        case Operation::return_:
+        case Operation::conditional_return: {
+            const Frame frame = frames_.back();
+            frames_.pop_back();
+            stack_ = frame.stack;
+            return frame.next;
+        }
+        default:
+            return ended;
+    }
+}
+
+void ScanRun::execute_logic(const DecodedInstruction& now) {
+    const auto operand = [&] { return bit(now.operands[0]); };
+    switch (now.operation) {
+        case Operation::load:
+            stack_.push(operand());
+            break;
+        case Operation::load_not:
+            stack_.push(not3(operand()));
+            break;
+        case Operation::load_compare:
+            stack_.push(compare(now));
+            break;
+        case Operation::and_:
+            stack_.set_top(and3(stack_.top(), operand()));
+            break;
+        case Operation::and_not:
+            stack_.set_top(and3(stack_.top(), not3(operand())));
+            break;
+        case Operation::and_compare:
+            stack_.set_top(and3(stack_.top(), compare(now)));
+            break;
+        case Operation::or_:
+            stack_.set_top(or3(stack_.top(), operand()));
+            break;
+        case Operation::or_not:
+            stack_.set_top(or3(stack_.top(), not3(operand())));
+            break;
+        case Operation::or_compare:
+            stack_.set_top(or3(stack_.top(), compare(now)));
+            break;
+        case Operation::and_load:
+        case Operation::or_load: {
+            const Bit3 top = stack_.top();
+            stack_.pop();
+            stack_.set_top(now.operation == Operation::and_load ? and3(stack_.top(), top)
+                                                                : or3(stack_.top(), top));
+            break;
+        }
+        case Operation::push:
+            stack_.push(stack_.top());
+            break;
+        case Operation::read_push:
+            stack_.set_top(stack_.level(1));
+            break;
+        case Operation::pop:
+            stack_.pop();
+            break;
+        case Operation::negate:
+            stack_.set_top(not3(stack_.top()));
+            break;
+        case Operation::rise:
+        case Operation::fall: {
+            const bool top = holds(stack_.top());
+            const bool before = state_.edges[now.edge] != 0;
+            state_.edges[now.edge] = top ? 1 : 0;
+            stack_.set_top(
+                bit3(now.operation == Operation::rise ? top && !before : !top && before));
+            break;
+        }
+        default:  // SBR, LBL and NOP mark a place.
+            break;
+    }
+}
+
+void ScanRun::execute_writing(const DecodedInstruction& now) {
+    if (now.operation == Operation::assign) {
+        memory_.set_bit(now.operands[0].at, now.operands[0].bit, stack_.top());
+    } else if (holds(stack_.top())) {
+        set_or_reset(now);
+    }
+}
+
+void ScanRun::set_or_reset(const DecodedInstruction& now) {
+    const Place& place = now.operands[0];
+    for (std::size_t i = 0; i < now.count; ++i) {
+        if (place.kind == Place::Kind::memory) {
+            const std::size_t bit_number = place.bit + i;
+            memory_.set_bit(place.at + bit_number / 8, static_cast<std::uint8_t>(bit_number % 8),
+                            bit3(now.operation == Operation::set));
+        } else if (place.kind == Place::Kind::timer) {
+            state_.timers[place.at + i] = TimerState();
+        } else {
+            state_.counters[place.at + i] = TimerState();
+        }
+    }
+}
+
+void ScanRun::execute_timer(const DecodedInstruction& now) {
+    const bool enabled = holds(stack_.top());
+    const std::int64_t preset = number(now.operands[1], Width::word);
+    if (!end_.is_done()) return;
+    TimerState& timer = state_.timers[now.operands[0].at];
+    const Time tick = program_.timers[now.operands[0].at].tick;
+    if (!enabled && now.operation == Operation::on_delay) {
+        timer = TimerState();
+        return;
+    }
+    if (enabled && !timer.running && now.operation == Operation::on_delay) timer.elapsed = 0;
+    timer.running = enabled;
+    timer.current = static_cast<std::int32_t>(std::min<Time>(timer.elapsed / tick, 32767));
+    timer.bit = timer.current >= preset;
+}
+
+void ScanRun::execute_counter(const DecodedInstruction& now) {
+    const bool counts_down = now.operation == Operation::count_up_down;
+    const bool resets = holds(stack_.top());
+    const bool down = counts_down && holds(stack_.level(1));
+    const bool up = holds(stack_.level(counts_down ? 2 : 1));
+    const std::int64_t preset = number(now.operands[1], Width::word);
+    if (!end_.is_done()) return;
+    std::uint8_t& up_before = state_.edges[now.edge];
+    std::uint8_t& down_before = state_.edges[now.edge + 1];
+    TimerState& counter = state_.counters[now.operands[0].at];
+    if (up && up_before == 0 && counter.current < 32767) ++counter.current;
+    if (down && down_before == 0 && counter.current > (counts_down ? -32768 : 0)) {
+        --counter.current;
+    }
+    if (resets) counter.current = 0;
+    up_before = up ? 1 : 0;
+    down_before = down ? 1 : 0;
+    counter.bit = !resets && counter.current >= preset;
+}
+
+Bit3 ScanRun::bit(const Place& place) const {
+    switch (place.kind) {
+        case Place::Kind::memory:
+            if (memory_.is_recording()) memory_.note_read(place.at, place.bit, Width::bit);
+            return memory_.bit(place.at, place.bit);
+        case Place::Kind::timer:
+            return bit3(state_.timers[place.at].bit);
+        case Place::Kind::counter:
+            return bit3(state_.counters[place.at].bit);
+        case Place::Kind::constant:
+            break;
+    }
+    return bit3(false);
+}
+
+}  // namespace grafwire::s7

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "s7/machine/bit_stack.h"
+#include "s7/machine/decoded.h"
+#include "s7/machine/machine.h"
+#include "s7/machine/machine_memory.h"
+
+namespace grafwire::s7 {
+
+/// One scan under way: the instructions, one after the other, until MEND.
+class ScanRun {
+  public:
+    ScanRun(const Decoded& program, MachineMemory& memory, MachineState& state)
+        : program_(program), memory_(memory), state_(state) {}
+
+    Machine::ScanEnd run();
+
+  private:
+    /// What CALL leaves behind.
+    struct Frame {
+        std::size_t next = 0;
+        BitStack stack;
+    };
+    /// What became of an instruction: the number of the next, or the end.
+    static constexpr std::size_t ended = static_cast<std::size_t>(-1);
+
+    std::size_t execute(const DecodedInstruction& now, std::size_t at);
+    std::size_t execute_control(const DecodedInstruction& now, std::size_t at);
+    void execute_logic(const DecodedInstruction& now);
+    void execute_writing(const DecodedInstruction& now);
+    void execute_words(const DecodedInstruction& now);
+    void execute_timer(const DecodedInstruction& now);
+    void execute_counter(const DecodedInstruction& now);
+
+    Bit3 bit(const Place& place) const;
+    Word3 word(const Place& place, Width width) const;
+    Bit3 compare(const DecodedInstruction& now) const;
+    void set_or_reset(const DecodedInstruction& now);
+    void copy_block(const DecodedInstruction& now);
+    void combine(const DecodedInstruction& now);
+    void calculate(const DecodedInstruction& now);
+    /// An input a place depends on some bit of which is not known.
+    std::uint16_t cause_in(const Place& place, Width width) const;
+
+    /// Whether an instruction that depends on a bit is executed; where that is not known, the scan
+    /// ends.
+    bool holds(Bit3 condition);
+    void need(std::uint16_t input) {
+        if (!end_.needs) end_.needs = input;
+    }
+    /// A word that must be known in full, as a signed number of its width; else the scan ends.
+    std::int64_t number(const Place& place, Width width);
+
+    const Decoded& program_;
+    MachineMemory& memory_;
+    MachineState& state_;
+    BitStack stack_;
+    std::vector<Frame> frames_;
+    Machine::ScanEnd end_;
+};
+
+/// A word of a width as a signed number (a byte: unsigned).
+std::int64_t as_number(std::uint32_t value, Width width);
+
+/// `a relation b` where some bits may not be known: known if every completion gives the same.
+Bit3 compare_words(Word3 a, Word3 b, Width width, Compare relation);
+
+}  // namespace grafwire::s7
