@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include "check/ladder_device.h"
-#include "check/scan_check.h"
 #include "command/check_request.h"
-#include "evolution/run.h"
 #include "ladder/plcopen/read_plcopen_ladder.h"
 
 namespace grafwire {
@@ -42,18 +40,6 @@ bool can_compare(const std::string& path, const LadderNames& names, Language lan
     return true;
 }
 
-std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const LadderDevice& device,
-                                          const Witness& witness, const std::string& story) {
-    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
-    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
-    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
-            {"witness.txt", story},
-            {"expected.csv", write_csv(expected.trace)},
-            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
-            {"got.csv", write_csv(got)},
-            {"got.vcd", write_vcd(got, grafcet.name)}};
-}
-
 }  // namespace
 
 int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language) {
@@ -67,17 +53,13 @@ int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, 
     const LadderDevice device(grafcet, *ladder, names);
     const auto period = scan_period(request, grafcet, device);
     if (!period) return bad_request;
-    CheckResult result;
-    {
-        Progress progress(request.max_seconds);
-        result = check_scans(grafcet, device, *period, check_options(request, progress));
-    }
+    const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Report, with the networks that a difference comes from.
     std::string story;
     std::vector<WitnessFile> files;
     if (result.witness) {
         story = device.tell(*result.witness, language);
-        files = files_of_witness(grafcet, device, *result.witness, story);
+        files = files_of_scans(grafcet, device, *result.witness, story);
     }
     return report_check(request, grafcet, device_subject(request.path, request.against, *period),
                         result, story, files, language);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "check/scan_check.h"
 #include "command/check_request.h"
-#include "evolution/run.h"
 #include "s7check/blame.h"
 #include "s7check/listing_device.h"
 #include "s7check/listing_story.h"
@@ -26,18 +24,6 @@ bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
     if (count == 0 || count == end - first) return true;
     complain("Init, AUdur and AUdoux: give all three an address, or none");
     return false;
-}
-
-std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const ListingDevice& device,
-                                          const Witness& witness, const std::string& story) {
-    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
-    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
-    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
-            {"witness.txt", story},
-            {"expected.csv", write_csv(expected.trace)},
-            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
-            {"got.csv", write_csv(got)},
-            {"got.vcd", write_vcd(got, grafcet.name)}};
 }
 
 }  // namespace
@@ -63,11 +49,7 @@ int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
     const ListingDevice device(*listing, cpu_named(request.cpu), *binding);
     const auto period = scan_period(request, grafcet, device);
     if (!period) return bad_request;
-    CheckResult result;
-    {
-        Progress progress(request.max_seconds);
-        result = check_scans(grafcet, device, *period, check_options(request, progress));
-    }
+    const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Find the network that a difference comes from, and report.
     std::string story;
     std::vector<WitnessFile> files;
@@ -76,7 +58,7 @@ int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
             find_cause(grafcet, *listing, cpu_named(request.cpu), *binding, *result.witness);
         story = tell_listing_witness(grafcet, *listing, *result.witness, finding, device.error(),
                                      language);
-        files = files_of_witness(grafcet, device, *result.witness, story);
+        files = files_of_scans(grafcet, device, *result.witness, story);
     }
     return report_check(request, grafcet, device_subject(request.path, request.against, *period),
                         result, story, files, language);

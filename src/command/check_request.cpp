@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "check/scan_check.h"
+#include "evolution/run.h"
+
 namespace grafwire {
 
 namespace {
@@ -78,6 +81,24 @@ int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubje
         files.add(request.output, write_check_text(subject, grafcet, result, story, language));
     }
     return finish(files, exit_status(result.verdict));
+}
+
+CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,
+                          const ScannedDevice& device, Time period) {
+    Progress progress(request.max_seconds);
+    return check_scans(grafcet, device, period, check_options(request, progress));
+}
+
+std::vector<WitnessFile> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
+                                        const Witness& witness, const std::string& story) {
+    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
+    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+            {"witness.txt", story},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
+            {"got.csv", write_csv(got)},
+            {"got.vcd", write_vcd(got, grafcet.name)}};
 }
 
 }  // namespace grafwire

@@ -69,6 +69,15 @@ CheckOptions check_options(const CheckRequest& request, Progress& progress);
 std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& grafcet,
                                 const ScannedDevice& device);
 
+/// Compares a program with the reference after every scan, in every state that can be reached.
+CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,
+                          const ScannedDevice& device, Time period);
+
+/// The files that show the witness of a program: stimuli, what reference and program make of them,
+/// the story.
+std::vector<WitnessFile> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
+                                        const Witness& witness, const std::string& story);
+
 /// Compares an S7-200 listing with the GRAFCET, and reports.
 int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
 

@@ -9,24 +9,6 @@ namespace grafwire {
 
 namespace {
 
-Relation opposite(Relation relation) {
-    switch (relation) {
-        case Relation::equal:
-            return Relation::not_equal;
-        case Relation::not_equal:
-            return Relation::equal;
-        case Relation::less:
-            return Relation::greater_equal;
-        case Relation::less_equal:
-            return Relation::greater;
-        case Relation::greater:
-            return Relation::less_equal;
-        case Relation::greater_equal:
-            return Relation::less;
-    }
-    return relation;
-}
-
 Condition on_contacts(const Condition& condition, bool negated);
 
 /// a ⊕ b as a./b + /a.b, from the left.
@@ -64,7 +46,7 @@ Condition on_contacts(const Condition& condition, bool negated) {
             return on_contacts(condition.operands.front(), !negated);
         case Condition::Kind::comparison: {
             Condition same = condition;
-            if (negated) same.comparison.relation = opposite(same.comparison.relation);
+            if (negated) same.comparison.relation = complement(same.comparison.relation);
             return same;
         }
         case Condition::Kind::exclusive_or:

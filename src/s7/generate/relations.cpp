@@ -7,24 +7,6 @@ bool is_complement(Relation relation) {
            relation == Relation::greater;
 }
 
-Relation complement(Relation relation) {
-    switch (relation) {
-        case Relation::equal:
-            return Relation::not_equal;
-        case Relation::not_equal:
-            return Relation::equal;
-        case Relation::less:
-            return Relation::greater_equal;
-        case Relation::less_equal:
-            return Relation::greater;
-        case Relation::greater:
-            return Relation::less_equal;
-        case Relation::greater_equal:
-            return Relation::less;
-    }
-    return relation;
-}
-
 Compare compare_of(Relation relation) {
     if (relation == Relation::equal) return Compare::equal;
     return relation == Relation::less_equal ? Compare::less_equal : Compare::greater_equal;

@@ -10,7 +10,6 @@ namespace grafwire::s7 {
 // The controllers compare with =, >= and <= only; <>, < and > are the complements of these.
 
 bool is_complement(Relation relation);
-Relation complement(Relation relation);
 /// Of a relation that is no complement.
 Compare compare_of(Relation relation);
 /// The relation that holds with left and right exchanged.
