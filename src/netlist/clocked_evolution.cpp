@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "equations/write_equations.h"
+#include "grafcet/enclosures.h"
 #include "netlist/clocked_build.h"
 
 namespace grafwire {
@@ -131,22 +132,7 @@ void ClockedBuild::apply_forcing(std::vector<NetId>& situation) {
 /// From the outermost enclosures inwards: empty the graph where the enclosing step is inactive, add
 /// the activation links where it has just been activated and no order bears on the graph.
 void ClockedBuild::apply_enclosures(std::vector<NetId>& situation) {
-    const auto depth_of = [&](const Enclosure& enclosure) {
-        std::size_t depth = 0;
-        const Enclosure* outer = &enclosure;
-        for (;;) {
-            const Graph& graph = grafcet_.graphs[grafcet_.steps[outer->step].graph];
-            if (graph.enclosed_by == none) return depth;
-            outer = &grafcet_.enclosures[graph.enclosed_by];
-            ++depth;
-        }
-    };
-    std::vector<std::pair<std::size_t, std::size_t>> order;
-    for (std::size_t i = 0; i < grafcet_.enclosures.size(); ++i) {
-        order.emplace_back(depth_of(grafcet_.enclosures[i]), i);
-    }
-    std::sort(order.begin(), order.end());
-    for (const auto& [depth, index] : order) {
+    for (const std::uint32_t index : enclosures_inwards(grafcet_)) {
         const Enclosure& enclosure = grafcet_.enclosures[index];
         const Graph& graph = grafcet_.graphs[enclosure.graph];
         const NetId enclosing = situation[index_of(enclosure.step)];

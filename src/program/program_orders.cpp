@@ -4,8 +4,7 @@
 // every statement below that forces reads Ts before `Ts = Ts . /Tf0 + Tf1`. Enclosures come after
 // it; where an order bears on an enclosed graph, a scratch bit keeps that fact across the formula.
 
-#include <algorithm>
-
+#include "grafcet/enclosures.h"
 #include "grafcet/write_grafcet.h"
 #include "program/program_build.h"
 
@@ -75,22 +74,7 @@ void ProgramBuild::make_forcing() {
 }
 
 void ProgramBuild::make_enclosures() {
-    const auto depth_of = [&](std::uint32_t enclosure) {
-        std::size_t depth = 0;
-        std::uint32_t outer = enclosure;
-        while (outer != none) {
-            outer =
-                grafcet_.graphs[grafcet_.steps[grafcet_.enclosures[outer].step].graph].enclosed_by;
-            ++depth;
-        }
-        return depth;
-    };
-    std::vector<std::pair<std::size_t, std::uint32_t>> inwards;
-    for (std::uint32_t e = 0; e < grafcet_.enclosures.size(); ++e) {
-        inwards.emplace_back(depth_of(e), e);
-    }
-    std::sort(inwards.begin(), inwards.end());
-    for (const auto& [depth, e] : inwards) {
+    for (const std::uint32_t e : enclosures_inwards(grafcet_)) {
         const Enclosure& enclosure = grafcet_.enclosures[e];
         const Graph& graph = grafcet_.graphs[enclosure.graph];
         const std::string name = quoted_where_needed(graph.name);
