@@ -96,7 +96,7 @@ Pl7Listing read_pl7(const std::string& text) {
 
 bool is_pl7_bit(const std::string& object) {
     static const std::regex form(
-        "(I|O)[0-3],(\\d|1\\d|2[0-3])|B\\d{1,3}|X\\d\\d?|T\\d\\d?,D|SY(0|21|22)");
+        "(I|O)[0-3],(\\d|1\\d|2[0-3])|B\\d{1,3}|X\\d\\d?|T\\d\\d?,D|SY(0|21|22|23)");
     return std::regex_match(object, form);
 }
 

@@ -31,7 +31,9 @@ class Pl7Machine : public PlcMachine {
         now_ = now;
         bits_["SY0"] = is_first_scan_;
         is_first_scan_ = false;
+        in_preliminary_ = true;
         for (const Pl7Rung& rung : listing_.preliminary) execute(rung);
+        in_preliminary_ = false;
         evolve();
         for (const Pl7Rung& rung : listing_.posterior) execute(rung);
     }
@@ -57,7 +59,9 @@ class Pl7Machine : public PlcMachine {
         return found != bits_.end() && found->second;
     }
     void evolve();
+    void clear_transitions();
     void execute(const Pl7Rung& rung);
+    void check_coil(const std::string& object, const std::string& kind) const;
     void operate(const std::string& block);
     void run_timer(const std::smatch& parts, bool drives);
 
@@ -81,6 +85,8 @@ class Pl7Machine : public PlcMachine {
     std::map<std::string, std::int64_t> words_;
     std::map<std::string, Timer> timers_;
     bool is_first_scan_ = true;
+    bool in_preliminary_ = false;
+    std::size_t preset_line_ = 0;  ///< of the last rung that preset a step in this scan, or 0
     Time now_ = 0;
     const Pl7Rung* rung_ = nullptr;
     std::size_t at_ = 0;
@@ -93,7 +99,31 @@ const std::string& Pl7Machine::symbol(const std::string& name, char letter) cons
     return found->second;
 }
 
+/// The system bits are taken into account as the sequential processing begins, the lowest first and
+/// one of them a scan; the one that was is 0 afterwards. Steps that were preset and do not count
+/// (SY23 is 0, or another comes first) are a mistake.
 void Pl7Machine::evolve() {
+    if (preset_line_ != 0 && (!bit("SY23") || bit("SY21") || bit("SY22"))) {
+        throw PlcError(preset_line_, "a step is preset, and SY23 is not what acts");
+    }
+    preset_line_ = 0;
+    for (const Pl7Transition& transition : listing_.transitions) contacts(transition.rung);
+    if (bit("SY21")) {
+        for (const std::string& step : listing_.steps) {
+            bits_[step] = listing_.initial.count(step) != 0;
+        }
+        bits_["SY21"] = false;
+    } else if (bit("SY22")) {
+        for (const std::string& step : listing_.steps) bits_[step] = false;
+        bits_["SY22"] = false;
+    } else if (bit("SY23")) {
+        bits_["SY23"] = false;
+    } else {
+        clear_transitions();
+    }
+}
+
+void Pl7Machine::clear_transitions() {
     std::set<std::string> left;
     std::set<std::string> entered;
     for (const Pl7Transition& transition : listing_.transitions) {
@@ -107,8 +137,17 @@ void Pl7Machine::evolve() {
     for (const std::string& step : listing_.steps) {
         const bool stays = bit(step) && left.count(step) == 0;
         bits_[step] = stays || entered.count(step) != 0;
-        if (bit("SY21")) bits_[step] = listing_.initial.count(step) != 0;
-        if (bit("SY22")) bits_[step] = false;
+    }
+}
+
+/// What a coil may stand on: outputs and internal bits anywhere; in the preliminary processing also
+/// SY21 to SY23, and steps of the chart, which are set and reset.
+void Pl7Machine::check_coil(const std::string& object, const std::string& kind) const {
+    const bool anywhere = object.front() == 'O' || object.front() == 'B';
+    const bool acts_on_chart = object.rfind("SY2", 0) == 0;
+    const bool is_step = listing_.steps.count(object) != 0 && kind != " ";
+    if (!is_pl7_bit(object) || !(anywhere || (in_preliminary_ && (acts_on_chart || is_step)))) {
+        fail("a coil on " + object);
     }
 }
 
@@ -119,9 +158,8 @@ void Pl7Machine::execute(const Pl7Rung& rung) {
     std::smatch parts;
     if (std::regex_match(rung.coil, parts, coil_form)) {
         const std::string object = parts[2];
-        const bool is_written =
-            object.front() == 'O' || object.front() == 'B' || object == "SY21" || object == "SY22";
-        if (!is_written || !is_pl7_bit(object)) fail("a coil on " + object);
+        check_coil(object, parts[1]);
+        if (holds && object.front() == 'X') preset_line_ = rung.line;
         if (parts[1] == " ") {
             bits_[object] = holds;
         } else if (holds) {

@@ -16,32 +16,17 @@ Conventions of this listing: the program is entered with its charts and rungs dr
    [W0 < 5]           a COMPAR block; --[W0 + 1 -> W0] an OPERATE block
    --T0 TB=1s P=3     a timer block, E and C both driven by the rung; T0,D is 1 once 3 s are over
    SY0                1 in the first scan after a cold start; the chart is initialised before it
-   SY21, SY22         1 in the preliminary processing: the chart is initialised, or has no step
+   SY21, SY22, SY23   1 in the preliminary processing: in this scan the chart is initialised, has no
+                      step, or keeps the steps that were set and reset there, and does not evolve
+)";
+constexpr std::string_view source_convention =
+    R"(   always active      a step of this listing alone; a source transition leaves and enters it
+)";
+constexpr std::string_view sink_convention =
+    R"(   sink               a step of this listing alone, where sink transitions lead
 )";
 
 }  // namespace
-
-void check_pl7_chart(const Grafcet& grafcet, Diagnostics& diagnostics) {
-    for (const Order& order : grafcet.orders) {
-        if (order.kind == OrderKind::freeze) continue;
-        diagnostics.error(
-            Code::unsupported_by_style, order.where,
-            fmt::format("PL7-2 has no forcing order; write {} with transitions of its "
-                        "own, or take another language",
-                        quoted_where_needed(grafcet.graphs[order.graph].name)));
-    }
-    for (const Enclosure& enclosure : grafcet.enclosures) {
-        diagnostics.error(Code::unsupported_by_style, enclosure.where,
-                          "PL7-2 has no enclosing step; take another language");
-    }
-    for (const Transition& transition : grafcet.transitions) {
-        if (transition.preceding_count != 0 && transition.following_count != 0) continue;
-        diagnostics.error(Code::unsupported_by_style, transition.where,
-                          transition.preceding_count == 0
-                              ? "PL7-2 has no source transition; put a step before it"
-                              : "PL7-2 has no sink transition; put a step after it");
-    }
-}
 
 std::string pl7_head(const ScanProgram& program, Pl7Objects& objects) {
     const Grafcet& grafcet = *program.grafcet;
@@ -49,6 +34,8 @@ std::string pl7_head(const ScanProgram& program, Pl7Objects& objects) {
         "PL7-2   {}{}{}\n\nA GRAFCET (IEC 60848) for Telemecanique TSX 17-20, TSX 27 and TSX 47.\n",
         grafcet.name, grafcet.title.empty() ? "" : ": ", grafcet.title);
     text += conventions;
+    if (!objects.source_step().empty()) text += source_convention;
+    if (!objects.sink_step().empty()) text += sink_convention;
     text += "\nASSIGNMENT\n\n";
     for (const auto& [object, name] : objects.assignment()) {
         text += fmt::format("   {:<8} {}\n", object, name);
@@ -63,6 +50,13 @@ std::string pl7_steps(const ScanProgram& program, Pl7Objects& objects) {
         const Step& step = grafcet.steps[StepId{s}];
         text += fmt::format("   {} {:<4} {}\n", step.initial ? '#' : ' ',
                             objects.of(Bit{BitKind::step, s}), quoted_where_needed(step.name));
+    }
+    if (!objects.source_step().empty()) {
+        text += fmt::format("   # {:<4} always active, for source transitions\n",
+                            objects.source_step());
+    }
+    if (!objects.sink_step().empty()) {
+        text += fmt::format("     {:<4} sink, for sink transitions\n", objects.sink_step());
     }
     return text;
 }

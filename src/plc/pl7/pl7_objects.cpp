@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace grafwire {
@@ -44,20 +45,30 @@ Pl7Objects::Pl7Objects(const ScanProgram& program) : program_(program), grafcet_
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) of(IntegerCell{false, c});
 }
 
-/// Steps without a number of their own get the lowest ones left.
+/// Steps without a number of their own get the lowest ones left; those that are not of the chart
+/// come last.
 void Pl7Objects::number_steps() {
     std::set<std::uint32_t> taken;
     for (const Step& step : grafcet_.steps) {
         if (const auto number = own_number(step.name)) taken.insert(*number);
     }
     std::uint32_t next = 0;
+    const auto lowest_left = [&] {
+        while (!taken.insert(next).second) ++next;
+        return next;
+    };
     for (const Step& step : grafcet_.steps) {
         const auto number = own_number(step.name);
-        if (!number) {
-            while (taken.count(next) != 0) ++next;
-            taken.insert(next);
-        }
-        step_numbers_.push_back(number ? *number : next);
+        step_numbers_.push_back(number ? *number : lowest_left());
+    }
+    const auto any = [&](auto&& holds) {
+        return std::any_of(grafcet_.transitions.begin(), grafcet_.transitions.end(), holds);
+    };
+    if (any([](const Transition& transition) { return transition.preceding_count == 0; })) {
+        source_step_ = fmt::format("X{}", lowest_left());
+    }
+    if (any([](const Transition& transition) { return transition.following_count == 0; })) {
+        sink_step_ = fmt::format("X{}", lowest_left());
     }
 }
 
@@ -126,7 +137,8 @@ void Pl7Objects::check_limits(Diagnostics& diagnostics) const {
         grafcet_.inputs.size() + (program_.has_modes ? control_input_count : 0);
     check(inputs, inputs_of_a_module * modules, "inputs");
     check(grafcet_.outputs.size(), outputs_of_a_module * modules, "outputs");
-    check(grafcet_.steps.size(), steps, "steps");
+    const std::size_t beside = (source_step_.empty() ? 0U : 1U) + (sink_step_.empty() ? 0U : 1U);
+    check(grafcet_.steps.size() + beside, steps, "steps");
     check(bits_used_, bits, "internal bits");
     check(words_used_, words, "words");
     check(timers_used_, timers, "timers");

@@ -40,6 +40,10 @@ class Pl7Objects {
     std::string new_word() { return "W" + std::to_string(words_used_++); }
     /// A timer of its own; gives its name, `T3`.
     std::string new_timer() { return "T" + std::to_string(timers_used_++); }
+    /// A step beside those of the chart that is always active, for its source transitions, and one
+    /// that its sink transitions lead to: `X4`; empty where the chart has none.
+    const std::string& source_step() const { return source_step_; }
+    const std::string& sink_step() const { return sink_step_; }
     /// From now on this stands for the bit: `T3,D` for a time condition.
     void name(Bit bit, std::string object) { names_[bit] = std::move(object); }
 
@@ -56,6 +60,7 @@ class Pl7Objects {
     const ScanProgram& program_;
     const Grafcet& grafcet_;
     std::vector<std::uint32_t> step_numbers_;
+    std::string source_step_, sink_step_;
     std::map<Bit, std::string> names_;
     std::map<IntegerCell, std::string> word_names_;
     std::uint32_t bits_used_ = 0;

@@ -3,7 +3,13 @@
 // The controller has a GRAFCET of its own: it tests the transitions on the situation the scan
 // begins with and clears all that can be cleared, as SBR 4 does. So only the rest of the scan is
 // written out: edges before the chart is evolved, in the preliminary processing; stored actions,
-// times and outputs after it, in the posterior processing.
+// times and outputs after it, in the posterior processing. What that GRAFCET does not have is made
+// of what it has: a source transition hangs on a step that is always active, a sink transition
+// leads to a step that nothing leaves, and the situation that forcing orders and enclosures demand
+// is worked out beforehand and preset (pl7_situation.cpp).
+//
+// AUdur empties the chart by SY22, but where steps are preset: there it is one more preset
+// situation, which leaves the always active step alone.
 //
 // PL7-2 is drawn, not written. The listing keeps the heads of rungs that the printouts of its
 // programming tool have (`** LABEL 10`, `** X0 --> X1`) and writes a rung on one line; its head
@@ -18,53 +24,62 @@
 #include "plc/pl7/pl7_head.h"
 #include "plc/pl7/pl7_objects.h"
 #include "plc/pl7/pl7_rungs.h"
+#include "plc/pl7/pl7_situation.h"
+#include "plc/pl7/pl7_statements.h"
 #include "plc/shared/program_needs.h"
 
 namespace grafwire {
 
 namespace {
 
-/// `T3` of `T3,D`.
-std::string timer_of(const std::string& done) {
-    return done.substr(0, done.find(','));
+/// Whether the condition is written as one contact, or as a wire.
+bool is_contact(const Condition& condition) {
+    const Condition& inner =
+        condition.kind == Condition::Kind::negation ? condition.operands.front() : condition;
+    return inner.kind == Condition::Kind::bit || inner.kind == Condition::Kind::constant;
 }
 
 class Pl7Writer {
   public:
-    explicit Pl7Writer(const ScanProgram& program)
+    Pl7Writer(const ScanProgram& program, Diagnostics& diagnostics)
         : program_(program),
           grafcet_(*program.grafcet),
+          diagnostics_(diagnostics),
           objects_(program_),
           preliminary_(objects_),
-          posterior_(objects_) {}
+          posterior_(objects_),
+          statements_(program_, objects_, posterior_, diagnostics),
+          has_orders_(has_orders(grafcet_)) {}
 
-    std::string write(Diagnostics& diagnostics);
+    std::string write();
 
   private:
     void note_uses();
     void note_uses(const Condition& condition);
-    void name_timers();
     void write_start();
-    void write_modes();
     void write_previous();
     void write_edges();
     void write_transitions();
-    void write_posterior(Diagnostics& diagnostics);
-    void write_statement(const Statement& statement, Diagnostics& diagnostics);
-    void write_move(const Statement& statement);
-    void write_time(const Statement& statement, Diagnostics& diagnostics);
-    void run_timer(const std::string& timer, Time duration, const Condition& condition,
-                   Location where, Diagnostics& diagnostics);
-    std::string steps(std::span<const StepId> ids);
+    Condition write_receptivity(const Statement& statement);
+    void write_modes();
+    void write_posterior();
+    std::string steps(std::span<const StepId> ids, const std::string& otherwise);
+    std::string control(ControlInput input) {
+        return objects_.of(Bit{BitKind::control, static_cast<std::uint32_t>(input)});
+    }
 
-    ScanProgram program_;
+    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    Diagnostics& diagnostics_;
     Pl7Objects objects_;
     Pl7Rungs preliminary_;
     Pl7Rungs posterior_;
+    Pl7Statements statements_;
+    bool has_orders_ = false;
     std::string transitions_;
-    std::set<std::uint32_t> previous_;  ///< steps whose Tp is read
-    std::set<std::uint32_t> tested_;    ///< transitions whose Tt is read after the evolution
+    std::vector<Condition> receptivities_;  ///< per transition, as the chart has them
+    std::set<std::uint32_t> previous_;      ///< steps whose Tp is read
+    std::set<std::uint32_t> tested_;        ///< transitions whose Tt is read after the evolution
 };
 
 /// What of the tables is read outside the evolution, which is the controller's own.
@@ -81,14 +96,6 @@ void Pl7Writer::note_uses(const Condition& condition) {
 void Pl7Writer::note_uses() {
     for (const SectionKind kind : {SectionKind::stored, SectionKind::times, SectionKind::outputs}) {
         for (const Statement& statement : program_.section(kind)) note_uses(statement.condition);
-    }
-}
-
-/// The value of a condition with an on-delay only is D of its timer.
-void Pl7Writer::name_timers() {
-    for (const Statement& statement : program_.section(SectionKind::times)) {
-        if (statement.on_delay == 0 || statement.off_delay != 0) continue;
-        objects_.name(statement.targets.front(), objects_.new_timer() + ",D");
     }
 }
 
@@ -113,19 +120,6 @@ void Pl7Writer::write_start() {
     }
 }
 
-void Pl7Writer::write_modes() {
-    if (!program_.has_modes) return;
-    const auto control = [](ControlInput input) {
-        return bit_condition({BitKind::control, static_cast<std::uint32_t>(input)});
-    };
-    const Condition au_dur = control(ControlInput::au_dur);
-    preliminary_.label("Init: initial situation");
-    preliminary_.rung(and_condition({control(ControlInput::init), not_condition(au_dur)}),
-                      "( ) SY21");
-    preliminary_.label("AUdur: no step active");
-    preliminary_.rung(au_dur, "( ) SY22");
-}
-
 void Pl7Writer::write_previous() {
     for (const std::uint32_t step : previous_) {
         preliminary_.label(
@@ -142,26 +136,40 @@ void Pl7Writer::write_edges() {
     }
 }
 
-/// A receptivity that is read again after the evolution has a bit of its own.
+/// A receptivity that is read again, by a stored action or for the situation to be reached, has a
+/// bit of its own, or is one contact.
+Condition Pl7Writer::write_receptivity(const Statement& statement) {
+    const Bit bit = statement.targets.front();
+    if (tested_.count(bit.index) != 0 || (has_orders_ && !is_contact(statement.condition))) {
+        preliminary_.label("receptivity of " + statement.comment);
+        preliminary_.rung(statement.condition, "( ) " + objects_.of(bit));
+        return bit_condition(bit);
+    }
+    if (Pl7Rungs::has_sums(statement.condition)) {
+        preliminary_.label("sums of " + statement.comment);
+    }
+    return statement.condition;
+}
+
 void Pl7Writer::write_transitions() {
+    const std::string source = objects_.source_step();
+    const std::string sink = objects_.sink_step();
     for (const Statement& statement : program_.section(SectionKind::receptivities)) {
-        const Bit bit = statement.targets.front();
-        const Transition& transition = grafcet_.transitions[TransitionId{bit.index}];
-        transitions_ += fmt::format("\n** {} --> {}   {}\n", steps(grafcet_.preceding(transition)),
-                                    steps(grafcet_.following(transition)), statement.comment);
-        Condition condition = statement.condition;
-        if (tested_.count(bit.index) != 0) {
-            preliminary_.label("receptivity of " + statement.comment);
-            preliminary_.rung(condition, "( ) " + objects_.of(bit));
-            condition = bit_condition(bit);
-        } else if (Pl7Rungs::has_sums(condition)) {
-            preliminary_.label("sums of " + statement.comment);
-        }
-        transitions_ += fmt::format("   {} --(#)\n", preliminary_.contacts(condition));
+        const Transition& transition =
+            grafcet_.transitions[TransitionId{statement.targets.front().index}];
+        std::string after = steps(grafcet_.following(transition), sink);
+        if (transition.preceding_count == 0) after = source + " " + after;
+        transitions_ +=
+            fmt::format("\n** {} --> {}   {}\n", steps(grafcet_.preceding(transition), source),
+                        after, statement.comment);
+        receptivities_.push_back(write_receptivity(statement));
+        transitions_ += fmt::format("   {} --(#)\n", preliminary_.contacts(receptivities_.back()));
     }
 }
 
-std::string Pl7Writer::steps(std::span<const StepId> ids) {
+/// The objects of steps, or another where there are none.
+std::string Pl7Writer::steps(std::span<const StepId> ids, const std::string& otherwise) {
+    if (ids.empty()) return otherwise;
     std::string text;
     for (const StepId id : ids) {
         if (!text.empty()) text += " ";
@@ -170,105 +178,47 @@ std::string Pl7Writer::steps(std::span<const StepId> ids) {
     return text;
 }
 
-void Pl7Writer::write_posterior(Diagnostics& diagnostics) {
+/// Init and AUdur. Presetting comes last, for every other rung reads the steps as the scan begins.
+void Pl7Writer::write_modes() {
+    const bool presets_au_dur = has_orders_ || !objects_.source_step().empty();
+    if (program_.has_modes) {
+        const std::string au_dur = control(ControlInput::au_dur);
+        if (!has_orders_) {
+            preliminary_.label("AUdur: no step active");
+            preliminary_.line(au_dur, presets_au_dur ? "( ) SY23" : "( ) SY22");
+        }
+        preliminary_.label("Init: initial situation");
+        preliminary_.line(control(ControlInput::init) + (presets_au_dur ? " . /SY23" : " . /SY22"),
+                          "( ) SY21");
+    }
+    if (has_orders_) {
+        write_presets(program_, objects_, preliminary_);
+    } else if (program_.has_modes && presets_au_dur) {
+        preliminary_.label("SY23: no step active");
+        for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
+            preliminary_.line("SY23", "(R) " + objects_.of(Bit{BitKind::step, s}));
+        }
+    }
+}
+
+void Pl7Writer::write_posterior() {
     for (const SectionKind kind : {SectionKind::stored, SectionKind::times, SectionKind::outputs}) {
-        for (const Statement& statement : program_.section(kind)) {
-            posterior_.label(statement.comment);
-            write_statement(statement, diagnostics);
-        }
+        for (const Statement& statement : program_.section(kind)) statements_.write(statement);
     }
 }
 
-void Pl7Writer::write_statement(const Statement& statement, Diagnostics& diagnostics) {
-    const char* coil = "( ) ";
-    switch (statement.kind) {
-        case Statement::Kind::move:
-            return write_move(statement);
-        case Statement::Kind::time:
-            return write_time(statement, diagnostics);
-        case Statement::Kind::set:
-            coil = "(S) ";
-            break;
-        case Statement::Kind::reset:
-            coil = "(R) ";
-            break;
-        default:
-            break;
-    }
-    for (const Bit bit : statement.targets) {
-        posterior_.rung(statement.condition, coil + objects_.of(bit));
-    }
-}
-
-/// The value is worked out first, for the condition may read the counter that is written.
-void Pl7Writer::write_move(const Statement& statement) {
-    std::string value;
-    if (statement.sum.empty()) {
-        value = objects_.of(statement.source);
-    } else {
-        const IntegerRange range = value_range(grafcet_, statement.sum);
-        std::optional<std::int64_t> low;
-        std::optional<std::int64_t> high;
-        if (range.low < statement.low) low = statement.low;
-        if (range.high > statement.high) high = statement.high;
-        value = posterior_.limited(posterior_.value(statement.sum), low, high);
-    }
-    posterior_.rung(statement.condition,
-                    fmt::format("[{} -> {}]", value, objects_.of(statement.integer)));
-}
-
-/// A timer block that a condition drives.
-void Pl7Writer::run_timer(const std::string& timer, Time duration, const Condition& condition,
-                          Location where, Diagnostics& diagnostics) {
-    const auto preset = pl7_preset(duration);
-    if (preset) {
-        return posterior_.rung(condition,
-                               fmt::format("{} TB={} P={}", timer, preset->base, preset->count));
-    }
-    diagnostics.error(Code::unsupported_by_style, where,
-                      fmt::format("no timer of PL7-2 holds {}: it counts up to 9999 times 10 ms, "
-                                  "100 ms, 1 s or 1 min; choose another time",
-                                  format_duration(duration)));
-}
-
-/// With an on-delay only, D of the timer is the value (name_timers); else two rungs set and reset
-/// it.
-void Pl7Writer::write_time(const Statement& statement, Diagnostics& diagnostics) {
-    const Bit bit = statement.targets.front();
-    const Condition held = bit_condition(bit);
-    const Condition& operand = statement.condition;
-    if (statement.off_delay == 0) {
-        if (statement.on_delay == 0) {
-            return posterior_.rung(operand, "( ) " + objects_.of(bit));
-        }
-        return run_timer(timer_of(objects_.of(bit)), statement.on_delay, operand, statement.origin,
-                         diagnostics);
-    }
-    if (statement.on_delay == 0) {
-        posterior_.rung(operand, "(S) " + objects_.of(bit));
-    } else {
-        const std::string timer = objects_.new_timer();
-        run_timer(timer, statement.on_delay, and_condition({operand, not_condition(held)}),
-                  statement.origin, diagnostics);
-        posterior_.line(timer + ",D", "(S) " + objects_.of(bit));
-    }
-    const std::string timer = objects_.new_timer();
-    run_timer(timer, statement.off_delay, and_condition({not_condition(operand), held}),
-              statement.origin, diagnostics);
-    posterior_.line(timer + ",D", "(R) " + objects_.of(bit));
-}
-
-std::string Pl7Writer::write(Diagnostics& diagnostics) {
+std::string Pl7Writer::write() {
     note_uses();
-    name_timers();
+    statements_.name_timers();
     write_start();
-    write_modes();
     write_previous();
     write_edges();
     write_transitions();
-    write_posterior(diagnostics);
-    objects_.check_limits(diagnostics);
-    if (diagnostics.has_errors()) return {};
+    if (has_orders_) write_situation(program_, receptivities_, objects_, preliminary_);
+    write_modes();
+    write_posterior();
+    objects_.check_limits(diagnostics_);
+    if (diagnostics_.has_errors()) return {};
     return pl7_head(program_, objects_) + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
            "\nSEQUENTIAL PROCESSING\n\n" + pl7_steps(program_, objects_) + transitions_ +
            "\nPOSTERIOR PROCESSING\n" + posterior_.text();
@@ -278,14 +228,13 @@ std::string Pl7Writer::write(Diagnostics& diagnostics) {
 
 std::string write_pl7(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
-    check_pl7_chart(*needed.grafcet, diagnostics);
     if (integer_bits(needed) != 16U) {
         diagnostics.error(Code::unsupported_by_style, wide_integer(needed, 16),
                           "an integer needs more than the 16 bits of a word of PL7-2; make the "
                           "range of the counter smaller");
     }
     if (diagnostics.has_errors()) return {};
-    return Pl7Writer(needed).write(diagnostics);
+    return Pl7Writer(needed, diagnostics).write();
 }
 
 }  // namespace grafwire
