@@ -42,7 +42,7 @@ TEST_CASE("PL7-2: random charts run like the reference") {
         },
         Features(), 970'000, 200);
     CHECK(refused <= case_count(200) / 20);
-    CHECK(preset >= case_count(200) / 5);
+    CHECK(preset >= case_count(200) / 3);
 }
 
 TEST_CASE("PL7-2: a chart as it is listed") {
