@@ -13,6 +13,9 @@
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
+#include "ladder/draw/write_drawings.h"
+#include "ladder/machine.h"
+#include "ladder/plcopen/read_plcopen_ladder.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 #include "s7/write_listing.h"
@@ -94,6 +97,23 @@ void try_listing(std::string text) {
     for (Time now = 0; now < 3 * second; now += second) machine.scan(state, {}, now);
 }
 
+void try_plcopen(std::string text) {
+    const SourceFile source{"fuzz.xml", std::move(text)};
+    Diagnostics diagnostics;
+    const std::optional<ladder::Ladder> diagram = ladder::read_plcopen_ladder(source, diagnostics);
+    require(diagram.has_value() != diagnostics.has_errors(), "errors and a result, or neither",
+            source.text);
+    format_diagnostics(diagnostics, source);
+    if (!diagram) return;
+    ladder::write_text(*diagram);
+    ladder::write_svg(*diagram);
+    const ladder::Machine machine(*diagram);
+    ladder::MachineState state = machine.start();
+    for (Time now = 0; now < 3 * second; now += second) machine.scan(state, now);
+    const std::string memory = machine.save(state);
+    require(machine.save(machine.load(memory)) == memory, "remembered differently", source.text);
+}
+
 }  // namespace
 
 }  // namespace grafwire
@@ -105,6 +125,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         grafwire::try_stimuli(std::move(text));
     } else if (data[0] == 'a') {
         grafwire::try_listing(std::move(text));
+    } else if (data[0] == 'x') {
+        grafwire::try_plcopen(std::move(text));
     } else {
         grafwire::try_grafcet(std::move(text));
     }
