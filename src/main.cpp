@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <string_view>
 
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/inputs.h"
 #include "command/request_error.h"
 
 namespace {

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
 #include "check/netlist_witness.h"
 #include "command/check_request.h"
+#include "command/command.h"
+#include "command/exit_status.h"
 #include "evolution/run.h"
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"

@@ -2,6 +2,7 @@
 
 #include "check/ladder_device.h"
 #include "command/check_request.h"
+#include "command/exit_status.h"
 #include "ladder/plcopen/read_plcopen_ladder.h"
 
 namespace grafwire {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "command/check_request.h"
+#include "command/exit_status.h"
 #include "s7check/blame.h"
 #include "s7check/listing_device.h"
 #include "s7check/listing_story.h"

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "check/scan_check.h"
+#include "command/exit_status.h"
 #include "evolution/run.h"
 
 namespace grafwire {

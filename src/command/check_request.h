@@ -7,7 +7,7 @@
 #include "check/check_result.h"
 #include "check/report.h"
 #include "check/scanned_device.h"
-#include "command/command.h"
+#include "command/netlist_request.h"
 
 namespace grafwire {
 

@@ -1,4 +1,8 @@
+#include <CLI/CLI.hpp>
+
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/netlist_request.h"
 #include "equations/write_equations.h"
 
 namespace grafwire {

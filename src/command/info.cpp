@@ -1,4 +1,8 @@
+#include <CLI/CLI.hpp>
+
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/inputs.h"
 #include "grafcet/describe_grafcet.h"
 
 namespace grafwire {

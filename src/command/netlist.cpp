@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/netlist_request.h"
 #include "evolution/run.h"
 #include "export/exporters.h"
 

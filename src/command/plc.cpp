@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/inputs.h"
 #include "plc/formats.h"
 #include "program/program.h"
 

@@ -3,6 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
 namespace grafwire {
 
 /// What is wrong with a command line that could not be read, with a suggestion where a mistyped

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/inputs.h"
 #include "command/trace_output.h"
 
 namespace grafwire {

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/inputs.h"
 #include "command/trace_output.h"
 #include "s7/machine/binding.h"
 #include "s7/machine/machine.h"

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "command/command.h"
+#include "command/inputs.h"
 #include "s7/parse_listing.h"
 
 namespace grafwire {

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "check/compare_ports.h"
 #include "command/command.h"
+#include "command/exit_status.h"
+#include "command/netlist_request.h"
 #include "command/trace_output.h"
 #include "evolution/run.h"
 

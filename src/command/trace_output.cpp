@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "command/inputs.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
+
+void TraceOutput::declare(CLI::App& app) {
+    app.add_option("-o", csv, "the trace as CSV (default: standard output)");
+    app.add_option("--vcd", vcd, "the waveform as VCD, for GTKWave");
+}
 
 void warn_of_broken_assumptions(const Grafcet& grafcet,
                                 const std::vector<RunResult::BrokenAssumption>& broken) {

@@ -2,9 +2,14 @@
 
 #include <string>
 
-#include "command/command.h"
+#include "command/files.h"
 #include "evolution/run.h"
+#include "trace/stimuli.h"
 #include "trace/trace.h"
+
+namespace CLI {
+class App;
+}
 
 namespace grafwire {
 
@@ -13,10 +18,7 @@ struct TraceOutput {
     std::string csv;
     std::string vcd;
 
-    void declare(CLI::App& app) {
-        app.add_option("-o", csv, "the trace as CSV (default: standard output)");
-        app.add_option("--vcd", vcd, "the waveform as VCD, for GTKWave");
-    }
+    void declare(CLI::App& app);
     void add_files(OutputFiles& files, const Trace& trace, std::string waveform) const {
         files.add(csv, write_csv(trace));
         if (!vcd.empty()) files.add(vcd, std::move(waveform));
