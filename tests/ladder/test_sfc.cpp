@@ -1,0 +1,145 @@
+// The sequential function chart of a PLCopen project, executed from the file alone, is the
+// reference scan for scan, whichever way the standard is read; where it cannot be, the file says
+// so.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "evolution/run.h"
+#include "ladder/chart_files.h"
+#include "ladder/plcopen/sfc_remarks.h"
+#include "ladder/run_sfc.h"
+#include "random/random_cases.h"
+#include "random/read_text.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+using Kind = ladder::SfcRemark::Kind;
+using Remarks = std::vector<ladder::SfcRemark>;
+
+bool has(const Remarks& remarks, Kind kind) {
+    return std::any_of(remarks.begin(), remarks.end(),
+                       [&](const auto& remark) { return remark.kind == kind; });
+}
+
+struct Counts {
+    std::size_t beyond = 0;    ///< charts that SFC cannot say, which are not run
+    std::size_t complete = 0;  ///< that ran to the end in every way
+    std::size_t cut_short = 0;
+    std::size_t scans = 0;
+};
+
+std::vector<SfcDialect> all_dialects() {
+    std::vector<SfcDialect> dialects;
+    for (int bits = 0; bits < 8; ++bits) {
+        dialects.push_back({(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0});
+    }
+    return dialects;
+}
+
+/// The first rows of a trace.
+Trace shortened(Trace trace, std::size_t rows) {
+    trace.times.resize(rows);
+    trace.values.resize(rows * trace.columns.size());
+    return trace;
+}
+
+/// What differs in one run.
+std::string compare_run(const Grafcet& grafcet, const WrittenSfc& written, const Remarks& remarks,
+                        const SfcRun& run, const Trace& expected) {
+    const auto& open = run.left_open;
+    if (!open.selections.empty() && !has(remarks, Kind::selection)) {
+        return "transitions compete, and the file does not say so";
+    }
+    if (!open.meetings.empty() && !has(remarks, Kind::meeting_writes)) {
+        return "writes meet, and the file does not say so\n" + written.xml;
+    }
+    const std::string want = write_csv(shortened(expected, run.trace.row_count()));
+    const std::string got = write_csv(run.trace);
+    if (want == got) return {};
+    return "reference\n" + want + "SFC\n" + got + written.xml.substr(written.xml.find("<SFC>")) +
+           grafcet.name;
+}
+
+std::string compare(const RandomCase& item, Counts& counts) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto stimuli = without_modes(*read_stimuli(item.stimuli, *grafcet), *grafcet);
+    const Remarks remarks = ladder::sfc_remarks(*grafcet);
+    std::string at;
+    try {
+        const WrittenSfc written(*grafcet);
+        if (written.sfc.comments.size() != remarks.size()) return "comments that are no remarks";
+        for (std::size_t r = 0; r < remarks.size(); ++r) {
+            if (written.sfc.comments[r] != remarks[r].text) return "a remark is not in the file";
+        }
+        if (has(remarks, Kind::order) || has(remarks, Kind::enclosure) ||
+            has(remarks, Kind::clearing)) {
+            ++counts.beyond;
+            return {};
+        }
+        bool is_complete = true;
+        for (const Time period : {millisecond, 1500 * microsecond}) {
+            const Trace expected = run_scans(*grafcet, stimuli, period).trace;
+            for (const SfcDialect& dialect : all_dialects()) {
+                const SfcRun run = run_sfc(*grafcet, written, dialect, stimuli, period);
+                const std::string found = compare_run(*grafcet, written, remarks, run, expected);
+                if (!found.empty()) {
+                    return std::string(dialect.final_scan ? "final scan, " : "no final scan, ") +
+                           (dialect.pulse_at_start ? "pulse at start, " : "no pulse at start, ") +
+                           (dialect.restarts_time ? "time restarts: " : "time goes on: ") + found;
+                }
+                if (run.trace.row_count() != expected.row_count()) is_complete = false;
+                counts.scans += run.trace.row_count();
+            }
+        }
+        ++(is_complete ? counts.complete : counts.cut_short);
+    } catch (const PlcError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// Random charts of a kind; gives what became of them.
+Counts check_random(const Features& features, std::uint64_t first_seed, std::size_t count) {
+    Counts counts;
+    check_property([&](const RandomCase& item) { return compare(item, counts); }, features,
+                   first_seed, count, 15);
+    MESSAGE(counts.complete << " to the end, " << counts.cut_short << " cut short, "
+                            << counts.beyond << " not run, " << counts.scans << " scans");
+    return counts;
+}
+
+}  // namespace
+
+TEST_CASE("SFC: the examples are the reference") {
+    Counts counts;
+    for (const ChartFiles& example : example_charts()) {
+        CAPTURE(example.name);
+        CHECK(compare({example.chart, example.stimuli}, counts) == "");
+    }
+    MESSAGE(counts.complete << " to the end, " << counts.cut_short << " cut short, "
+                            << counts.beyond << " not run, " << counts.scans << " scans");
+}
+
+TEST_CASE("SFC: random charts without what SFC cannot say are the reference") {
+    Features features;
+    features.orders = false;
+    features.enclosures = false;
+    features.clearing = false;
+    const Counts counts = check_random(features, 960'000, 600);
+    CHECK(counts.beyond == 0);
+}
+
+TEST_CASE("SFC: random charts of any kind are the reference, or the file says why not") {
+    check_random(Features(), 970'000, 400);
+}
+
+TEST_CASE("SFC: plain random charts are the reference") {
+    const Counts counts = check_random(Features::plain_chart(), 980'000, 100);
+    CHECK(counts.beyond == 0);
+}
+
+}  // namespace grafwire::testing
