@@ -5,12 +5,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "evolution/run.h"
 #include "ladder/chart_files.h"
 #include "ladder/plcopen/sfc_remarks.h"
 #include "ladder/run_sfc.h"
+#include "ladder/sequence_chart.h"
 #include "random/random_cases.h"
+#include "random/random_stimuli.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {
@@ -30,6 +33,7 @@ struct Counts {
     std::size_t complete = 0;  ///< that ran to the end in every way
     std::size_t cut_short = 0;
     std::size_t scans = 0;
+    std::map<std::string, std::size_t> qualifiers;  ///< of the actions of those run
 };
 
 std::vector<SfcDialect> all_dialects() {
@@ -96,10 +100,24 @@ std::string compare(const RandomCase& item, Counts& counts) {
             }
         }
         ++(is_complete ? counts.complete : counts.cut_short);
+        for (const SfcPou::Action& action : written.sfc.actions) {
+            ++counts.qualifiers[action.qualifier + (action.reference.empty() ? " ST" : "")];
+        }
     } catch (const PlcError& error) {
         return error.what();
     }
     return {};
+}
+
+void say(const Counts& counts) {
+    std::string text = std::to_string(counts.complete) + " to the end, " +
+                       std::to_string(counts.cut_short) + " cut short, " +
+                       std::to_string(counts.beyond) + " not run; " + std::to_string(counts.scans) +
+                       " scans; actions";
+    for (const auto& [qualifier, count] : counts.qualifiers) {
+        text += " " + qualifier + " " + std::to_string(count);
+    }
+    MESSAGE(text);
 }
 
 /// Random charts of a kind; gives what became of them.
@@ -107,8 +125,7 @@ Counts check_random(const Features& features, std::uint64_t first_seed, std::siz
     Counts counts;
     check_property([&](const RandomCase& item) { return compare(item, counts); }, features,
                    first_seed, count, 15);
-    MESSAGE(counts.complete << " to the end, " << counts.cut_short << " cut short, "
-                            << counts.beyond << " not run, " << counts.scans << " scans");
+    say(counts);
     return counts;
 }
 
@@ -120,8 +137,7 @@ TEST_CASE("SFC: the examples are the reference") {
         CAPTURE(example.name);
         CHECK(compare({example.chart, example.stimuli}, counts) == "");
     }
-    MESSAGE(counts.complete << " to the end, " << counts.cut_short << " cut short, "
-                            << counts.beyond << " not run, " << counts.scans << " scans");
+    say(counts);
 }
 
 TEST_CASE("SFC: random charts without what SFC cannot say are the reference") {
@@ -134,7 +150,28 @@ TEST_CASE("SFC: random charts without what SFC cannot say are the reference") {
 }
 
 TEST_CASE("SFC: random charts of any kind are the reference, or the file says why not") {
-    check_random(Features(), 970'000, 400);
+    check_random(Features::small(), 970'000, 400);
+}
+
+TEST_CASE("SFC: random sequences are the reference to the end") {
+    Counts counts;
+    const Property property = [&](const RandomCase& item) { return compare(item, counts); };
+    const std::size_t count = case_count(300);
+    for (std::uint64_t seed = 990'000; seed < 990'000 + count; ++seed) {
+        RandomSource random(seed);
+        RandomCase item{sequence_chart(random), ""};
+        std::string messages;
+        const auto grafcet = read_grafcet(item.chart, &messages);
+        REQUIRE_MESSAGE(grafcet, messages << item.chart);
+        item.stimuli = random_stimuli(random, *grafcet, 30);
+        if (property(item).empty()) continue;
+        const RandomCase small = shrunk(item, property);
+        FAIL("seed " << seed << ": " << property(small) << "\n--- chart\n"
+                     << small.chart << "--- stimuli\n"
+                     << small.stimuli << "--- end");
+    }
+    say(counts);
+    CHECK(counts.complete == count);
 }
 
 TEST_CASE("SFC: plain random charts are the reference") {
