@@ -47,7 +47,7 @@ class SequenceWriter {
 
 /// Something that a step or the plant says.
 std::string SequenceWriter::bit(std::size_t g) {
-    const std::string other = std::to_string(1 - g);
+    const std::string other = std::to_string(random_.one_in(3) ? g : 1 - g);
     switch (random_.below(8)) {
         case 0:
             return any_x();

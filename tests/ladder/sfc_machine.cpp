@@ -51,13 +51,23 @@ SfcMachine::SfcMachine(const SfcPou& sfc, const SfcDialect& dialect)
     std::stable_sort(from_left_.begin(), from_left_.end(), [&](std::size_t a, std::size_t b) {
         return sfc.transitions[a].x < sfc.transitions[b].x;
     });
-    for (const SfcPou::Action& action : sfc.actions) {
+    read_actions();
+}
+
+void SfcMachine::read_actions() {
+    std::set<std::string> timed;
+    for (const SfcPou::Action& action : sfc_.actions) {
         static const std::set<std::string> names{"N", "D", "L", "S", "R", "P1", "P0"};
         const std::string& qualifier = action.qualifier;
         if (names.count(qualifier) == 0) throw PlcError(0, "the qualifier " + qualifier);
         const bool is_pulse = qualifier == "P1" || qualifier == "P0";
         if (action.reference.empty() ? !is_pulse && qualifier != "N" : is_pulse) {
             throw PlcError(0, "the qualifier " + qualifier + " of an action of this kind");
+        }
+        // One control of an action has one timer (2.6.4.5).
+        const bool is_timed = qualifier == "D" || qualifier == "L";
+        if (is_timed && !timed.insert(action.reference).second) {
+            throw PlcError(0, "several delays of " + action.reference);
         }
         bodies_.emplace_back(block_, IecTokenCursor(iec_tokens(action.statements)));
         if (action.reference.empty()) continue;

@@ -58,6 +58,7 @@ class SfcMachine {
         std::size_t action = 0;
         StAccess access;
     };
+    void read_actions();
     void evolve(Time now, SfcScanReport& report);
     void control_variables(Time now, std::vector<Executed>& executed);
     bool is_time_over(std::size_t action, Time now);

@@ -126,6 +126,7 @@ Counts check_random(const Features& features, std::uint64_t first_seed, std::siz
     check_property([&](const RandomCase& item) { return compare(item, counts); }, features,
                    first_seed, count, 15);
     say(counts);
+    CHECK(counts.complete + counts.cut_short + counts.beyond == case_count(count));
     return counts;
 }
 
@@ -138,8 +139,11 @@ TEST_CASE("SFC: the examples are the reference") {
         CHECK(compare({example.chart, example.stimuli}, counts) == "");
     }
     say(counts);
+    CHECK(counts.complete >= 8);
+    CHECK(counts.cut_short == 0);
 }
 
+// How much of what is tried must come to something; few cases say nothing of that.
 TEST_CASE("SFC: random charts without what SFC cannot say are the reference") {
     Features features;
     features.orders = false;
@@ -147,10 +151,12 @@ TEST_CASE("SFC: random charts without what SFC cannot say are the reference") {
     features.clearing = false;
     const Counts counts = check_random(features, 960'000, 600);
     CHECK(counts.beyond == 0);
+    if (case_count(600) >= 100) CHECK(5 * counts.complete >= 2 * case_count(600));
 }
 
 TEST_CASE("SFC: random charts of any kind are the reference, or the file says why not") {
-    check_random(Features::small(), 970'000, 400);
+    const Counts counts = check_random(Features::small(), 970'000, 400);
+    if (case_count(400) >= 100) CHECK(5 * counts.complete >= case_count(400));
 }
 
 TEST_CASE("SFC: random sequences are the reference to the end") {

@@ -276,6 +276,7 @@ TEST_CASE("SFC machine: what it refuses") {
     refuses(two_steps({{"b", "N", "nothing", ""}}));
     refuses(two_steps({{"b", "N", "go := TRUE;", ""}}));
     refuses(two_steps({{"b", "N", "lamp", ""}, {"b", "N", "lamp := TRUE;", ""}}));
+    refuses(two_steps({{"a", "D", "lamp", "T#1s"}, {"b", "L", "lamp", "T#2s"}}));
     refuses({"Ab", {{{"a"}, {"b"}, "a.T"}}, {}});
     refuses({"Ab", {{{"a"}, {"b"}, "go go"}}, {}});
     refuses({"Ab", {{{}, {"b"}, "go"}}, {}});
