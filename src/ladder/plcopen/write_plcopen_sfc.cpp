@@ -103,12 +103,8 @@ class SfcBody {
 };
 
 Cell SfcBody::make(const char* name, Point middle, int width, int height) {
-    Cell cell;
-    cell.corner = {middle.x - width / 2, middle.y};
-    cell.width = width;
-    cell.height = height;
-    cell.node = body_.element(name, cell.corner, width, height);
-    return cell;
+    const Point corner{middle.x - width / 2, middle.y};
+    return {body_.element(name, corner, width, height), corner, width, height};
 }
 
 std::vector<SfcLayout::Link> SfcBody::joined(StepId id) const {
