@@ -42,7 +42,7 @@ SfcRun run_sfc(const Grafcet& grafcet, const WrittenSfc& written, const SfcDiale
             }
         }
         SfcScanReport report = machine.scan(now);
-        std::erase_if(report.meetings, [&](const auto& pair) { return pair.second == last; });
+        std::erase_if(report.meetings, [&](const auto& meeting) { return meeting.second == last; });
         if (!report.selections.empty() || !report.meetings.empty()) {
             run.left_open = report;
             return run;

@@ -1,16 +1,10 @@
 #include "ladder/sfc_machine.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace grafwire::testing {
 
 namespace {
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 bool share(const std::set<std::string>& a, const std::set<std::string>& b) {
     return std::any_of(a.begin(), a.end(), [&](const auto& name) { return b.count(name) > 0; });
@@ -22,8 +16,16 @@ bool share(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
     });
 }
 
-bool meet(const StAccess& a, const StAccess& b) {
-    return share(a.writes, b.writes) || share(a.writes, b.reads) || share(a.reads, b.writes);
+/// What one writes and the other reads or writes.
+std::set<std::string> common(const StAccess& a, const StAccess& b) {
+    std::set<std::string> names;
+    for (const std::string& name : a.writes) {
+        if (b.writes.count(name) + b.reads.count(name) > 0) names.insert(name);
+    }
+    for (const std::string& name : b.writes) {
+        if (a.reads.count(name) > 0) names.insert(name);
+    }
+    return names;
 }
 
 }  // namespace
@@ -79,12 +81,12 @@ void SfcMachine::read_actions() {
 }
 
 void SfcMachine::set_input(const std::string& name, bool value) {
-    const auto found = block_.variables.find(lower(name));
+    const auto found = block_.variables.find(lower_case(name));
     if (found != block_.variables.end()) found->second.values.front() = value ? 1 : 0;
 }
 
 std::int64_t SfcMachine::value(const std::string& name) const {
-    const auto found = block_.variables.find(lower(name));
+    const auto found = block_.variables.find(lower_case(name));
     return found == block_.variables.end() ? 0 : found->second.values.front();
 }
 
@@ -96,8 +98,9 @@ SfcScanReport SfcMachine::scan(Time now) {
     execute(now, executed);
     for (std::size_t i = 0; i < executed.size(); ++i) {
         for (std::size_t j = i + 1; j < executed.size(); ++j) {
-            if (!meet(executed[i].access, executed[j].access)) continue;
-            report.meetings.emplace_back(executed[i].action, executed[j].action);
+            const auto variables = common(executed[i].access, executed[j].access);
+            if (variables.empty()) continue;
+            report.meetings.push_back({executed[i].action, executed[j].action, variables});
         }
     }
     is_first_ = false;

@@ -24,8 +24,13 @@ struct SfcDialect {
 struct SfcScanReport {
     /// Pairs of transitions after one step that could both be cleared.
     std::vector<std::pair<std::size_t, std::size_t>> selections;
-    /// Pairs of actions (S, R or statements) of which one wrote what the other wrote or read.
-    std::vector<std::pair<std::size_t, std::size_t>> meetings;
+    /// Two actions (S, R or statements) of which one wrote what the other wrote or read.
+    struct Meeting {
+        std::size_t first = 0;
+        std::size_t second = 0;
+        std::set<std::string> variables;
+    };
+    std::vector<Meeting> meetings;
 };
 
 /// Executes a sequential function chart by IEC 61131-3 (2nd edition), 2.6.4 and 2.6.5, once a scan:

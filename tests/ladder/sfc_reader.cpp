@@ -11,11 +11,6 @@ namespace grafwire::testing {
 
 namespace {
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 [[noreturn]] void fail(const std::string& message) {
     throw PlcError(0, message);
 }
@@ -57,7 +52,7 @@ class Reader {
     void collect_above(pugi::xml_node node, const char* wanted,
                        std::vector<pugi::xml_node>& found) const;
     std::size_t step_named(const std::string& name) const {
-        const auto found = step_index_.find(lower(name));
+        const auto found = step_index_.find(lower_case(name));
         if (found == step_index_.end()) fail("no step " + name);
         return found->second;
     }
@@ -74,11 +69,11 @@ void Reader::read_variables() {
     for (const pugi::xml_node list : pou_.child("interface").children()) {
         for (const pugi::xml_node node : list.children("variable")) {
             SfcPou::Variable variable;
-            variable.name = lower(node.attribute("name").value());
+            variable.name = lower_case(node.attribute("name").value());
             const pugi::xml_node type = node.child("type").first_child();
-            variable.type =
-                lower(std::string_view(type.name()) == "derived" ? type.attribute("name").value()
-                                                                 : type.name());
+            variable.type = lower_case(std::string_view(type.name()) == "derived"
+                                           ? type.attribute("name").value()
+                                           : type.name());
             const std::string initial =
                 node.child("initialValue").child("simpleValue").attribute("value").value();
             variable.initial = initial.empty() ? 0 : initial == "TRUE" ? 1 : std::stoll(initial);
@@ -89,7 +84,7 @@ void Reader::read_variables() {
 }
 
 void Reader::read_step(pugi::xml_node node) {
-    const std::string name = lower(node.attribute("name").value());
+    const std::string name = lower_case(node.attribute("name").value());
     if (!step_index_.emplace(name, sfc_.steps.size()).second) fail("two steps " + name);
     sfc_.steps.push_back({name, node.attribute("initialStep").as_bool()});
 }
@@ -146,7 +141,7 @@ void Reader::read_actions(pugi::xml_node block) {
         SfcPou::Action action;
         action.step = step_named(above.front().attribute("name").value());
         action.qualifier = node.attribute("qualifier").as_string("N");
-        action.reference = lower(node.child("reference").attribute("name").value());
+        action.reference = lower_case(node.child("reference").attribute("name").value());
         action.statements = text_of(node.child("inline").child("ST"));
         if (action.reference.empty() == action.statements.empty()) fail("an action of no one kind");
         const std::string duration = node.attribute("duration").value();
@@ -162,6 +157,11 @@ void Reader::read_actions(pugi::xml_node block) {
 }
 
 }  // namespace
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
 
 SfcPou read_sfc(const std::string& xml, const std::string& name) {
     pugi::xml_document document;

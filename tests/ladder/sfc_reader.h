@@ -42,6 +42,8 @@ struct SfcPou {
     std::vector<std::string> comments;
 };
 
+std::string lower_case(std::string text);
+
 /// Reads the program of a name; throws a PlcError where it is none, or not understood.
 SfcPou read_sfc(const std::string& xml, const std::string& name);
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "evolution/run.h"
+#include "grafcet/write_grafcet.h"
 #include "ladder/chart_files.h"
 #include "ladder/plcopen/sfc_remarks.h"
 #include "ladder/run_sfc.h"
@@ -51,16 +52,52 @@ Trace shortened(Trace trace, std::size_t rows) {
     return trace;
 }
 
+/// The name in the chart of what the file calls by an identifier.
+std::string name_of(const WrittenSfc& written, const std::string& identifier) {
+    for (const auto& [name, other] : written.names) {
+        if (lower_case(other) == identifier) return quoted_where_needed(name);
+    }
+    return "nothing";
+}
+
+std::string unquoted(std::string name) {
+    std::erase(name, '"');
+    return name;
+}
+
+bool is_told(const Remarks& remarks, Kind kind, const std::string& beginning) {
+    return std::any_of(remarks.begin(), remarks.end(), [&](const auto& remark) {
+        return remark.kind == kind && remark.text.compare(0, beginning.size(), beginning) == 0;
+    });
+}
+
+/// What a scan left to order and no remark speaks of.
+std::string untold(const WrittenSfc& written, const Remarks& remarks, const SfcScanReport& report) {
+    for (const auto& [a, b] : report.selections) {
+        const std::vector<std::size_t>& of_b = written.sfc.transitions[b].preceding;
+        for (const std::size_t step : written.sfc.transitions[a].preceding) {
+            if (std::find(of_b.begin(), of_b.end(), step) == of_b.end()) continue;
+            // Without the X of its variable.
+            std::string name = name_of(written, written.sfc.steps[step].name);
+            name.erase(name.find('X'), 1);
+            const std::string text = "step " + quoted_where_needed(unquoted(name)) + ":";
+            if (!is_told(remarks, Kind::selection, text)) return "a selection after " + text;
+        }
+    }
+    for (const SfcScanReport::Meeting& meeting : report.meetings) {
+        for (const std::string& variable : meeting.variables) {
+            const std::string text = name_of(written, variable) + " can be written";
+            if (!is_told(remarks, Kind::meeting_writes, text)) return "a meeting: " + text;
+        }
+    }
+    return {};
+}
+
 /// What differs in one run.
 std::string compare_run(const Grafcet& grafcet, const WrittenSfc& written, const Remarks& remarks,
                         const SfcRun& run, const Trace& expected) {
-    const auto& open = run.left_open;
-    if (!open.selections.empty() && !has(remarks, Kind::selection)) {
-        return "transitions compete, and the file does not say so";
-    }
-    if (!open.meetings.empty() && !has(remarks, Kind::meeting_writes)) {
-        return "writes meet, and the file does not say so\n" + written.xml;
-    }
+    const std::string found = untold(written, remarks, run.left_open);
+    if (!found.empty()) return found + " is not in the remarks\n" + written.xml;
     const std::string want = write_csv(shortened(expected, run.trace.row_count()));
     const std::string got = write_csv(run.trace);
     if (want == got) return {};
