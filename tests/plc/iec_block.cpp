@@ -9,15 +9,6 @@ namespace grafwire::testing {
 
 namespace {
 
-IecType type_named(const std::string& name, std::size_t line) {
-    static const std::map<std::string, IecType> types = {
-        {"bool", IecType::boolean}, {"int", IecType::int16}, {"dint", IecType::int32},
-        {"lint", IecType::int64},   {"ton", IecType::ton},   {"tof", IecType::tof}};
-    const auto found = types.find(name);
-    if (found == types.end()) throw PlcError(line, "the type '" + name + "'");
-    return found->second;
-}
-
 void check_range(IecValue value, std::size_t line) {
     std::int64_t limit = std::numeric_limits<std::int64_t>::max();
     if (value.type == IecType::int16) limit = INT16_MAX;
@@ -36,6 +27,15 @@ IecType common_type(IecValue left, IecValue right, std::size_t line) {
 }
 
 }  // namespace
+
+IecType iec_type_named(const std::string& name, std::size_t line) {
+    static const std::map<std::string, IecType> types = {
+        {"bool", IecType::boolean}, {"int", IecType::int16}, {"dint", IecType::int32},
+        {"lint", IecType::int64},   {"ton", IecType::ton},   {"tof", IecType::tof}};
+    const auto found = types.find(name);
+    if (found == types.end()) throw PlcError(line, "the type '" + name + "'");
+    return found->second;
+}
 
 bool is_integer(IecType type) {
     return type == IecType::literal || type == IecType::int16 || type == IecType::int32 ||
@@ -71,6 +71,12 @@ void IecBlock::read_declarations(IecTokenCursor& cursor) {
     if (variables.count(name) != 0) cursor.fail("a variable has the name of the block");
 }
 
+void IecBlock::declare(const std::string& name, const IecVariable& variable, std::size_t line) {
+    if (!variables.emplace(name, variable).second) {
+        throw PlcError(line, "'" + name + "' declared twice");
+    }
+}
+
 void IecBlock::read_section(IecTokenCursor& cursor, const std::string& kind) {
     sections.push_back({kind, {}});
     do {
@@ -93,13 +99,11 @@ void IecBlock::read_section(IecTokenCursor& cursor, const std::string& kind) {
             cursor.expect("]");
             cursor.expect("of");
         }
-        variable.type = type_named(cursor.identifier(), line);
+        variable.type = iec_type_named(cursor.identifier(), line);
         variable.values.assign(size, 0);
         if (cursor.accept(":=")) variable.values[0] = cursor.integer();
         cursor.expect(";");
-        if (!variables.emplace(name, variable).second) {
-            throw PlcError(line, "'" + name + "' declared twice");
-        }
+        declare(name, variable, line);
         sections.back().second.push_back(name);
     } while (!cursor.accept("end_var"));
 }
@@ -123,8 +127,8 @@ std::int64_t& IecBlock::cell(IecVariable& variable, const IecValue* index, std::
 
 IecValue IecBlock::load(const std::string& name, const IecValue* index, std::size_t line) {
     IecVariable& found = variable(name, line);
-    if (found.type == IecType::ton || found.type == IecType::tof) {
-        throw PlcError(line, "a timer where a value is expected");
+    if (found.type == IecType::ton || found.type == IecType::tof || found.type == IecType::step) {
+        throw PlcError(line, "a timer or a step where a value is expected");
     }
     return {found.type, cell(found, index, line)};
 }
@@ -146,6 +150,14 @@ bool IecBlock::timer_output(const std::string& name, std::size_t line) {
         throw PlcError(line, "'" + name + "' is no timer");
     }
     return timer.q;
+}
+
+IecValue IecBlock::field(const std::string& name, const std::string& field, std::size_t line) {
+    const IecVariable& found = variable(name, line);
+    const bool is_step = found.type == IecType::step;
+    if (field != (is_step ? "x" : "q")) throw PlcError(line, "'" + name + "' has no " + field);
+    const bool value = is_step ? found.values.front() != 0 : timer_output(name, line);
+    return {IecType::boolean, value ? 1 : 0};
 }
 
 /// TON: Q once IN has been 1 for PT. TOF: Q with IN, and until IN has been 0 for PT.

@@ -8,7 +8,7 @@
 
 namespace grafwire::testing {
 
-enum class IecType { boolean, literal, int16, int32, int64, time, ton, tof };
+enum class IecType { boolean, literal, int16, int32, int64, time, ton, tof, step };
 
 /// A value with its type; a `literal` is a whole number that fits any integer type.
 struct IecValue {
@@ -17,8 +17,10 @@ struct IecValue {
 };
 
 bool is_integer(IecType type);
+/// The type of a name in lower case; an error where it is none.
+IecType iec_type_named(const std::string& name, std::size_t line);
 
-/// One variable of a function block: a value, an array of values, or a timer.
+/// One variable of a function block: a value, an array of values, a timer, or the flag of a step.
 struct IecVariable {
     IecType type = IecType::boolean;
     bool is_array = false;
@@ -36,13 +38,16 @@ struct IecVariable {
 /// integer that leaves the range of its type is an error, so is an index beyond its array.
 class IecBlock {
   public:
+    /// Declares a variable; an error where the name is taken.
+    void declare(const std::string& name, const IecVariable& variable, std::size_t line);
     /// Reads `FUNCTION_BLOCK name` and its declarations.
     void read_declarations(IecTokenCursor& cursor);
 
     IecVariable& variable(const std::string& name, std::size_t line);
     IecValue load(const std::string& name, const IecValue* index, std::size_t line);
     void store(const std::string& name, const IecValue* index, IecValue value, std::size_t line);
-    /// The output Q of a timer.
+    /// The output Q of a timer, the flag X of a step.
+    IecValue field(const std::string& name, const std::string& field, std::size_t line);
     bool timer_output(const std::string& name, std::size_t line);
     void call_timer(const std::string& name, bool in, Time pt, Time now, std::size_t line);
 

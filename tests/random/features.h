@@ -18,7 +18,8 @@ struct Features {
     bool macros = true;
     bool orders = true;
     bool enclosures = true;
-    bool stored = true;  ///< stored actions
+    bool stored = true;    ///< stored actions
+    bool clearing = true;  ///< those on clearing of transitions
     bool nested_times = true;
     bool off_delays = true;
     bool sources_and_sinks = true;

@@ -119,10 +119,16 @@ std::string ChartWriter::block(const PlannedBlock& block, bool is_last) {
     }
     if (is_last && !mandatory_.empty()) {
         const std::string& step = block.nodes[0].name;
-        text += "  " + step + " -> " + step + " : " + expressions_->receptivity() + " do ";
+        const std::string when = expressions_->receptivity();
         std::vector<std::string> writes;
         for (const std::string& target : mandatory_) writes.push_back(expressions_->write(target));
-        text += joined(writes) + "\n";
+        if (features_.clearing) {
+            text += "  " + step + " -> " + step + " : " + when + " do " + joined(writes) + "\n";
+        } else {
+            const std::string extra = std::to_string(next_label_++);
+            text += "  step " + extra + " : " + joined(writes) + "\n  " + step + " -> " + extra +
+                    " : " + when + "\n  " + extra + " -> " + step + " : 1\n";
+        }
     }
     return text + "}\n";
 }
@@ -220,7 +226,8 @@ std::string ChartWriter::transition(const PlannedBlock& block, std::size_t from,
     text += "->";
     if (!is_sink) text += " " + side(block, to);
     text += random_.one_in(12) ? " := 1" : " : " + expressions_->receptivity();
-    if (features_.stored && expressions_->has_targets() && random_.one_in(4)) {
+    if (features_.clearing && features_.stored && expressions_->has_targets() &&
+        random_.one_in(4)) {
         text += " do " + expressions_->write();
         if (random_.one_in(3)) text += ", " + expressions_->write();
     }

@@ -2,7 +2,8 @@
 
 #include "ladder/ladder.h"
 #include "ladder/plcopen/plcopen_body.h"
-#include "program/program.h"
+#include "ladder/plcopen/sfc_names.h"
+#include "ladder/plcopen/sfc_plan.h"
 
 namespace grafwire::ladder {
 
@@ -12,9 +13,8 @@ void write_ladder_body(const Ladder& ladder, const std::vector<std::string>& nam
                        pugi::xml_node body);
 
 /// The sequential function chart of a GRAFCET: its interface and its body. What SFC cannot say
-/// (orders, enclosures, conditions of actions, actions on clearing and on events, transitions
-/// without a step before or after) stands in comments.
-void write_sfc_interface(const Grafcet& grafcet, pugi::xml_node pou);
-void write_sfc_body(const Grafcet& grafcet, pugi::xml_node body);
+/// stands in comments (sfc_remarks.h).
+void write_sfc_interface(const SfcPlan& plan, const SfcNames& names, pugi::xml_node pou);
+void write_sfc_body(const SfcPlan& plan, const SfcNames& names, pugi::xml_node body);
 
 }  // namespace grafwire::ladder

@@ -1,113 +1,111 @@
-// Actions of a GRAFCET as action blocks of SFC (IEC 61131-3, section 2.6.4): continuous ones are N,
-// with a delay or limit of their own step D or L; stored ones S or R where they set or reset a bit
-// on activation, else statements on the pulse P1 of activation or P0 of deactivation.
+// Actions of a GRAFCET as action blocks of SFC (IEC 61131-3, section 2.6.4). Continuous ones are N,
+// D or L; stored ones S or R, or statements on the pulse P1 of activation or P0 of deactivation, or
+// on an event under N. The statements are right whether or not an action is executed once more
+// after its step (the standard's final scan), and whether or not the P1 of an initial step is
+// executed in the first scan, which a GRAFCET does not do.
 
 #include "ladder/plcopen/sfc_actions.h"
 
 #include <fmt/format.h>
 
-#include <optional>
-
-#include "grafcet/write_grafcet.h"
 #include "ladder/ladder.h"
 
 namespace grafwire::ladder {
 
 namespace {
 
-/// `5s/X13` of the action's own step, or its negation: a delayed or a time-limited action.
-std::optional<SfcAction> timed(const Grafcet& grafcet, const Action& action) {
-    const Expressions& pool = grafcet.expressions;
-    ExprId id = action.expression;
-    const bool negated = pool.kind(id) == ExprKind::negation;
-    if (negated) id = pool.operands(id).front();
-    if (pool.kind(id) != ExprKind::time_condition) return std::nullopt;
-    const TimeCondition& condition = pool.time_condition_of(id);
-    if (!is_step_time(grafcet, condition)) return std::nullopt;
-    if (StepId{pool.variable_of(condition.operand).index} != action.step) return std::nullopt;
-    return SfcAction{negated ? "L" : "D", time_literal(condition.on_delay), "", ""};
+std::string between(const std::string& condition, const std::string& statements) {
+    std::string text = fmt::format("IF {} THEN\n", condition);
+    for (std::size_t at = 0; at < statements.size();) {
+        const std::size_t end = statements.find('\n', at) + 1;
+        text += "  " + statements.substr(at, end - at);
+        at = end;
+    }
+    return text + "END_IF;\n";
 }
 
-std::optional<SfcAction> action_of(const Grafcet& grafcet, const SfcNames& names,
-                                   const Action& action) {
-    if (action.kind == ActionKind::order) return std::nullopt;
-    if (action.kind == ActionKind::continuous) {
-        std::optional<SfcAction> made = SfcAction{"N", "", "", ""};
-        if (action.expression != no_expr) made = timed(grafcet, action);
-        if (made) made->reference = names.outputs[static_cast<std::size_t>(action.output)];
-        return made;
+class ActionsOfStep {
+  public:
+    ActionsOfStep(const SfcPlan& plan, const SfcNames& names, StepId step)
+        : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names), step_(step) {}
+
+    std::vector<SfcAction> make() {
+        const Step& step = grafcet_.steps[step_];
+        for (const Action& action : grafcet_.actions_of(step)) add(action);
+        if (!activation_.empty() && step.initial)
+            activation_ = between(names_.started, activation_);
+        if (!event_.empty()) event_ = between(names_.steps[index_of(step_)] + ".X", event_);
+        // In the order in which a GRAFCET executes them.
+        add_statements("P0", deactivation_);
+        add_statements("P1", activation_);
+        add_statements("N", event_);
+        return std::move(actions_);
     }
-    if (action.trigger == Trigger::event) return std::nullopt;
-    const Write& write = action.write;
-    const bool is_latch = write.operation != WriteOperation::assign;
-    if (action.trigger == Trigger::activation && is_latch) {
-        const auto& list = write.target.kind == VariableKind::output ? names.outputs : names.vars;
-        return SfcAction{write.operation == WriteOperation::set ? "S" : "R", "",
-                         list[write.target.index], ""};
+
+  private:
+    void add(const Action& action);
+    void add_continuous(const Action& action, SfcForm form);
+    void add_statements(const char* qualifier, const std::string& statements) {
+        if (!statements.empty()) actions_.push_back({qualifier, "", "", statements});
     }
-    return SfcAction{action.trigger == Trigger::activation ? "P1" : "P0", "", "",
-                     structured_text(grafcet, names, write)};
+
+    const SfcPlan& plan_;
+    const Grafcet& grafcet_;
+    const SfcNames& names_;
+    StructuredText text_;
+    StepId step_;
+    std::vector<SfcAction> actions_;
+    // Statements, each with its line end.
+    std::string deactivation_;
+    std::string activation_;
+    std::string event_;
+};
+
+void ActionsOfStep::add_continuous(const Action& action, SfcForm form) {
+    const std::string& output = names_.outputs[index_of(action.output)];
+    if (form == SfcForm::observed) {
+        const std::string condition =
+            action.expression == no_expr ? "" : " if " + text_.expression(action.expression);
+        actions_.push_back(
+            {"N", "", "",
+             fmt::format("(* {}{}: assigned by {} *)", output, condition, names_.observer)});
+        return;
+    }
+    if (form == SfcForm::non_stored) {
+        actions_.push_back({"N", "", output, ""});
+        return;
+    }
+    const Expressions& pool = grafcet_.expressions;
+    const bool is_limited = form == SfcForm::limited;
+    const ExprId id = is_limited ? pool.operands(action.expression).front() : action.expression;
+    actions_.push_back(
+        {is_limited ? "L" : "D", time_literal(pool.time_condition_of(id).on_delay), output, ""});
 }
 
-std::string write_text(const Grafcet& grafcet, const Write& write) {
-    const std::string target = quoted_where_needed(variable_name(grafcet, write.target));
-    if (write.operation == WriteOperation::set) return "set " + target;
-    if (write.operation == WriteOperation::reset) return "reset " + target;
-    if (write.target.kind != VariableKind::counter) {
-        return target + " := " + write_expression(grafcet, grafcet.expressions, write.value);
+void ActionsOfStep::add(const Action& action) {
+    const std::size_t index = plan_.index_of_action(action);
+    const SfcForm form = plan_.forms[index];
+    if (form == SfcForm::beyond) return;
+    if (action.kind == ActionKind::continuous) return add_continuous(action, form);
+    if (form == SfcForm::set || form == SfcForm::reset) {
+        const char* qualifier = form == SfcForm::set ? "S" : "R";
+        actions_.push_back({qualifier, "", text_.variable(action.write.target), ""});
+        return;
     }
-    std::string text = target + " :=";
-    bool is_first = true;
-    for (const SumTerm& term : grafcet.sums[write.sum]) {
-        text += term.negative ? " - " : is_first ? " " : " + ";
-        is_first = false;
-        text += term.counter == SumTerm::no_counter
-                    ? fmt::format("{}", term.value)
-                    : quoted_where_needed(grafcet.counters[CounterId{term.counter}].name);
-    }
-    return text;
-}
-
-std::string order_text(const Grafcet& grafcet, const Order& order) {
-    std::string steps;
-    for (const StepId step : order.steps) {
-        steps += (steps.empty() ? "" : ", ") + quoted_where_needed(grafcet.steps[step].name);
-    }
-    if (order.kind == OrderKind::freeze) steps = "*";
-    if (order.kind == OrderKind::initial) steps = "INIT";
-    return quoted_where_needed(grafcet.graphs[order.graph].name) + "{" + steps + "}";
-}
-
-std::string action_text(const Grafcet& grafcet, const Action& action) {
-    switch (action.kind) {
-        case ActionKind::order:
-            return "gives the order " + order_text(grafcet, grafcet.orders[action.order]);
-        case ActionKind::continuous:
-            return quoted_where_needed(grafcet.outputs[action.output].name) + " if " +
-                   write_expression(grafcet, grafcet.expressions, action.expression);
-        case ActionKind::stored:
-            break;
-    }
-    return write_text(grafcet, action.write) + " on " +
-           write_expression(grafcet, grafcet.expressions, action.expression);
+    const Reading reading = plan_.reading_of(index);
+    const std::string statement = text_.statement(action.write, reading);
+    if (form == SfcForm::deactivation) deactivation_ += statement + "\n";
+    if (form == SfcForm::activation) activation_ += statement + "\n";
+    if (form != SfcForm::event) return;
+    event_ += fmt::format("IF {} THEN {} END_IF;\n", text_.expression(action.expression, reading),
+                          statement);
 }
 
 }  // namespace
 
-bool has_sfc_actions(const Grafcet& grafcet, const SfcNames& names, StepId step) {
-    for (const Action& action : grafcet.actions_of(grafcet.steps[step])) {
-        if (action_of(grafcet, names, action)) return true;
-    }
-    return false;
-}
-
-void write_sfc_actions(const Grafcet& grafcet, const SfcNames& names, StepId step,
-                       const Outlet& source, PlcopenBody& body) {
-    std::vector<SfcAction> actions;
-    for (const Action& action : grafcet.actions_of(grafcet.steps[step])) {
-        if (auto made = action_of(grafcet, names, action)) actions.push_back(std::move(*made));
-    }
-    write_sfc_action_block(actions, source, body);
+std::vector<SfcAction> sfc_actions(const SfcPlan& plan, const SfcNames& names, StepId step) {
+    if (index_of(step) >= plan.grafcet->steps.size()) return {};
+    return ActionsOfStep(plan, names, step).make();
 }
 
 void write_sfc_action_block(const std::vector<SfcAction>& actions, const Outlet& source,
@@ -135,39 +133,6 @@ void write_sfc_action_block(const std::vector<SfcAction>& actions, const Outlet&
             add_text(node.append_child("inline").append_child("ST"), action.statements);
         }
     }
-}
-
-std::vector<std::string> sfc_remarks(const Grafcet& grafcet, const SfcNames& names) {
-    std::vector<std::string> remarks;
-    const auto step_text = [&](StepId step) {
-        return "step " + quoted_where_needed(grafcet.steps[step].name);
-    };
-    for (const Action& action : grafcet.actions) {
-        if (action_of(grafcet, names, action)) continue;
-        remarks.push_back(step_text(action.step) + ": " + action_text(grafcet, action));
-    }
-    for (const Enclosure& enclosure : grafcet.enclosures) {
-        remarks.push_back(step_text(enclosure.step) + " encloses " +
-                          quoted_where_needed(grafcet.graphs[enclosure.graph].name));
-    }
-    for (const ClearingAction& action : grafcet.clearing_actions) {
-        remarks.push_back(
-            fmt::format("transition ({}): {} on clearing",
-                        quoted_where_needed(grafcet.transitions[action.transition].name),
-                        write_text(grafcet, action.write)));
-    }
-    for (const Transition& transition : grafcet.transitions) {
-        if (transition.preceding_count != 0 && transition.following_count != 0) continue;
-        remarks.push_back(fmt::format("transition ({}) has no step {}",
-                                      quoted_where_needed(transition.name),
-                                      transition.preceding_count == 0 ? "before it" : "after it"));
-    }
-    std::string head =
-        "This chart is for reading: the ladder diagram is what was proved equal to the GRAFCET. It "
-        "does without Init, AUdur and AUdoux";
-    head += remarks.empty() ? "." : ", and SFC cannot say the following:";
-    remarks.insert(remarks.begin(), std::move(head));
-    return remarks;
 }
 
 }  // namespace grafwire::ladder

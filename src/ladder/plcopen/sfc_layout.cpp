@@ -13,56 +13,47 @@ namespace {
 
 class Walk {
   public:
-    Walk(const Grafcet& grafcet, SfcLayout& layout)
-        : grafcet_(grafcet), layout_(layout), states_(grafcet.steps.size(), State::unseen) {
-        layout.steps.resize(grafcet.steps.size());
-        layout.transitions.resize(grafcet.transitions.size());
-        layout.out_of.resize(grafcet.steps.size());
-        layout.into.resize(grafcet.steps.size());
-        placed_.resize(grafcet.transitions.size(), false);
-        for (std::uint32_t t = 0; t < grafcet.transitions.size(); ++t) {
-            for (const StepId step : grafcet.preceding(grafcet.transitions[TransitionId{t}])) {
+    Walk(const SfcChart& chart, SfcLayout& layout)
+        : chart_(chart), layout_(layout), states_(chart.step_count(), State::unseen) {
+        layout.steps.resize(chart.step_count());
+        layout.transitions.resize(chart.transition_count());
+        layout.out_of.resize(chart.step_count());
+        layout.into.resize(chart.step_count());
+        placed_.resize(chart.transition_count(), false);
+        for (std::uint32_t t = 0; t < chart.transition_count(); ++t) {
+            for (const StepId step : chart.preceding(TransitionId{t})) {
                 layout.out_of[index_of(step)].push_back(TransitionId{t});
             }
         }
     }
 
-    void walk_graph(const Graph& graph) {
+    void walk_graph(GraphId graph) {
         for (const bool initial : {true, false}) {
-            for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-                const StepId step{graph.first_step + i};
-                if (grafcet_.steps[step].initial != initial) continue;
+            for (const StepId step : chart_.steps_of(graph)) {
+                if (chart_.is_initial(step) != initial) continue;
                 if (states_[index_of(step)] == State::unseen) walk_from(step);
             }
-        }
-        for (std::uint32_t i = 0; i < graph.transition_count; ++i) {
-            const TransitionId id{graph.first_transition + i};
-            if (!placed_[index_of(id)]) place(id, layout_.columns++);  // source transitions
         }
         ++layout_.columns;  // a gap between graphs
     }
 
     void set_levels() {
-        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
-            const bool is_source = grafcet_.transitions[TransitionId{t}].preceding_count == 0;
-            if (is_source) layout_.transitions[t].level = -1;  // above the step it leads to
-        }
         std::reverse(finished_.begin(), finished_.end());
         for (const StepId step : finished_) {
             const int level = layout_.steps[index_of(step)].level;
             for (const TransitionId id : layout_.out_of[index_of(step)]) {
                 SfcLayout::Place& place = layout_.transitions[index_of(id)];
                 place.level = std::max(place.level, level);
-                for (const StepId next : grafcet_.following(grafcet_.transitions[id])) {
+                for (const StepId next : chart_.following(id)) {
                     if (is_jump(id, next)) continue;
                     int& below = layout_.steps[index_of(next)].level;
                     below = std::max(below, level + 1);
                 }
             }
         }
-        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
+        for (std::uint32_t t = 0; t < chart_.transition_count(); ++t) {
             const TransitionId id{t};
-            for (const StepId step : grafcet_.following(grafcet_.transitions[id])) {
+            for (const StepId step : chart_.following(id)) {
                 layout_.into[index_of(step)].push_back({id, step, is_jump(id, step)});
             }
         }
@@ -89,7 +80,7 @@ class Walk {
         for (const TransitionId id : layout_.out_of[index_of(step)]) {
             if (!placed_[index_of(id)]) place(id, is_first ? column : layout_.columns++);
             is_first = false;
-            for (const StepId next : grafcet_.following(grafcet_.transitions[id])) {
+            for (const StepId next : chart_.following(id)) {
                 frame.successors.push_back(next);
             }
         }
@@ -99,7 +90,7 @@ class Walk {
     /// The column of the transition that leads to a step, where no other step stands below it yet.
     int column_for(StepId step, StepId from) {
         for (const TransitionId id : layout_.out_of[index_of(from)]) {
-            const auto following = grafcet_.following(grafcet_.transitions[id]);
+            const auto following = chart_.following(id);
             if (following.front() == step) return layout_.transitions[index_of(id)].column;
         }
         return layout_.columns++;
@@ -127,13 +118,13 @@ class Walk {
     bool is_jump(TransitionId id, StepId to) {
         if (!sorted_) std::sort(jumps_.begin(), jumps_.end());
         sorted_ = true;
-        const auto preceding = grafcet_.preceding(grafcet_.transitions[id]);
+        const auto preceding = chart_.preceding(id);
         return std::any_of(preceding.begin(), preceding.end(), [&](StepId from) {
             return std::binary_search(jumps_.begin(), jumps_.end(), std::pair(from, to));
         });
     }
 
-    const Grafcet& grafcet_;
+    const SfcChart& chart_;
     SfcLayout& layout_;
     std::vector<State> states_;
     std::vector<bool> placed_;  ///< per transition
@@ -144,10 +135,10 @@ class Walk {
 
 }  // namespace
 
-SfcLayout sfc_layout(const Grafcet& grafcet) {
+SfcLayout sfc_layout(const SfcChart& chart) {
     SfcLayout layout;
-    Walk walk(grafcet, layout);
-    for (const Graph& graph : grafcet.graphs) walk.walk_graph(graph);
+    Walk walk(chart, layout);
+    for (std::uint32_t g = 0; g < chart.graph_count(); ++g) walk.walk_graph(GraphId{g});
     walk.set_levels();
     return layout;
 }

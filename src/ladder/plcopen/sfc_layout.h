@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "grafcet/grafcet.h"
+#include "ladder/plcopen/sfc_chart.h"
 
 namespace grafwire::ladder {
 
-/// Where the steps and transitions of a GRAFCET stand in a sequential function chart: levels from
-/// top to bottom, columns from left to right, graphs side by side. A link that leads up again is a
+/// Where the steps and transitions of a sequential function chart stand: levels from top to bottom,
+/// columns from left to right, graphs side by side. A link that leads up again is a
 /// jump; all others lead to a lower level.
 struct SfcLayout {
     struct Place {
@@ -27,6 +27,6 @@ struct SfcLayout {
     int columns = 0;
 };
 
-SfcLayout sfc_layout(const Grafcet& grafcet);
+SfcLayout sfc_layout(const SfcChart& chart);
 
 }  // namespace grafwire::ladder

@@ -1,36 +1,41 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "grafcet/grafcet.h"
+#include "ladder/plcopen/sfc_names.h"
+#include "ladder/plcopen/sfc_plan.h"
 
 namespace grafwire::ladder {
 
-/// The names that a sequential function chart gives to the things of a GRAFCET: identifiers, those
-/// of the chart's own variables the same as in the ladder diagram.
-struct SfcNames {
-    std::vector<std::string> inputs;  ///< with Init, AUdur, AUdoux
-    std::vector<std::string> outputs;
-    std::vector<std::string> steps;  ///< `X5`; its flag is `X5.X`, its time `X5.T`
-    std::vector<std::string> vars;
-    std::vector<std::string> counters;
-    std::vector<std::string> edges;  ///< bits that the action `observe` works out
-    std::vector<std::string> times;
+/// Expressions and writes of a GRAFCET in Structured Text (IEC 61131-3), with the names of its
+/// sequential function chart. Plan and names must outlive the writer.
+///
+/// An edge is written out, `(started AND dcy AND NOT dcy_before)`, and reads everything but inputs
+/// as it was when the scan began: so it is the same wherever in the scan it is read.
+class StructuredText {
+  public:
+    StructuredText(const SfcPlan& plan, const SfcNames& names)
+        : grafcet_(*plan.grafcet), names_(names) {}
+
+    /// With parentheses where another operator may stand beside it, if `as_operand`.
+    std::string expression(ExprId id, const Reading& reading = {}, bool as_operand = false) const;
+    /// A stored write, as a statement with its semicolon.
+    std::string statement(const Write& write, const Reading& reading) const;
+    std::string variable(grafwire::Variable variable, const Reading& reading = {}) const;
+
+  private:
+    // How strongly an operator binds.
+    enum class Rank : std::uint8_t { disjunction, exclusive_or, conjunction, primary };
+    std::string ranked(ExprId id, const Reading& reading, Rank above) const;
+    std::string chain(ExprId id, const Reading& reading) const;
+    std::string edge(ExprId id) const;
+    std::string comparison(const Comparison& comparison, const Reading& reading) const;
+    std::string sum(const Sum& sum, const Reading& reading) const;
+    std::string any_step(std::uint32_t first, std::uint32_t count) const;
+
+    const Grafcet& grafcet_;
+    const SfcNames& names_;
 };
-
-SfcNames sfc_names(const Grafcet& grafcet);
-
-/// An expression or a sum in Structured Text (IEC 61131-3).
-std::string structured_text(const Grafcet& grafcet, const SfcNames& names, ExprId id);
-std::string structured_text(const SfcNames& names, const Sum& sum);
-/// A stored write as a statement.
-std::string structured_text(const Grafcet& grafcet, const SfcNames& names, const Write& write);
-/// The statements that work out edges and time conditions, once a scan; empty where there are none.
-/// Their function blocks are named edge0, timer0 ….
-std::string observing_text(const Grafcet& grafcet, const SfcNames& names);
-
-/// A time condition that asks for nothing but the time of a step: `5s/X13`.
-bool is_step_time(const Grafcet& grafcet, const TimeCondition& condition);
 
 }  // namespace grafwire::ladder

@@ -150,9 +150,11 @@ std::string write_plcopen(const ScanProgram& scan, const Ladder& ladder) {
     write_ladder_body(ladder, names, add(add(pou, "body"), "LD"));
     add_text(add(pou, "documentation"), documentation_of(ladder, names));
 
+    const SfcPlan plan = sfc_plan(*scan.grafcet);
+    const SfcNames sfc_name_list = sfc_names(plan);
     pugi::xml_node sfc = add_program(pous, chart);
-    write_sfc_interface(*scan.grafcet, sfc);
-    write_sfc_body(*scan.grafcet, add(add(sfc, "body"), "SFC"));
+    write_sfc_interface(plan, sfc_name_list, sfc);
+    write_sfc_body(plan, sfc_name_list, add(add(sfc, "body"), "SFC"));
 
     add_instance(project, program);
     std::ostringstream text;

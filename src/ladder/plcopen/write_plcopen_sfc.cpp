@@ -10,6 +10,8 @@
 #include "ladder/plcopen/plcopen_parts.h"
 #include "ladder/plcopen/sfc_actions.h"
 #include "ladder/plcopen/sfc_layout.h"
+#include "ladder/plcopen/sfc_observer.h"
+#include "ladder/plcopen/sfc_remarks.h"
 #include "ladder/plcopen/structured_text.h"
 
 namespace grafwire::ladder {
@@ -37,24 +39,26 @@ struct Cell {
 
 class SfcBody {
   public:
-    SfcBody(const Grafcet& grafcet, pugi::xml_node body)
-        : grafcet_(grafcet),
-          names_(sfc_names(grafcet)),
-          layout_(sfc_layout(grafcet)),
+    SfcBody(const SfcPlan& plan, const SfcNames& names, pugi::xml_node body)
+        : plan_(plan),
+          chart_(plan.chart),
+          names_(names),
+          text_(plan, names),
+          layout_(sfc_layout(chart_)),
           body_(body) {}
 
+    /// The observer's action stands last: actions are executed in the order of the file.
     void write() {
-        const bool has_sources = std::any_of(
-            grafcet_.transitions.begin(), grafcet_.transitions.end(),
-            [](const Transition& transition) { return transition.preceding_count == 0; });
-        if (has_sources) top_ += level_height;
-        write_observer();
+        if (plan_.has_observer()) make_observer();
         make_elements();
-        for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) connect_step(StepId{s});
-        for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
+        for (std::uint32_t s = 0; s < chart_.step_count(); ++s) connect_step(StepId{s});
+        for (std::uint32_t t = 0; t < chart_.transition_count(); ++t) {
             connect_transition(TransitionId{t});
         }
         write_remarks();
+        if (plan_.has_observer()) {
+            write_actions(observer_, {{"N", "", "", observer_text(plan_, names_)}});
+        }
     }
 
   private:
@@ -66,9 +70,11 @@ class SfcBody {
     int column_of(TransitionId id) const { return middle_of(layout_.transitions[index_of(id)]).x; }
     void make_elements();
     void make_transition(TransitionId id);
-    void write_observer();
+    void make_observer();
+    void write_actions(const Cell& step, const std::vector<SfcAction>& actions);
     void connect_step(StepId id);
     void connect_transition(TransitionId id);
+    void write_condition(TransitionId id);
     /// A horizontal bar at a height, as wide as what meets there.
     Cell make_bar(const char* name, std::vector<int> ends, int y, int thickness);
     static void connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
@@ -79,11 +85,14 @@ class SfcBody {
     Outlet out_of(StepId id, int x) const;
     Outlet out_of(TransitionId id, int x) const;
 
-    const Grafcet& grafcet_;
-    SfcNames names_;
+    const SfcPlan& plan_;
+    const SfcChart& chart_;
+    const SfcNames& names_;
+    StructuredText text_;
     SfcLayout layout_;
     PlcopenBody body_;
     int top_ = 60;  ///< of the first level
+    Cell observer_;
     std::vector<Cell> steps_;
     std::vector<Cell> transitions_;
     std::map<StepId, Cell> selections_;    ///< below steps with several transitions
@@ -94,12 +103,8 @@ class SfcBody {
 };
 
 Cell SfcBody::make(const char* name, Point middle, int width, int height) {
-    Cell cell;
-    cell.corner = {middle.x - width / 2, middle.y};
-    cell.width = width;
-    cell.height = height;
-    cell.node = body_.element(name, cell.corner, width, height);
-    return cell;
+    const Point corner{middle.x - width / 2, middle.y};
+    return {body_.element(name, corner, width, height), corner, width, height};
 }
 
 std::vector<SfcLayout::Link> SfcBody::joined(StepId id) const {
@@ -118,12 +123,12 @@ Cell SfcBody::make_bar(const char* name, std::vector<int> ends, int y, int thick
 }
 
 void SfcBody::make_elements() {
-    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
+    for (std::uint32_t s = 0; s < chart_.step_count(); ++s) {
         const StepId id{s};
         const Point middle = middle_of(layout_.steps[s]);
         Cell step = make("step", middle, step_width, step_height);
         step.node.append_attribute("name") = names_.steps[s].c_str();
-        if (grafcet_.steps[id].initial) step.node.append_attribute("initialStep") = true;
+        if (chart_.is_initial(id)) step.node.append_attribute("initialStep") = true;
         steps_.push_back(step);
         std::vector<int> below{middle.x};
         std::vector<int> above{middle.x};
@@ -136,19 +141,17 @@ void SfcBody::make_elements() {
             convergences_[id] = make_bar("selectionConvergence", above, middle.y - 20, 1);
         }
     }
-    for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t)
-        make_transition(TransitionId{t});
+    for (std::uint32_t t = 0; t < chart_.transition_count(); ++t) make_transition(TransitionId{t});
 }
 
 void SfcBody::make_transition(TransitionId id) {
-    const Transition& transition = grafcet_.transitions[id];
     const Point middle = middle_of(layout_.transitions[index_of(id)]);
     transitions_.push_back(make("transition", {middle.x, middle.y + 90}, 20, 2));
     std::vector<int> above{middle.x};
     std::vector<int> below{middle.x};
-    for (const StepId step : grafcet_.preceding(transition)) above.push_back(column_of(step));
+    for (const StepId step : chart_.preceding(id)) above.push_back(column_of(step));
     int jump_x = middle.x;
-    for (const StepId step : grafcet_.following(transition)) {
+    for (const StepId step : chart_.following(id)) {
         const std::vector<SfcLayout::Link>& links = layout_.into[index_of(step)];
         const bool is_jump = std::any_of(links.begin(), links.end(), [&](const auto& link) {
             return link.transition == id && link.is_jump;
@@ -163,10 +166,10 @@ void SfcBody::make_transition(TransitionId id) {
         below.push_back(jump_x);
         jump_x += 60;
     }
-    if (transition.preceding_count > 1) {
+    if (chart_.preceding(id).size() > 1) {
         joins_[id] = make_bar("simultaneousConvergence", above, middle.y + 75, 3);
     }
-    if (transition.following_count > 1) {
+    if (chart_.following(id).size() > 1) {
         splits_[id] = make_bar("simultaneousDivergence", below, middle.y + 106, 3);
     }
 }
@@ -209,11 +212,8 @@ void SfcBody::connect_step(StepId id) {
     }
     if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
     PlcopenBody::outlet(cell.node, cell.corner, cell.below().at, true);
-    const Point side{cell.corner.x + cell.width, cell.corner.y + cell.height / 2};
-    if (has_sfc_actions(grafcet_, names_, id)) {
-        PlcopenBody::outlet(cell.node, cell.corner, side, true, "connectionPointOutAction");
-        write_sfc_actions(grafcet_, names_, id, {PlcopenBody::id_of(cell.node), "", side}, body_);
-    }
+    const std::vector<SfcAction> actions = sfc_actions(plan_, names_, id);
+    if (!actions.empty()) write_actions(cell, actions);
     const auto selection = selections_.find(id);
     if (selection == selections_.end()) return;
     std::vector<int> ends;
@@ -222,12 +222,11 @@ void SfcBody::connect_step(StepId id) {
 }
 
 void SfcBody::connect_transition(TransitionId id) {
-    const Transition& transition = grafcet_.transitions[id];
     const Cell& cell = transitions_[index_of(id)];
     const int x = cell.above().x;
     std::vector<Outlet> sources;
     const auto join = joins_.find(id);
-    for (const StepId step : grafcet_.preceding(transition)) {
+    for (const StepId step : chart_.preceding(id)) {
         const bool is_joined = join != joins_.end() && selections_.count(step) == 0;
         sources.push_back(out_of(step, is_joined ? column_of(step) : x));
     }
@@ -237,17 +236,10 @@ void SfcBody::connect_transition(TransitionId id) {
     }
     if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
     PlcopenBody::outlet(cell.node, cell.corner, cell.below().at);
-    pugi::xml_node node = cell.node;
-    pugi::xml_node condition = node.append_child("condition").append_child("inline");
-    condition.append_attribute("name") = "";
-    add_text(condition.append_child("ST"),
-             structured_text(grafcet_, names_, transition.receptivity));
-    add_text(node.append_child("documentation"),
-             fmt::format("({}) {}", quoted_where_needed(transition.name),
-                         write_expression(grafcet_, grafcet_.expressions, transition.receptivity)));
+    write_condition(id);
     const auto split = splits_.find(id);
     std::vector<int> ends;
-    for (const StepId step : grafcet_.following(transition)) {
+    for (const StepId step : chart_.following(id)) {
         for (const SfcLayout::Link& link : joined(step)) {
             if (link.transition != id) continue;
             const bool converges = convergences_.count(step) > 0;
@@ -262,32 +254,45 @@ void SfcBody::connect_transition(TransitionId id) {
     if (split != splits_.end()) connect_bar(split->second, {cell.below()}, ends, true);
 }
 
-/// Edges and time conditions are worked out by an action of a step that is always active.
-void SfcBody::write_observer() {
-    const std::string text = observing_text(grafcet_, names_);
-    if (text.empty()) return;
-    Cell step = make("step", {140, top_ - 40}, step_width, step_height);
+void SfcBody::write_condition(TransitionId id) {
+    const Grafcet& grafcet = *plan_.grafcet;
+    const Transition& transition = grafcet.transitions[id];
+    pugi::xml_node node = transitions_[index_of(id)].node;
+    pugi::xml_node condition = node.append_child("condition").append_child("inline");
+    condition.append_attribute("name") = "";
+    add_text(condition.append_child("ST"), text_.expression(transition.receptivity));
+    add_text(node.append_child("documentation"),
+             fmt::format("({}) {}", quoted_where_needed(transition.name),
+                         write_expression(grafcet, grafcet.expressions, transition.receptivity)));
+}
+
+void SfcBody::make_observer() {
+    observer_ = make("step", {140, top_ - 40}, step_width, step_height);
     top_ += step_height + 60;
-    step.node.append_attribute("name") = "observe";
-    step.node.append_attribute("initialStep") = true;
-    PlcopenBody::outlet(step.node, step.corner, step.below().at, true);
+    observer_.node.append_attribute("name") = names_.observer.c_str();
+    observer_.node.append_attribute("initialStep") = true;
+    PlcopenBody::outlet(observer_.node, observer_.corner, observer_.below().at, true);
+}
+
+/// An action block to the right of a step.
+void SfcBody::write_actions(const Cell& step, const std::vector<SfcAction>& actions) {
     const Point side{step.corner.x + step.width, step.corner.y + step.height / 2};
     PlcopenBody::outlet(step.node, step.corner, side, true, "connectionPointOutAction");
-    write_sfc_action_block({{"N", "", "", text}}, {PlcopenBody::id_of(step.node), "", side}, body_);
+    write_sfc_action_block(actions, {PlcopenBody::id_of(step.node), "", side}, body_);
 }
 
 void SfcBody::write_remarks() {
     Point at{140 + column_width * layout_.columns, 20};
-    for (const std::string& remark : sfc_remarks(grafcet_, names_)) {
-        body_.comment(at, 500, remark);
+    for (const SfcRemark& remark : sfc_remarks(plan_, names_)) {
+        body_.comment(at, 500, remark.text);
         at.y += 30;
     }
 }
 
 }  // namespace
 
-void write_sfc_body(const Grafcet& grafcet, pugi::xml_node body) {
-    SfcBody(grafcet, body).write();
+void write_sfc_body(const SfcPlan& plan, const SfcNames& names, pugi::xml_node body) {
+    SfcBody(plan, names, body).write();
 }
 
 }  // namespace grafwire::ladder

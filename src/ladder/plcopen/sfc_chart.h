@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "grafcet/grafcet.h"
+
+namespace grafwire::ladder {
+
+/// The steps and transitions of a sequential function chart: those of a GRAFCET, and auxiliary
+/// steps behind them, for in SFC every transition has a step before it and one after it.
+///
+/// - A source transition leaves a step that is always active: an initial one, which is also among
+///   the steps that follow. Each has one of its own, lest two of them be a selection.
+/// - A sink transition leads to a step that nothing leaves.
+class SfcChart {
+  public:
+    explicit SfcChart(const Grafcet& grafcet);
+
+    /// The auxiliary steps have the numbers from Grafcet::steps.size() on.
+    std::size_t step_count() const { return initial_.size(); }
+    std::size_t graph_count() const { return graphs_.size(); }
+    std::size_t transition_count() const { return transitions_.size(); }
+    bool is_initial(StepId step) const { return initial_[index_of(step)]; }
+    /// The steps of a graph, in the order of the file, then the auxiliary ones.
+    std::span<const StepId> steps_of(GraphId graph) const { return graphs_[index_of(graph)]; }
+    std::span<const StepId> preceding(TransitionId id) const {
+        return transitions_[index_of(id)].preceding;
+    }
+    std::span<const StepId> following(TransitionId id) const {
+        return transitions_[index_of(id)].following;
+    }
+
+    struct Auxiliary {
+        TransitionId transition{};  ///< that it stands before or after
+        bool is_source = false;
+    };
+    const std::vector<Auxiliary>& auxiliaries() const { return auxiliaries_; }
+
+  private:
+    struct Links {
+        std::vector<StepId> preceding;
+        std::vector<StepId> following;
+    };
+    StepId add_step(TransitionId transition, GraphId graph, bool is_source);
+
+    std::vector<bool> initial_;
+    std::vector<Links> transitions_;
+    std::vector<std::vector<StepId>> graphs_;
+    std::vector<Auxiliary> auxiliaries_;
+};
+
+}  // namespace grafwire::ladder

@@ -1,0 +1,108 @@
+// The end of a scan in the sequential function chart, in the order of the table method: time
+// conditions (SBR 6), outputs with conditions (SBR 8); then what the next scan compares with. The
+// operands of edges are kept from the outside inwards, since an outer one reads the edges within it
+// as they were in this scan, and the copies after all of them.
+//
+// With two delays a TON runs while the operand and the value differ, one for either change: a
+// return of the operand before the end stops it, as it must.
+
+#include "ladder/plcopen/sfc_observer.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "ladder/ladder.h"
+
+namespace grafwire::ladder {
+
+namespace {
+
+class Observer {
+  public:
+    Observer(const SfcPlan& plan, const SfcNames& names)
+        : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names) {}
+
+    std::string make() {
+        begin("Time conditions, as the next scan sees them");
+        for (std::size_t i = 0; i < plan_.times.size(); ++i) {
+            if (plan_.times[i]) time_condition(i);
+        }
+        begin("Outputs with conditions");
+        assign_outputs();
+        begin("What the next scan compares with");
+        for (auto item = names_.before.rbegin(); item != names_.before.rend(); ++item) {
+            assign(item->second, text_.expression(item->first, reading_at_start));
+        }
+        for (const auto& [variable, name] : names_.copies) assign(name, text_.variable(variable));
+        for (const auto& [i, name] : names_.time_copies) assign(name, names_.times[i]);
+        if (plan_.has_start_bit) assign(names_.started, "TRUE");
+        return std::move(text_so_far_);
+    }
+
+  private:
+    /// A heading, where anything follows under it.
+    void begin(std::string heading) { heading_ = std::move(heading); }
+    void add(const std::string& line) {
+        if (!heading_.empty()) text_so_far_ += "(* " + heading_ + " *)\n";
+        heading_.clear();
+        text_so_far_ += line + "\n";
+    }
+    void assign(const std::string& name, const std::string& value) {
+        add(fmt::format("{} := {};", name, value));
+    }
+    void time_condition(std::size_t i);
+    void assign_outputs();
+
+    const SfcPlan& plan_;
+    const Grafcet& grafcet_;
+    const SfcNames& names_;
+    StructuredText text_;
+    std::string text_so_far_;
+    std::string heading_;
+};
+
+void Observer::time_condition(std::size_t i) {
+    const Expressions& pool = grafcet_.expressions;
+    const TimeCondition& condition = pool.time_condition_of(pool.time_conditions()[i]);
+    const std::string& bit = names_.times[i];
+    const auto start_timer = [&](const std::string& timer, const std::string& input, Time delay) {
+        add(fmt::format("{}(IN := {}, PT := {});", timer, input, time_literal(delay)));
+    };
+    const std::string& timer = names_.timers[i];
+    if (condition.off_delay == 0) {
+        start_timer(timer, text_.expression(condition.operand), condition.on_delay);
+        assign(bit, timer + ".Q");
+        return;
+    }
+    const std::string operand = text_.expression(condition.operand, {}, true);
+    const std::string& off_timer = names_.off_timers[i];
+    start_timer(timer, fmt::format("{} AND NOT {}", operand, bit), condition.on_delay);
+    add(fmt::format("IF {}.Q THEN {} := TRUE; END_IF;", timer, bit));
+    start_timer(off_timer, fmt::format("NOT {} AND {}", operand, bit), condition.off_delay);
+    add(fmt::format("IF {}.Q THEN {} := FALSE; END_IF;", off_timer, bit));
+}
+
+void Observer::assign_outputs() {
+    std::map<OutputId, std::string> values;
+    for (const Action& action : grafcet_.actions) {
+        if (action.kind != ActionKind::continuous) continue;
+        if (plan_.observed_outputs.count(action.output) == 0) continue;
+        std::string& value = values[action.output];
+        if (!value.empty()) value += " OR ";
+        const std::string active = names_.steps[index_of(action.step)] + ".X";
+        value +=
+            action.expression == no_expr
+                ? active
+                : fmt::format("({} AND {})", active, text_.expression(action.expression, {}, true));
+    }
+    for (const auto& [output, value] : values) assign(names_.outputs[index_of(output)], value);
+}
+
+}  // namespace
+
+std::string observer_text(const SfcPlan& plan, const SfcNames& names) {
+    return Observer(plan, names).make();
+}
+
+}  // namespace grafwire::ladder

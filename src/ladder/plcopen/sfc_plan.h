@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "grafcet/grafcet.h"
+#include "ladder/plcopen/sfc_chart.h"
+
+namespace grafwire::ladder {
+
+/// How SFC says an action of a GRAFCET.
+enum class SfcForm : std::uint8_t {
+    non_stored,    ///< N: a continuous action without a condition
+    delayed,       ///< D: `lamp if 5s/X5` of step 5
+    limited,       ///< L: `lamp if /(5s/X5)` of step 5
+    set,           ///< S
+    reset,         ///< R
+    activation,    ///< P1, with a statement
+    deactivation,  ///< P0, with a statement
+    event,         ///< N, with a statement under a condition
+    observed,      ///< the output is assigned by the step `observe`
+    beyond,        ///< SFC cannot say it: an order
+};
+
+/// How the variables of an expression are read: as they are now, or as they were when the scan
+/// began. Inputs do not change in a scan.
+struct Reading {
+    bool at_start = false;
+    const std::set<grafwire::Variable>* copied = nullptr;  ///< these at the start in any case
+
+    bool is_copy(grafwire::Variable variable) const {
+        if (variable.kind == VariableKind::input || variable.kind == VariableKind::control) {
+            return false;
+        }
+        return at_start || (copied != nullptr && copied->count(variable) > 0);
+    }
+};
+inline constexpr Reading reading_at_start{true, nullptr};
+
+/// Everything that is decided before a sequential function chart of a GRAFCET is written.
+///
+/// The chart has a step `observe` that is always active and whose action is executed last in each
+/// scan. It works out the time conditions, which the conditions of transitions see a scan later (as
+/// in the table method), assigns the outputs whose conditions no qualifier says, and keeps what the
+/// next scan compares with: the operands of edges, and copies of what these read.
+struct SfcPlan {
+    /// Nothing decided yet. The GRAFCET must outlive the plan.
+    explicit SfcPlan(const Grafcet& of)
+        : grafcet(&of),
+          chart(of),
+          forms(of.actions.size(), SfcForm::beyond),
+          copied_reads(of.actions.size()),
+          edges(of.expressions.edges().size(), false),
+          times(of.expressions.time_conditions().size(), false) {}
+
+    const Grafcet* grafcet;
+    SfcChart chart;
+    std::vector<SfcForm> forms;  ///< per action
+    /// Per action: what a stored one reads although another one may write it in the same scan.
+    std::vector<std::set<grafwire::Variable>> copied_reads;
+    std::set<std::uint32_t> controls;  ///< those of Init, AUdur and AUdoux that anything reads
+    std::set<OutputId> observed_outputs;
+    std::vector<bool> edges;  ///< per edge: whether anything reads it
+    std::vector<bool> times;  ///< per time condition: whether anything reads its bit
+    std::set<grafwire::Variable> copies;
+    std::set<std::size_t> time_copies;  ///< of the bits of time conditions
+    bool has_start_bit = false;         ///< `started`: 0 in the first scan only
+    /// Variables with two writes that can meet in one scan, and the actions that make them.
+    struct Meeting {
+        grafwire::Variable target;
+        std::set<std::size_t> actions;
+    };
+    std::vector<Meeting> meetings;  ///< in the order of the variables
+
+    bool has_observer() const;
+    Reading reading_of(std::size_t action) const { return {false, &copied_reads[action]}; }
+    std::size_t index_of_action(const Action& action) const {
+        return static_cast<std::size_t>(&action - grafcet->actions.data());
+    }
+};
+
+SfcPlan sfc_plan(const Grafcet& grafcet);
+
+}  // namespace grafwire::ladder

@@ -1,0 +1,69 @@
+#include "ladder/run_sfc.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ladder/ladder_from.h"
+#include "ladder/plcopen/write_plcopen.h"
+
+namespace grafwire::testing {
+
+WrittenSfc::WrittenSfc(const Grafcet& grafcet) {
+    const ScanProgram program = program_from(grafcet, {});
+    Diagnostics diagnostics;
+    const ladder::Ladder ladder = ladder::ladder_from(program, diagnostics);
+    REQUIRE(!diagnostics.has_errors());
+    xml = ladder::write_plcopen(program, ladder);
+    const std::vector<std::string> identifiers = ladder::identifiers_of(ladder);
+    for (std::size_t v = 0; v < ladder.declared; ++v) {
+        names.emplace_back(ladder.variables[v].name, identifiers[v]);
+    }
+    // The second program of the file.
+    const std::size_t first = xml.find("<pou name=\"");
+    const std::size_t second = xml.find("<pou name=\"", first + 1) + 11;
+    sfc = read_sfc(xml, xml.substr(second, xml.find('"', second) - second));
+}
+
+SfcRun run_sfc(const Grafcet& grafcet, const WrittenSfc& written, const SfcDialect& dialect,
+               const Stimuli& stimuli, Time period) {
+    SfcRun run{empty_trace(grafcet), {}};
+    SfcMachine machine(written.sfc, dialect);
+    const std::map<std::string, std::string> names(written.names.begin(), written.names.end());
+    const std::size_t last = written.sfc.actions.size() - 1;
+    std::vector<bool> inputs(grafcet.all_input_count(), false);
+    std::size_t next = 0;
+    for (Time now = 0; now <= stimuli.end; now += period) {
+        for (; next < stimuli.changes.size() && stimuli.changes[next].at <= now; ++next) {
+            for (const auto& [input, value] : stimuli.changes[next].assignments) {
+                inputs[input] = value;
+                machine.set_input(names.at(std::string(input_name(grafcet, input))), value);
+            }
+        }
+        SfcScanReport report = machine.scan(now);
+        std::erase_if(report.meetings, [&](const auto& meeting) { return meeting.second == last; });
+        if (!report.selections.empty() || !report.meetings.empty()) {
+            run.left_open = report;
+            return run;
+        }
+        run.trace.times.push_back(now);
+        for (std::size_t c = 0; c < run.trace.columns.size(); ++c) {
+            const bool is_input = c < inputs.size();
+            run.trace.values.push_back(
+                is_input ? inputs[c] : machine.value(names.at(run.trace.columns[c].name)));
+        }
+    }
+    return run;
+}
+
+Stimuli without_modes(Stimuli stimuli, const Grafcet& grafcet) {
+    for (Stimuli::Change& change : stimuli.changes) {
+        std::erase_if(change.assignments, [&](const Stimuli::Assignment& assignment) {
+            return assignment.input >= grafcet.inputs.size();
+        });
+    }
+    return stimuli;
+}
+
+}  // namespace grafwire::testing
