@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 
 namespace grafwire {
 
@@ -30,13 +30,13 @@ std::vector<std::string> declared_names(const Grafcet& grafcet) {
 
 LadderNames find_names(const Grafcet& grafcet, const ladder::Ladder& ladder) {
     const std::vector<std::string> names = declared_names(grafcet);
-    const std::vector<std::string> identifiers = ladder::Identifiers().add(names);
+    const std::vector<std::string> identifiers = iec::Identifiers().add(names);
     std::map<std::string, VariableId> spelled;
     std::map<std::string, VariableId> bits;  // by name in capitals
     for (std::uint32_t v = 0; v < ladder.variables.size(); ++v) {
         if (ladder.variables[v].type != ladder::Type::bit) continue;
         spelled.emplace(ladder.variables[v].name, VariableId{v});
-        bits.emplace(ladder::capitals(ladder.variables[v].name), VariableId{v});
+        bits.emplace(iec::capitals(ladder.variables[v].name), VariableId{v});
     }
     LadderNames found;
     std::size_t next = 0;
@@ -46,7 +46,7 @@ LadderNames find_names(const Grafcet& grafcet, const ladder::Ladder& ladder) {
         const auto exact = spelled.find(names[at]);
         if (exact != spelled.end()) return exact->second;
         for (const std::string* name : {&identifiers[at], &names[at]}) {
-            const auto bit = bits.find(ladder::capitals(*name));
+            const auto bit = bits.find(iec::capitals(*name));
             if (bit != bits.end()) return bit->second;
         }
         return std::nullopt;

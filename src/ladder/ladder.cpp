@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "iec/literals.h"
+
 namespace grafwire::ladder {
 
 namespace {
@@ -48,24 +50,12 @@ std::string operand_text(const Ladder& ladder, const Operand& operand) {
         case Operand::Kind::number:
             return fmt::format("{}", operand.value);
         case Operand::Kind::time:
-            return time_literal(operand.value);
+            return iec::time_literal(operand.value);
         case Operand::Kind::variable:
             break;
     }
     const Variable& variable = ladder.variable(operand.variable);
     return variable.type == Type::block ? variable.name + ".CV" : variable.name;
-}
-
-std::string time_literal(Time duration) {
-    if (duration % millisecond != 0) return fmt::format("T#{}us", duration / microsecond);
-    static constexpr std::pair<Time, const char*> units[] = {
-        {hour, "h"}, {minute, "m"}, {second, "s"}, {millisecond, "ms"}};
-    std::string text = "T#";
-    for (const auto& [unit, name] : units) {
-        if (duration >= unit) text += fmt::format("{}{}", duration / unit, name);
-        duration %= unit;
-    }
-    return text == "T#" ? "T#0ms" : text;
 }
 
 }  // namespace grafwire::ladder

@@ -193,9 +193,7 @@ struct Ladder {
     }
 };
 
-/// What a comparison or block reads, as text: `c`, `-3`, `T#1s500ms`, `C1.CV`.
+/// What a comparison or block reads, as text: `c`, `-3`, `T#1.5s`, `C1.CV`.
 std::string operand_text(const Ladder& ladder, const Operand& operand);
-/// A duration as an IEC 61131-3 literal: `T#1s500ms`; `T#250us` where milliseconds do not hold it.
-std::string time_literal(Time duration);
 
 }  // namespace grafwire::ladder

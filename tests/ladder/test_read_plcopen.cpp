@@ -232,7 +232,7 @@ TEST_CASE("what is not understood is refused, with its place") {
     CHECK(refusal(block(2, 9, "TON", "T1", {{"IN", "1"}})) ==
           "11:1: input PT of this block is not connected\n");
     CHECK(refusal(value(3, "n") + block(2, 9, "TON", "T1", {{"IN", "1"}, {"PT", "3"}})) ==
-          "11:1: 'n' is no time that is known beforehand: write one as T#1s500ms\n");
+          "11:1: 'n' is no time that is known beforehand: write one as T#1.5s\n");
     CHECK(refusal(block(2, 9, "TOF", "T1", {{"IN", "1"}, {"PT", "1"}})) ==
           "11:234: input PT of this block is fed by no number\n");
     CHECK(refusal(element("coil", 2, 9, 9, "1", "q", "negated=\"true\" storage=\"set\"")) ==

@@ -10,19 +10,19 @@
 #include "evolution/run.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/chart_files.h"
-#include "ladder/plcopen/sfc_remarks.h"
 #include "ladder/run_sfc.h"
 #include "ladder/sequence_chart.h"
 #include "random/random_cases.h"
 #include "random/random_stimuli.h"
 #include "random/read_text.h"
+#include "sfc/remarks.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-using Kind = ladder::SfcRemark::Kind;
-using Remarks = std::vector<ladder::SfcRemark>;
+using Kind = sfc::Remark::Kind;
+using Remarks = std::vector<sfc::Remark>;
 
 bool has(const Remarks& remarks, Kind kind) {
     return std::any_of(remarks.begin(), remarks.end(),
@@ -108,7 +108,7 @@ std::string compare_run(const Grafcet& grafcet, const WrittenSfc& written, const
 std::string compare(const RandomCase& item, Counts& counts) {
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = without_modes(*read_stimuli(item.stimuli, *grafcet), *grafcet);
-    const Remarks remarks = ladder::sfc_remarks(*grafcet);
+    const Remarks remarks = sfc::remarks_of(*grafcet);
     std::string at;
     try {
         const WrittenSfc written(*grafcet);

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "ladder/plcopen/sfc_remarks.h"
 #include "ladder/run_sfc.h"
 #include "random/read_text.h"
+#include "sfc/remarks.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-using Kind = ladder::SfcRemark::Kind;
+using Kind = sfc::Remark::Kind;
 
 struct Read {
     explicit Read(const std::string& text) : grafcet(read(text)), written(grafcet) {}
@@ -40,7 +40,7 @@ struct Read {
     }
     std::vector<std::string> remarks(Kind kind) const {
         std::vector<std::string> texts;
-        for (const auto& remark : ladder::sfc_remarks(grafcet)) {
+        for (const auto& remark : sfc::remarks_of(grafcet)) {
             if (remark.kind == kind) texts.push_back(remark.text);
         }
         return texts;

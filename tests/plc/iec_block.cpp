@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "plc/iec/iec_names.h"
+#include "iec/keywords.h"
 
 namespace grafwire::testing {
 
@@ -62,7 +62,7 @@ int compare_values(IecValue left, IecValue right, std::size_t line) {
 void IecBlock::read_declarations(IecTokenCursor& cursor) {
     cursor.expect("function_block");
     const std::string name = cursor.identifier();
-    if (is_iec_keyword(name)) cursor.fail("a block called '" + name + "'");
+    if (iec::is_keyword(name)) cursor.fail("a block called '" + name + "'");
     while (cursor.is("var_input") || cursor.is("var_output") || cursor.is("var")) {
         std::string kind = cursor.take().text;
         if (cursor.accept("constant")) kind += " constant";
@@ -82,7 +82,7 @@ void IecBlock::read_section(IecTokenCursor& cursor, const std::string& kind) {
     do {
         const std::size_t line = cursor.peek().line;
         const std::string name = cursor.identifier();
-        if (is_iec_keyword(name)) throw PlcError(line, "a variable called '" + name + "'");
+        if (iec::is_keyword(name)) throw PlcError(line, "a variable called '" + name + "'");
         IecVariable variable;
         variable.is_constant = kind == "var constant";
         variable.is_input = kind == "var_input";

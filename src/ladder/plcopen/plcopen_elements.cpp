@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 #include "text/utf8.h"
 
 namespace grafwire::ladder {
@@ -133,7 +133,7 @@ void PlcopenElements::read(pugi::xml_node node) {
 }
 
 void PlcopenElements::read_block(PlcopenElement& element) {
-    element.text = capitals(element.node.attribute("typeName").as_string());
+    element.text = iec::capitals(element.node.attribute("typeName").as_string());
     const bool is_known = block_named(element.text) != nullptr || comparison_named(element.text) ||
                           is_gate(element.text);
     if (!is_known) {
@@ -143,7 +143,7 @@ void PlcopenElements::read_block(PlcopenElement& element) {
     for (const pugi::xml_node variable : child_named(element.node, "inputVariables").children()) {
         if (variable.type() != pugi::node_element) continue;
         PlcopenInlet inlet = read_inlet(child_named(variable, "connectionPointIn"));
-        inlet.name = capitals(variable.attribute("formalParameter").as_string());
+        inlet.name = iec::capitals(variable.attribute("formalParameter").as_string());
         inlet.negated = variable.attribute("negated").as_bool();
         const std::string_view edge = variable.attribute("edge").as_string("none");
         if (edge != "none") {
@@ -187,7 +187,7 @@ void PlcopenElements::connect() {
                 const PlcopenElement& from = elements_[found->second];
                 std::string parameter;
                 if (from.kind == Kind::block) {
-                    parameter = capitals(connection.attribute("formalParameter").as_string());
+                    parameter = iec::capitals(connection.attribute("formalParameter").as_string());
                     if (parameter.empty()) parameter = default_output(from.text);
                 }
                 if (from.kind == Kind::right_rail || from.kind == Kind::out_variable ||

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ladder/identifiers.h"
-#include "ladder/iec_literals.h"
+#include "iec/identifiers.h"
+#include "iec/literals.h"
 #include "text/utf8.h"
 
 namespace grafwire::ladder {
@@ -61,7 +61,7 @@ void PlcopenVariables::read_variable(pugi::xml_node node, Role role) {
     variable.name = node.attribute("name").as_string();
     variable.role = role;
     variable.comment = text_of(child_named(node, "documentation"));
-    const std::string key = capitals(variable.name);
+    const std::string key = iec::capitals(variable.name);
     const pugi::xml_node type = child_named(node, "type").find_child([](pugi::xml_node child) {
         return child.type() == pugi::node_element;
     });
@@ -70,7 +70,7 @@ void PlcopenVariables::read_variable(pugi::xml_node node, Role role) {
     const std::string initial = initial_text(node);
     const BlockTypeRow* block = function_block_named(type_name);
     if (type_name == "TIME") {
-        if (const auto time = parse_time_literal(initial)) times_.emplace(key, *time);
+        if (const auto time = iec::parse_time_literal(initial)) times_.emplace(key, *time);
     }
     if (type_name == "BOOL") {
         variable.type = Type::bit;
@@ -84,7 +84,7 @@ void PlcopenVariables::read_variable(pugi::xml_node node, Role role) {
         return;
     }
     if (!initial.empty() && block == nullptr) {
-        const auto value = parse_number_literal(initial);
+        const auto value = iec::parse_number_literal(initial);
         if (!value) {
             source_.error(node,
                           fmt::format("'{}' is no initial value of '{}'", initial, variable.name));
@@ -97,23 +97,23 @@ void PlcopenVariables::read_variable(pugi::xml_node node, Role role) {
 }
 
 bool PlcopenVariables::is_integer(std::string_view name) const {
-    const auto found = ids_.find(capitals(name));
+    const auto found = ids_.find(iec::capitals(name));
     return found != ids_.end() && ladder_.variable(found->second).type == Type::integer;
 }
 
 VariableId PlcopenVariables::add_hidden(std::string name, Type type) {
-    while (ids_.count(capitals(name)) > 0) name += '_';
+    while (ids_.count(iec::capitals(name)) > 0) name += '_';
     Variable variable;
     variable.name = name;
     variable.type = type;
     const VariableId id = ladder_.add(std::move(variable));
-    ids_.emplace(capitals(name), id);
+    ids_.emplace(iec::capitals(name), id);
     return id;
 }
 
 std::optional<VariableId> PlcopenVariables::find(std::string_view name,
                                                  pugi::xml_node where) const {
-    const std::string key = capitals(name);
+    const std::string key = iec::capitals(name);
     if (const auto found = ids_.find(key); found != ids_.end()) return found->second;
     if (const auto foreign = foreign_.find(key); foreign != foreign_.end()) {
         source_.error(where, fmt::format("'{}' is of type {}; only BOOL, integers and the blocks "
@@ -136,7 +136,7 @@ std::optional<VariableId> PlcopenVariables::bit(std::string_view name, pugi::xml
     if (!id) return std::nullopt;
     const Variable& variable = ladder_.variable(*id);
     const bool is_output = dot != std::string_view::npos && variable.type == Type::block &&
-                           capitals(name.substr(dot + 1)) == row_of(variable.block).output;
+                           iec::capitals(name.substr(dot + 1)) == row_of(variable.block).output;
     if (is_output || (dot == std::string_view::npos && variable.type == Type::bit)) return id;
     source_.error(where, fmt::format("{} is no bit", in_quotes(name)));
     return std::nullopt;
@@ -166,28 +166,28 @@ std::optional<Operand> PlcopenVariables::operand(std::string_view text, Operand:
     Operand operand;
     operand.kind = wanted;
     if (wanted == Operand::Kind::time) {
-        auto time = parse_time_literal(text);
+        auto time = iec::parse_time_literal(text);
         if (!time) {
-            const auto constant = times_.find(capitals(text));
+            const auto constant = times_.find(iec::capitals(text));
             if (constant != times_.end()) time = constant->second;
         }
         if (!time) {
             source_.error(where, fmt::format("{} is no time that is known beforehand: write one as "
-                                             "T#1s500ms",
+                                             "T#1.5s",
                                              in_quotes(text)));
             return std::nullopt;
         }
         operand.value = *time;
         return operand;
     }
-    if (const auto number = parse_number_literal(text)) {
+    if (const auto number = iec::parse_number_literal(text)) {
         operand.value = *number;
         return operand;
     }
     operand.kind = Operand::Kind::variable;
     const std::size_t dot = text.find('.');
     const bool is_count =
-        !of_bits && dot != std::string_view::npos && capitals(text.substr(dot)) == ".CV";
+        !of_bits && dot != std::string_view::npos && iec::capitals(text.substr(dot)) == ".CV";
     const auto id = is_count  ? find(text.substr(0, dot), where)
                     : of_bits ? bit(text, where)
                               : integer(text, where);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 #include "ladder/plcopen/plcopen_networks.h"
 #include "text/utf8.h"
 
@@ -22,7 +22,7 @@ pugi::xml_node find_program(const PlcopenSource& source, std::string_view wanted
     for (const pugi::xml_node pou : child_named(child_named(root, "types"), "pous").children()) {
         if (!child_named(child_named(pou, "body"), "LD")) continue;
         const std::string_view name = pou.attribute("name").as_string();
-        if (!wanted.empty() && capitals(name) != capitals(wanted)) continue;
+        if (!wanted.empty() && iec::capitals(name) != iec::capitals(wanted)) continue;
         found.push_back(pou);
         names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
     }

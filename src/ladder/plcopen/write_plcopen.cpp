@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 #include "ladder/plcopen/plcopen_parts.h"
 
 namespace grafwire::ladder {
@@ -117,7 +117,7 @@ pugi::xml_node add_program(pugi::xml_node pous, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> identifiers_of(const Ladder& ladder) {
-    Identifiers identifiers;
+    iec::Identifiers identifiers;
     std::vector<std::string> declared;
     std::vector<std::string> others;
     for (std::size_t v = 0; v < ladder.variables.size(); ++v) {
@@ -130,7 +130,7 @@ std::vector<std::string> identifiers_of(const Ladder& ladder) {
 
 std::string write_plcopen(const ScanProgram& scan, const Ladder& ladder) {
     const std::vector<std::string> names = identifiers_of(ladder);
-    Identifiers programs;
+    iec::Identifiers programs;
     const std::string program = programs.add({ladder.name}).front();
     const std::string chart = programs.add({ladder.name + " SFC"}).front();
     pugi::xml_document document;
@@ -150,8 +150,8 @@ std::string write_plcopen(const ScanProgram& scan, const Ladder& ladder) {
     write_ladder_body(ladder, names, add(add(pou, "body"), "LD"));
     add_text(add(pou, "documentation"), documentation_of(ladder, names));
 
-    const SfcPlan plan = sfc_plan(*scan.grafcet);
-    const SfcNames sfc_name_list = sfc_names(plan);
+    const sfc::Plan plan = sfc::plan_of(*scan.grafcet);
+    const sfc::Names sfc_name_list = sfc::names_of(plan);
     pugi::xml_node sfc = add_program(pous, chart);
     write_sfc_interface(plan, sfc_name_list, sfc);
     write_sfc_body(plan, sfc_name_list, add(add(sfc, "body"), "SFC"));

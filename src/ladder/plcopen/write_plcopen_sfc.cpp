@@ -8,11 +8,11 @@
 
 #include "grafcet/write_grafcet.h"
 #include "ladder/plcopen/plcopen_parts.h"
-#include "ladder/plcopen/sfc_actions.h"
-#include "ladder/plcopen/sfc_layout.h"
-#include "ladder/plcopen/sfc_observer.h"
-#include "ladder/plcopen/sfc_remarks.h"
-#include "ladder/plcopen/structured_text.h"
+#include "sfc/actions.h"
+#include "sfc/layout.h"
+#include "sfc/observer.h"
+#include "sfc/remarks.h"
+#include "sfc/structured_text.h"
 
 namespace grafwire::ladder {
 
@@ -39,12 +39,12 @@ struct Cell {
 
 class SfcBody {
   public:
-    SfcBody(const SfcPlan& plan, const SfcNames& names, pugi::xml_node body)
+    SfcBody(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node body)
         : plan_(plan),
           chart_(plan.chart),
           names_(names),
           text_(plan, names),
-          layout_(sfc_layout(chart_)),
+          layout_(sfc::layout_of(chart_)),
           body_(body) {}
 
     /// The observer's action stands last: actions are executed in the order of the file.
@@ -63,7 +63,7 @@ class SfcBody {
 
   private:
     Cell make(const char* name, Point middle, int width, int height);
-    Point middle_of(const SfcLayout::Place& place) const {
+    Point middle_of(const sfc::Layout::Place& place) const {
         return {140 + column_width * place.column, top_ + level_height * place.level};
     }
     int column_of(StepId id) const { return middle_of(layout_.steps[index_of(id)]).x; }
@@ -71,7 +71,7 @@ class SfcBody {
     void make_elements();
     void make_transition(TransitionId id);
     void make_observer();
-    void write_actions(const Cell& step, const std::vector<SfcAction>& actions);
+    void write_actions(const Cell& step, const std::vector<sfc::ActionBlockEntry>& actions);
     void connect_step(StepId id);
     void connect_transition(TransitionId id);
     void write_condition(TransitionId id);
@@ -80,16 +80,16 @@ class SfcBody {
     static void connect_bar(const Cell& bar, const std::vector<Outlet>& sources,
                             const std::vector<int>& ends, bool named_outlets);
     void write_remarks();
-    std::vector<SfcLayout::Link> joined(StepId id) const;
+    std::vector<sfc::Layout::Link> joined(StepId id) const;
     /// What a transition or step at column x hangs on: what is before it, or the bar below that.
     Outlet out_of(StepId id, int x) const;
     Outlet out_of(TransitionId id, int x) const;
 
-    const SfcPlan& plan_;
-    const SfcChart& chart_;
-    const SfcNames& names_;
-    StructuredText text_;
-    SfcLayout layout_;
+    const sfc::Plan& plan_;
+    const sfc::Chart& chart_;
+    const sfc::Names& names_;
+    sfc::StructuredText text_;
+    sfc::Layout layout_;
     PlcopenBody body_;
     int top_ = 60;  ///< of the first level
     Cell observer_;
@@ -107,9 +107,9 @@ Cell SfcBody::make(const char* name, Point middle, int width, int height) {
     return {body_.element(name, corner, width, height), corner, width, height};
 }
 
-std::vector<SfcLayout::Link> SfcBody::joined(StepId id) const {
-    std::vector<SfcLayout::Link> links;
-    for (const SfcLayout::Link& link : layout_.into[index_of(id)]) {
+std::vector<sfc::Layout::Link> SfcBody::joined(StepId id) const {
+    std::vector<sfc::Layout::Link> links;
+    for (const sfc::Layout::Link& link : layout_.into[index_of(id)]) {
         if (!link.is_jump) links.push_back(link);
     }
     return links;
@@ -133,7 +133,8 @@ void SfcBody::make_elements() {
         std::vector<int> below{middle.x};
         std::vector<int> above{middle.x};
         for (const TransitionId next : layout_.out_of[s]) below.push_back(column_of(next));
-        for (const SfcLayout::Link& link : joined(id)) above.push_back(column_of(link.transition));
+        for (const sfc::Layout::Link& link : joined(id))
+            above.push_back(column_of(link.transition));
         if (below.size() > 2) {
             selections_[id] = make_bar("selectionDivergence", below, middle.y + 60, 1);
         }
@@ -152,7 +153,7 @@ void SfcBody::make_transition(TransitionId id) {
     for (const StepId step : chart_.preceding(id)) above.push_back(column_of(step));
     int jump_x = middle.x;
     for (const StepId step : chart_.following(id)) {
-        const std::vector<SfcLayout::Link>& links = layout_.into[index_of(step)];
+        const std::vector<sfc::Layout::Link>& links = layout_.into[index_of(step)];
         const bool is_jump = std::any_of(links.begin(), links.end(), [&](const auto& link) {
             return link.transition == id && link.is_jump;
         });
@@ -202,7 +203,7 @@ void SfcBody::connect_step(StepId id) {
     const int x = cell.above().x;
     std::vector<Outlet> sources;
     const auto convergence = convergences_.find(id);
-    for (const SfcLayout::Link& link : joined(id)) {
+    for (const sfc::Layout::Link& link : joined(id)) {
         const bool is_alone = convergence == convergences_.end();
         sources.push_back(out_of(link.transition, is_alone ? x : column_of(link.transition)));
     }
@@ -212,7 +213,7 @@ void SfcBody::connect_step(StepId id) {
     }
     if (!sources.empty()) PlcopenBody::inlet(cell.node, cell.corner, cell.above(), sources);
     PlcopenBody::outlet(cell.node, cell.corner, cell.below().at, true);
-    const std::vector<SfcAction> actions = sfc_actions(plan_, names_, id);
+    const std::vector<sfc::ActionBlockEntry> actions = sfc::actions_of(plan_, names_, id);
     if (!actions.empty()) write_actions(cell, actions);
     const auto selection = selections_.find(id);
     if (selection == selections_.end()) return;
@@ -240,7 +241,7 @@ void SfcBody::connect_transition(TransitionId id) {
     const auto split = splits_.find(id);
     std::vector<int> ends;
     for (const StepId step : chart_.following(id)) {
-        for (const SfcLayout::Link& link : joined(step)) {
+        for (const sfc::Layout::Link& link : joined(step)) {
             if (link.transition != id) continue;
             const bool converges = convergences_.count(step) > 0;
             ends.push_back(converges ? column_of(id) : column_of(step));
@@ -275,7 +276,7 @@ void SfcBody::make_observer() {
 }
 
 /// An action block to the right of a step.
-void SfcBody::write_actions(const Cell& step, const std::vector<SfcAction>& actions) {
+void SfcBody::write_actions(const Cell& step, const std::vector<sfc::ActionBlockEntry>& actions) {
     const Point side{step.corner.x + step.width, step.corner.y + step.height / 2};
     PlcopenBody::outlet(step.node, step.corner, side, true, "connectionPointOutAction");
     write_sfc_action_block(actions, {PlcopenBody::id_of(step.node), "", side}, body_);
@@ -283,7 +284,7 @@ void SfcBody::write_actions(const Cell& step, const std::vector<SfcAction>& acti
 
 void SfcBody::write_remarks() {
     Point at{140 + column_width * layout_.columns, 20};
-    for (const SfcRemark& remark : sfc_remarks(plan_, names_)) {
+    for (const sfc::Remark& remark : sfc::remarks_of(plan_, names_)) {
         body_.comment(at, 500, remark.text);
         at.y += 30;
     }
@@ -291,7 +292,7 @@ void SfcBody::write_remarks() {
 
 }  // namespace
 
-void write_sfc_body(const SfcPlan& plan, const SfcNames& names, pugi::xml_node body) {
+void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node body) {
     SfcBody(plan, names, body).write();
 }
 

@@ -79,7 +79,7 @@ const char* integer_type(const Grafcet& grafcet) {
     return holds(INT16_MAX) ? "INT" : holds(INT32_MAX) ? "DINT" : "LINT";
 }
 
-void add_times(const Grafcet& grafcet, const SfcNames& names, Interface& interface) {
+void add_times(const Grafcet& grafcet, const sfc::Names& names, Interface& interface) {
     for (std::size_t i = 0; i < names.times.size(); ++i) {
         if (names.times[i].empty()) continue;
         const ExprId id = grafcet.expressions.time_conditions()[i];
@@ -91,7 +91,7 @@ void add_times(const Grafcet& grafcet, const SfcNames& names, Interface& interfa
 }
 
 /// Copies begin with what they are copies of.
-void add_copies(const Grafcet& grafcet, const SfcNames& names, const char* integer,
+void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* integer,
                 Interface& interface) {
     const auto any_initial = [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -126,7 +126,7 @@ void add_copies(const Grafcet& grafcet, const SfcNames& names, const char* integ
 
 }  // namespace
 
-void write_sfc_interface(const SfcPlan& plan, const SfcNames& names, pugi::xml_node pou) {
+void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node pou) {
     const Grafcet& grafcet = *plan.grafcet;
     Interface interface(pou);
     interface.begin("inputVars");

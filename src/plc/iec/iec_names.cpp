@@ -2,43 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "grafcet/write_grafcet.h"
+#include "iec/keywords.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"
 
 namespace grafwire {
 
 namespace {
-
-// In the order of bytes, for binary search.
-// clang-format off
-constexpr std::string_view keywords[] = {
-    "abs", "acos", "action", "add", "and", "andn", "any", "any_bit", "any_date", "any_derived",
-    "any_elementary", "any_int", "any_magnitude", "any_num", "any_real", "any_string", "array",
-    "asin", "at", "atan", "bool", "by", "byte", "cal", "calc", "calcn", "case", "cd", "clk",
-    "concat", "configuration", "constant", "continue", "cos", "ctd", "ctu", "ctud", "cu", "cv",
-    "date", "date_and_time", "delete", "dint", "div", "do", "dt", "dword", "else", "elsif", "en",
-    "end_action", "end_case", "end_configuration", "end_for", "end_function", "end_function_block",
-    "end_if", "end_program", "end_repeat", "end_resource", "end_step", "end_struct",
-    "end_transition", "end_type", "end_var", "end_while", "eno", "eq", "et", "exit", "exp", "expt",
-    "f_edge", "f_trig", "false", "find", "for", "from", "function", "function_block", "ge", "gt",
-    "if", "in", "initial_step", "insert", "int", "interval", "jmp", "jmpc", "jmpcn", "ld", "ldate",
-    "ldn", "ldt", "le", "left", "len", "limit", "lint", "ln", "log", "lreal", "lt", "ltime", "ltod",
-    "lword", "max", "mid", "min", "mod", "move", "mul", "mux", "n", "namespace", "ne", "non_retain",
-    "not", "of", "on", "or", "orn", "overlap", "override", "pointer", "priority", "program", "pt",
-    "pv", "q", "q1", "qd", "qu", "r", "r1", "r_edge", "r_trig", "read_only", "read_write", "real",
-    "ref", "ref_to", "repeat", "replace", "resource", "ret", "retain", "retc", "retcn", "return",
-    "right", "rol", "ror", "rs", "rtc", "s", "s1", "sd", "sel", "sema", "shl", "shr", "sin",
-    "single", "sint", "sqrt", "sr", "st", "step", "stn", "string", "struct", "sub", "super", "tan",
-    "task", "then", "this", "time", "time_of_day", "to", "tod", "tof", "ton", "tp", "transition",
-    "true", "trunc", "type", "udint", "uint", "ulint", "until", "using", "usint", "var",
-    "var_access", "var_config", "var_external", "var_global", "var_in_out", "var_input",
-    "var_output", "var_temp", "while", "with", "word", "wstring", "xor", "xorn"
-};
-// clang-format on
 
 /// The table's name of the method (Cordier, section 3.2); empty where the bits have names of their
 /// own.
@@ -69,16 +40,6 @@ std::string table_word(BitKind kind) {
 
 }  // namespace
 
-bool is_iec_keyword(std::string_view word) {
-    return std::binary_search(std::begin(keywords), std::end(keywords), word);
-}
-
-std::string iec_time(Time duration) {
-    std::string text = format_duration(duration);
-    if (text.ends_with("min")) text.resize(text.size() - 2);  // m is the minute of the language
-    return "T#" + text;
-}
-
 std::string iec_comment(std::string_view text) {
     std::string comment = "(* ";
     for (const char c : comment_text(text)) {
@@ -95,7 +56,7 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay) {
 }
 
 IecNames::IecNames(const ScanProgram& program)
-    : program_(program), grafcet_(*program.grafcet), names_(false, is_iec_keyword) {
+    : program_(program), grafcet_(*program.grafcet), names_(false, iec::is_keyword) {
     claim_interface();
     claim_tables();
     claim_edges();

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "plc/shared/safe_names.h"
 #include "program/program.h"
+#include "text/safe_names.h"
 
 namespace grafwire {
 
@@ -67,13 +67,6 @@ class IecNames {
     std::vector<std::string> scratch_bits_, scratch_integers_;
     std::vector<std::pair<std::string, std::string>> changed_;
 };
-
-/// Whether a word, in lower case, is reserved in IEC 61131-3: keywords, types, operators of both
-/// languages, standard functions and function blocks.
-bool is_iec_keyword(std::string_view word);
-
-/// `T#1.5s`, exactly the duration (the last unit of a literal may have a fraction).
-std::string iec_time(Time duration);
 
 /// A comment of IEC 61131-3; a text that would end it early is written with a blank more.
 std::string iec_comment(std::string_view text);

@@ -10,6 +10,7 @@
 
 #include <span>
 
+#include "iec/literals.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
 #include "plc/shared/program_needs.h"
@@ -241,7 +242,7 @@ void IlWriter::write_time(const Statement& statement) {
     const auto call = [&](const std::string& timer, const Condition& input, Time delay) {
         load(input);
         op("ST", timer + ".IN");
-        op("CAL", fmt::format("{}(PT := {})", timer, iec_time(delay)));
+        op("CAL", fmt::format("{}(PT := {})", timer, iec::time_literal(delay)));
     };
     switch (iec_timer_for(statement.on_delay, statement.off_delay)) {
         case IecTimer::copy:

@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 
+#include "iec/literals.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
 #include "plc/shared/condition_text.h"
@@ -193,7 +194,7 @@ void StWriter::write_time(const Statement& statement) {
     const Bit bit = statement.targets.front();
     const std::string operand = conditions_.of(statement.condition);
     const auto call = [&](const std::string& timer, const std::string& input, Time delay) {
-        line(fmt::format("{}(IN := {}, PT := {});", timer, input, iec_time(delay)));
+        line(fmt::format("{}(IN := {}, PT := {});", timer, input, iec::time_literal(delay)));
     };
     const std::string value = names_.of(bit);
     switch (iec_timer_for(statement.on_delay, statement.off_delay)) {

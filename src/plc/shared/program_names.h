@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "plc/shared/safe_names.h"
 #include "program/program.h"
+#include "text/safe_names.h"
 
 namespace grafwire {
 

@@ -1,24 +1,24 @@
-#include "ladder/plcopen/sfc_remarks.h"
+#include "sfc/remarks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
-#include "ladder/plcopen/sfc_exclusion.h"
+#include "sfc/exclusion.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
-using Kind = SfcRemark::Kind;
+using Kind = Remark::Kind;
 
 class Remarks {
   public:
-    Remarks(const SfcPlan& plan, const SfcNames& names)
+    Remarks(const Plan& plan, const Names& names)
         : plan_(plan), grafcet_(*plan.grafcet), names_(names) {}
 
-    std::vector<SfcRemark> make() {
+    std::vector<Remark> make() {
         orders();
         enclosures();
         clearing_actions();
@@ -63,10 +63,10 @@ class Remarks {
     void meetings();
     void initial_steps();
 
-    const SfcPlan& plan_;
+    const Plan& plan_;
     const Grafcet& grafcet_;
-    const SfcNames& names_;
-    std::vector<SfcRemark> remarks_;
+    const Names& names_;
+    std::vector<Remark> remarks_;
 };
 
 std::string Remarks::order_text(const Order& order) const {
@@ -121,7 +121,7 @@ void Remarks::clearing_actions() {
 
 /// Per step, the transitions after it of which two can be cleared at once.
 void Remarks::selections() {
-    const SfcExclusion exclusion(grafcet_);
+    const Exclusion exclusion(grafcet_);
     std::vector<std::vector<TransitionId>> after(grafcet_.steps.size());
     for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
         for (const StepId step : grafcet_.preceding(grafcet_.transitions[TransitionId{t}])) {
@@ -160,7 +160,7 @@ std::string Remarks::trigger_text(const Action& action) const {
 }
 
 void Remarks::meetings() {
-    for (const SfcPlan::Meeting& meeting : plan_.meetings) {
+    for (const Plan::Meeting& meeting : plan_.meetings) {
         std::string list;
         for (const std::size_t action : meeting.actions) {
             list += (list.empty() ? "" : "; ") + trigger_text(grafcet_.actions[action]);
@@ -186,13 +186,13 @@ void Remarks::initial_steps() {
 
 }  // namespace
 
-std::vector<SfcRemark> sfc_remarks(const SfcPlan& plan, const SfcNames& names) {
+std::vector<Remark> remarks_of(const Plan& plan, const Names& names) {
     return Remarks(plan, names).make();
 }
 
-std::vector<SfcRemark> sfc_remarks(const Grafcet& grafcet) {
-    const SfcPlan plan = sfc_plan(grafcet);
-    return sfc_remarks(plan, sfc_names(plan));
+std::vector<Remark> remarks_of(const Grafcet& grafcet) {
+    const Plan plan = plan_of(grafcet);
+    return remarks_of(plan, names_of(plan));
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -9,14 +9,14 @@
 // Then all expressions are walked through, to find which edges, time conditions and copies they
 // ask for; copies serve where a variable is read that may have been written earlier in the scan.
 
-#include "ladder/plcopen/sfc_plan.h"
+#include "sfc/plan.h"
 
 #include <algorithm>
 #include <map>
 
-#include "ladder/plcopen/sfc_exclusion.h"
+#include "sfc/exclusion.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
@@ -25,7 +25,7 @@ class Planner {
     explicit Planner(const Grafcet& grafcet)
         : grafcet_(grafcet), exclusion_(grafcet), plan_(grafcet) {}
 
-    SfcPlan make() {
+    Plan make() {
         for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
             const Action& action = grafcet_.actions[a];
             if (action.kind == ActionKind::continuous) drivers_[action.output].push_back(a);
@@ -40,49 +40,49 @@ class Planner {
 
   private:
     void choose_continuous(OutputId output, const std::vector<std::size_t>& actions);
-    SfcForm continuous_form(const Action& action) const;
+    Form continuous_form(const Action& action) const;
     void choose_stored();
     bool has_latch_form(const std::vector<std::size_t>& writers) const;
     void find_meetings();
     bool meets_any(std::size_t action, const std::vector<std::size_t>& others) const;
-    std::set<grafwire::Variable> reads_of(const Action& action) const;
-    void collect_reads(ExprId id, std::set<grafwire::Variable>& reads) const;
-    void collect_reads(const Sum& sum, std::set<grafwire::Variable>& reads) const;
+    std::set<Variable> reads_of(const Action& action) const;
+    void collect_reads(ExprId id, std::set<Variable>& reads) const;
+    void collect_reads(const Sum& sum, std::set<Variable>& reads) const;
 
     void walk_all();
     void walk_stored(std::size_t action);
     void walk(ExprId id, const Reading& reading);
     void walk(const Sum& sum, const Reading& reading);
-    void walk(grafwire::Variable variable, const Reading& reading) {
+    void walk(Variable variable, const Reading& reading) {
         if (variable.kind == VariableKind::control) plan_.controls.insert(variable.index);
         if (reading.is_copy(variable)) plan_.copies.insert(variable);
     }
 
     const Grafcet& grafcet_;
-    SfcExclusion exclusion_;
-    SfcPlan plan_;
+    Exclusion exclusion_;
+    Plan plan_;
     std::map<OutputId, std::vector<std::size_t>> drivers_;  ///< its continuous actions
-    std::map<grafwire::Variable, std::vector<std::size_t>> writers_;
+    std::map<Variable, std::vector<std::size_t>> writers_;
 };
 
 /// The time condition of a delayed or time-limited action of its own step.
-SfcForm Planner::continuous_form(const Action& action) const {
+Form Planner::continuous_form(const Action& action) const {
     const Expressions& pool = grafcet_.expressions;
     ExprId id = action.expression;
-    if (id == no_expr) return SfcForm::non_stored;
+    if (id == no_expr) return Form::non_stored;
     const bool negated = pool.kind(id) == ExprKind::negation;
     if (negated) id = pool.operands(id).front();
-    if (pool.kind(id) != ExprKind::time_condition) return SfcForm::observed;
+    if (pool.kind(id) != ExprKind::time_condition) return Form::observed;
     const TimeCondition& condition = pool.time_condition_of(id);
     const bool is_own_step =
         condition.off_delay == 0 && pool.kind(condition.operand) == ExprKind::variable &&
         pool.variable_of(condition.operand) ==
-            grafwire::Variable{VariableKind::step, static_cast<std::uint32_t>(action.step)};
+            Variable{VariableKind::step, static_cast<std::uint32_t>(action.step)};
     if (!is_own_step || !exclusion_.is_sequence(grafcet_.steps[action.step].graph) ||
         exclusion_.leads_to(action.step, action.step)) {
-        return SfcForm::observed;
+        return Form::observed;
     }
-    return negated ? SfcForm::limited : SfcForm::delayed;
+    return negated ? Form::limited : Form::delayed;
 }
 
 /// Several delays of one output would need several timers in one control of an action: an error
@@ -92,12 +92,12 @@ void Planner::choose_continuous(OutputId output, const std::vector<std::size_t>&
     bool is_observed = false;
     for (const std::size_t a : actions) {
         plan_.forms[a] = continuous_form(grafcet_.actions[a]);
-        if (plan_.forms[a] == SfcForm::observed) is_observed = true;
-        if (plan_.forms[a] != SfcForm::non_stored) ++timed;
+        if (plan_.forms[a] == Form::observed) is_observed = true;
+        if (plan_.forms[a] != Form::non_stored) ++timed;
     }
     if (!is_observed && timed <= 1) return;
     plan_.observed_outputs.insert(output);
-    for (const std::size_t a : actions) plan_.forms[a] = SfcForm::observed;
+    for (const std::size_t a : actions) plan_.forms[a] = Form::observed;
 }
 
 /// Whether the writes of a variable are all S and R of one sequence, none of them at the start.
@@ -124,20 +124,20 @@ void Planner::choose_stored() {
     for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
         const Action& action = grafcet_.actions[a];
         if (action.kind != ActionKind::stored) continue;
-        plan_.forms[a] = action.trigger == Trigger::activation     ? SfcForm::activation
-                         : action.trigger == Trigger::deactivation ? SfcForm::deactivation
-                                                                   : SfcForm::event;
+        plan_.forms[a] = action.trigger == Trigger::activation     ? Form::activation
+                         : action.trigger == Trigger::deactivation ? Form::deactivation
+                                                                   : Form::event;
     }
     for (const auto& [target, actions] : writers_) {
         if (!has_latch_form(actions)) continue;
         for (const std::size_t a : actions) {
             const bool sets = grafcet_.actions[a].write.operation == WriteOperation::set;
-            plan_.forms[a] = sets ? SfcForm::set : SfcForm::reset;
+            plan_.forms[a] = sets ? Form::set : Form::reset;
         }
     }
 }
 
-void Planner::collect_reads(const Sum& sum, std::set<grafwire::Variable>& reads) const {
+void Planner::collect_reads(const Sum& sum, std::set<Variable>& reads) const {
     for (const SumTerm& term : sum) {
         if (term.counter != SumTerm::no_counter)
             reads.insert({VariableKind::counter, term.counter});
@@ -145,7 +145,7 @@ void Planner::collect_reads(const Sum& sum, std::set<grafwire::Variable>& reads)
 }
 
 /// What is read as it is now: edges and time conditions are not.
-void Planner::collect_reads(ExprId id, std::set<grafwire::Variable>& reads) const {
+void Planner::collect_reads(ExprId id, std::set<Variable>& reads) const {
     const Expressions& pool = grafcet_.expressions;
     switch (pool.kind(id)) {
         case ExprKind::variable:
@@ -164,8 +164,8 @@ void Planner::collect_reads(ExprId id, std::set<grafwire::Variable>& reads) cons
     }
 }
 
-std::set<grafwire::Variable> Planner::reads_of(const Action& action) const {
-    std::set<grafwire::Variable> reads;
+std::set<Variable> Planner::reads_of(const Action& action) const {
+    std::set<Variable> reads;
     if (action.trigger == Trigger::event) collect_reads(action.expression, reads);
     if (action.write.operation != WriteOperation::assign) return reads;
     if (action.write.target.kind == VariableKind::counter) {
@@ -177,11 +177,11 @@ std::set<grafwire::Variable> Planner::reads_of(const Action& action) const {
 }
 
 void Planner::find_meetings() {
-    std::map<grafwire::Variable, std::set<std::size_t>> meetings;
+    std::map<Variable, std::set<std::size_t>> meetings;
     for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
         const Action& action = grafcet_.actions[a];
         if (action.kind != ActionKind::stored) continue;
-        for (const grafwire::Variable variable : reads_of(action)) {
+        for (const Variable variable : reads_of(action)) {
             const auto written = writers_.find(variable);
             if (written != writers_.end() && meets_any(a, written->second)) {
                 plan_.copied_reads[a].insert(variable);
@@ -210,7 +210,7 @@ bool Planner::meets_any(std::size_t action, const std::vector<std::size_t>& othe
 void Planner::walk(const Sum& sum, const Reading& reading) {
     for (const SumTerm& term : sum) {
         if (term.counter == SumTerm::no_counter) continue;
-        walk(grafwire::Variable{VariableKind::counter, term.counter}, reading);
+        walk(Variable{VariableKind::counter, term.counter}, reading);
     }
 }
 
@@ -262,7 +262,7 @@ void Planner::walk_all() {
     for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
         const Action& action = grafcet_.actions[a];
         if (action.kind == ActionKind::stored) walk_stored(a);
-        if (plan_.forms[a] == SfcForm::observed && action.expression != no_expr) {
+        if (plan_.forms[a] == Form::observed && action.expression != no_expr) {
             walk(action.expression, Reading());
         }
     }
@@ -270,13 +270,13 @@ void Planner::walk_all() {
 
 }  // namespace
 
-bool SfcPlan::has_observer() const {
+bool Plan::has_observer() const {
     return has_start_bit || !observed_outputs.empty() || !copies.empty() ||
            std::find(times.begin(), times.end(), true) != times.end();
 }
 
-SfcPlan sfc_plan(const Grafcet& grafcet) {
+Plan plan_of(const Grafcet& grafcet) {
     return Planner(grafcet).make();
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

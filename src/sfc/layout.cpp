@@ -3,17 +3,17 @@
 // step is the length of the longest way to it without jumps, so that the branches of a selection or
 // of simultaneous sequences meet below all of them. A branch after the first opens a new column.
 
-#include "ladder/plcopen/sfc_layout.h"
+#include "sfc/layout.h"
 
 #include <algorithm>
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
 class Walk {
   public:
-    Walk(const SfcChart& chart, SfcLayout& layout)
+    Walk(const Chart& chart, Layout& layout)
         : chart_(chart), layout_(layout), states_(chart.step_count(), State::unseen) {
         layout.steps.resize(chart.step_count());
         layout.transitions.resize(chart.transition_count());
@@ -42,7 +42,7 @@ class Walk {
         for (const StepId step : finished_) {
             const int level = layout_.steps[index_of(step)].level;
             for (const TransitionId id : layout_.out_of[index_of(step)]) {
-                SfcLayout::Place& place = layout_.transitions[index_of(id)];
+                Layout::Place& place = layout_.transitions[index_of(id)];
                 place.level = std::max(place.level, level);
                 for (const StepId next : chart_.following(id)) {
                     if (is_jump(id, next)) continue;
@@ -124,8 +124,8 @@ class Walk {
         });
     }
 
-    const SfcChart& chart_;
-    SfcLayout& layout_;
+    const Chart& chart_;
+    Layout& layout_;
     std::vector<State> states_;
     std::vector<bool> placed_;  ///< per transition
     std::vector<StepId> finished_;
@@ -135,12 +135,12 @@ class Walk {
 
 }  // namespace
 
-SfcLayout sfc_layout(const SfcChart& chart) {
-    SfcLayout layout;
+Layout layout_of(const Chart& chart) {
+    Layout layout;
     Walk walk(chart, layout);
     for (std::uint32_t g = 0; g < chart.graph_count(); ++g) walk.walk_graph(GraphId{g});
     walk.set_levels();
     return layout;
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

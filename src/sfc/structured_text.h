@@ -3,10 +3,10 @@
 #include <string>
 
 #include "grafcet/grafcet.h"
-#include "ladder/plcopen/sfc_names.h"
-#include "ladder/plcopen/sfc_plan.h"
+#include "sfc/names.h"
+#include "sfc/plan.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// Expressions and writes of a GRAFCET in Structured Text (IEC 61131-3), with the names of its
 /// sequential function chart. Plan and names must outlive the writer.
@@ -15,14 +15,13 @@ namespace grafwire::ladder {
 /// as it was when the scan began: so it is the same wherever in the scan it is read.
 class StructuredText {
   public:
-    StructuredText(const SfcPlan& plan, const SfcNames& names)
-        : grafcet_(*plan.grafcet), names_(names) {}
+    StructuredText(const Plan& plan, const Names& names) : grafcet_(*plan.grafcet), names_(names) {}
 
     /// With parentheses where another operator may stand beside it, if `as_operand`.
     std::string expression(ExprId id, const Reading& reading = {}, bool as_operand = false) const;
     /// A stored write, as a statement with its semicolon.
     std::string statement(const Write& write, const Reading& reading) const;
-    std::string variable(grafwire::Variable variable, const Reading& reading = {}) const;
+    std::string variable(Variable variable, const Reading& reading = {}) const;
 
   private:
     // How strongly an operator binds.
@@ -35,7 +34,7 @@ class StructuredText {
     std::string any_step(std::uint32_t first, std::uint32_t count) const;
 
     const Grafcet& grafcet_;
-    const SfcNames& names_;
+    const Names& names_;
 };
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

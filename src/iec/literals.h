@@ -2,11 +2,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "text/time.h"
 
-namespace grafwire::ladder {
+namespace grafwire::iec {
+
+/// `T#5m`, `T#1.5s`: exactly the duration, in one unit, which may have a fraction
+/// (section 2.2.3.1); `T#250us` below a millisecond (3rd edition).
+std::string time_literal(Time duration);
 
 /// `T#1m30s500ms`, `TIME#1.5s`, `t#250us`; underscores are skipped. Empty where the text is none,
 /// or is negative or out of range.
@@ -16,4 +21,4 @@ std::optional<Time> parse_time_literal(std::string_view text);
 /// more than 64 bits.
 std::optional<std::int64_t> parse_number_literal(std::string_view text);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::iec

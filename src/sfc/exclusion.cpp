@@ -1,8 +1,8 @@
-#include "ladder/plcopen/sfc_exclusion.h"
+#include "sfc/exclusion.h"
 
 #include <algorithm>
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
@@ -31,7 +31,7 @@ bool is_never(const Expressions& pool, ExprId id) {
 
 }  // namespace
 
-SfcExclusion::SfcExclusion(const Grafcet& grafcet) : grafcet_(grafcet) {
+Exclusion::Exclusion(const Grafcet& grafcet) : grafcet_(grafcet) {
     for (const Graph& graph : grafcet.graphs) {
         std::size_t initial = 0;
         for (std::uint32_t i = 0; i < graph.step_count; ++i) {
@@ -55,7 +55,7 @@ SfcExclusion::SfcExclusion(const Grafcet& grafcet) : grafcet_(grafcet) {
     }
 }
 
-bool SfcExclusion::never_meet(const Action& a, const Action& b) const {
+bool Exclusion::never_meet(const Action& a, const Action& b) const {
     const bool a_leaves = a.trigger == Trigger::deactivation;
     const bool b_leaves = b.trigger == Trigger::deactivation;
     if (a.step == b.step) return a_leaves != b_leaves;
@@ -65,7 +65,7 @@ bool SfcExclusion::never_meet(const Action& a, const Action& b) const {
     return a_leaves ? !leads_to(a.step, b.step) : !leads_to(b.step, a.step);
 }
 
-bool SfcExclusion::never_both(const Transition& a, const Transition& b) const {
+bool Exclusion::never_both(const Transition& a, const Transition& b) const {
     const Expressions& pool = grafcet_.expressions;
     std::vector<ExprId> of_a;
     std::vector<ExprId> of_b;
@@ -80,4 +80,4 @@ bool SfcExclusion::never_both(const Transition& a, const Transition& b) const {
     });
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

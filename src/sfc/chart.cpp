@@ -1,8 +1,8 @@
-#include "ladder/plcopen/sfc_chart.h"
+#include "sfc/chart.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
-SfcChart::SfcChart(const Grafcet& grafcet) {
+Chart::Chart(const Grafcet& grafcet) {
     for (const Step& step : grafcet.steps) initial_.push_back(step.initial);
     for (const Graph& graph : grafcet.graphs) {
         graphs_.emplace_back();
@@ -27,7 +27,7 @@ SfcChart::SfcChart(const Grafcet& grafcet) {
     }
 }
 
-StepId SfcChart::add_step(TransitionId transition, GraphId graph, bool is_source) {
+StepId Chart::add_step(TransitionId transition, GraphId graph, bool is_source) {
     const StepId id{static_cast<std::uint32_t>(initial_.size())};
     initial_.push_back(is_source);
     graphs_[index_of(graph)].push_back(id);
@@ -35,4 +35,4 @@ StepId SfcChart::add_step(TransitionId transition, GraphId graph, bool is_source
     return id;
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

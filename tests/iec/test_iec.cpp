@@ -1,19 +1,19 @@
 #include <doctest/doctest.h>
 
-#include "ladder/identifiers.h"
-#include "ladder/iec_literals.h"
-#include "ladder/ladder.h"
+#include "iec/identifiers.h"
+#include "iec/literals.h"
 
 namespace grafwire::testing {
 
-using namespace ladder;
+using namespace iec;
 
 TEST_CASE("names become identifiers, one-to-one") {
     Identifiers identifiers;
     CHECK(identifiers.add({"V+", "V_plus", "v_PLUS", "↑dcy", "5s/X13", "Marche Moteur", "été",
                            "STEP", "a__b", "日本", "a", "A"}) ==
           std::vector<std::string>{"V_plus_2", "V_plus", "v_PLUS_3", "rise_dcy", "n5s_X13",
-                                   "Marche_Moteur", "ete", "STEP_2", "a_b", "n", "a", "A_2"});
+                                   "Marche_Moteur", "ete", "STEP_2", "a_b", "u65E5u672C", "a",
+                                   "A_2"});
     CHECK(identifiers.add({"a", "b"}) == std::vector<std::string>{"a_3", "b"});
 }
 
@@ -25,8 +25,9 @@ TEST_CASE("identifiers") {
 }
 
 TEST_CASE("literals of IEC 61131-3") {
-    CHECK(time_literal(0) == "T#0ms");
-    CHECK(time_literal(90 * second + 500 * millisecond) == "T#1m30s500ms");
+    CHECK(time_literal(0) == "T#0s");
+    CHECK(time_literal(5 * minute) == "T#5m");
+    CHECK(time_literal(90 * second + 500 * millisecond) == "T#90.5s");
     CHECK(time_literal(250 * microsecond) == "T#250us");
     for (const Time time : {Time{0}, 90 * second, 3 * hour + millisecond, 250 * microsecond}) {
         CHECK(parse_time_literal(time_literal(time)) == time);

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "ladder/plcopen/sfc_names.h"
-#include "ladder/plcopen/sfc_plan.h"
+#include "sfc/names.h"
+#include "sfc/plan.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// What the reader of a sequential function chart is told in its file.
-struct SfcRemark {
+struct Remark {
     enum class Kind : std::uint8_t {
         scope,           ///< the first: what the chart is, and that it has no Init, AUdur, AUdoux
         observer,        ///< the step whose action must be executed last
@@ -26,7 +26,7 @@ struct SfcRemark {
 };
 
 /// The remarks in the order in which they stand in the file.
-std::vector<SfcRemark> sfc_remarks(const SfcPlan& plan, const SfcNames& names);
-std::vector<SfcRemark> sfc_remarks(const Grafcet& grafcet);
+std::vector<Remark> remarks_of(const Plan& plan, const Names& names);
+std::vector<Remark> remarks_of(const Grafcet& grafcet);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "ladder/plcopen/sfc_plan.h"
+#include "sfc/plan.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// The names in a sequential function chart: identifiers, those of the chart's own variables the
 /// same as in the ladder diagram.
-struct SfcNames {
+struct Names {
     std::vector<std::string> inputs;  ///< with Init, AUdur, AUdoux
     std::vector<std::string> outputs;
     std::vector<std::string> steps;  ///< `X5`, its flag is `X5.X`; the auxiliary ones at the end
@@ -26,10 +26,10 @@ struct SfcNames {
     std::vector<std::string> times;  ///< its bit
     std::vector<std::string> timers;
     std::vector<std::string> off_timers;
-    std::map<grafwire::Variable, std::string> copies;  ///< `X5_then`: when the scan began
+    std::map<Variable, std::string> copies;  ///< `X5_then`: when the scan began
     std::map<std::size_t, std::string> time_copies;
 };
 
-SfcNames sfc_names(const SfcPlan& plan);
+Names names_of(const Plan& plan);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

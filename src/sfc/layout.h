@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "ladder/plcopen/sfc_chart.h"
+#include "sfc/chart.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// Where the steps and transitions of a sequential function chart stand: levels from top to bottom,
 /// columns from left to right, graphs side by side. A link that leads up again is a
 /// jump; all others lead to a lower level.
-struct SfcLayout {
+struct Layout {
     struct Place {
         int column = 0;
         int level = 0;  ///< of a transition: that of the lowest step before it
@@ -27,6 +27,6 @@ struct SfcLayout {
     int columns = 0;
 };
 
-SfcLayout sfc_layout(const SfcChart& chart);
+Layout layout_of(const Chart& chart);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -6,7 +6,7 @@
 
 #include "grafcet/grafcet.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// The steps and transitions of a sequential function chart: those of a GRAFCET, and auxiliary
 /// steps behind them, for in SFC every transition has a step before it and one after it.
@@ -14,9 +14,9 @@ namespace grafwire::ladder {
 /// - A source transition leaves a step that is always active: an initial one, which is also among
 ///   the steps that follow. Each has one of its own, lest two of them be a selection.
 /// - A sink transition leads to a step that nothing leaves.
-class SfcChart {
+class Chart {
   public:
-    explicit SfcChart(const Grafcet& grafcet);
+    explicit Chart(const Grafcet& grafcet);
 
     /// The auxiliary steps have the numbers from Grafcet::steps.size() on.
     std::size_t step_count() const { return initial_.size(); }
@@ -51,4 +51,4 @@ class SfcChart {
     std::vector<Auxiliary> auxiliaries_;
 };
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -1,12 +1,12 @@
-#include "ladder/plcopen/sfc_names.h"
+#include "sfc/names.h"
 
 #include <fmt/format.h>
 
 #include "grafcet/write_grafcet.h"
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 #include "text/utf8.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
@@ -14,16 +14,16 @@ constexpr std::size_t longest_name = 16;  // that is made of an expression
 
 class Namer {
   public:
-    explicit Namer(const SfcPlan& plan) : plan_(plan), grafcet_(*plan.grafcet) {}
+    explicit Namer(const Plan& plan) : plan_(plan), grafcet_(*plan.grafcet) {}
 
-    SfcNames make() {
+    Names make() {
         name_declared();
         name_auxiliaries();
         names_.observer = one("observe");
         names_.started = one("started");
         name_edges();
         name_times();
-        for (const grafwire::Variable variable : plan_.copies) {
+        for (const Variable variable : plan_.copies) {
             names_.copies[variable] = one(variable_name(grafcet_, variable) + "_then");
         }
         for (const std::size_t i : plan_.time_copies) {
@@ -44,10 +44,10 @@ class Namer {
     void name_edges();
     void name_times();
 
-    const SfcPlan& plan_;
+    const Plan& plan_;
     const Grafcet& grafcet_;
-    Identifiers identifiers_;
-    SfcNames names_;
+    iec::Identifiers identifiers_;
+    Names names_;
 };
 
 /// In the order of the ladder diagram, which makes its identifiers in the same way.
@@ -76,7 +76,7 @@ void Namer::name_declared() {
 }
 
 void Namer::name_auxiliaries() {
-    for (const SfcChart::Auxiliary& auxiliary : plan_.chart.auxiliaries()) {
+    for (const Chart::Auxiliary& auxiliary : plan_.chart.auxiliaries()) {
         const std::string& transition = grafcet_.transitions[auxiliary.transition].name;
         names_.steps.push_back(one((auxiliary.is_source ? "source_" : "end_") + transition));
     }
@@ -112,8 +112,8 @@ void Namer::name_times() {
 
 }  // namespace
 
-SfcNames sfc_names(const SfcPlan& plan) {
+Names names_of(const Plan& plan) {
     return Namer(plan).make();
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

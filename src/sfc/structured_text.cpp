@@ -1,10 +1,10 @@
-#include "ladder/plcopen/structured_text.h"
+#include "sfc/structured_text.h"
 
 #include <fmt/format.h>
 
 #include "program/program.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 std::string StructuredText::any_step(std::uint32_t first, std::uint32_t count) const {
     if (count == 0) return "FALSE";
@@ -15,7 +15,7 @@ std::string StructuredText::any_step(std::uint32_t first, std::uint32_t count) c
     return count == 1 ? text : "(" + text + ")";
 }
 
-std::string StructuredText::variable(grafwire::Variable variable, const Reading& reading) const {
+std::string StructuredText::variable(Variable variable, const Reading& reading) const {
     if (reading.is_copy(variable)) return names_.copies.at(variable);
     switch (variable.kind) {
         case VariableKind::input:
@@ -158,4 +158,4 @@ std::string StructuredText::statement(const Write& write, const Reading& reading
                : fmt::format("{} := LIMIT({}, {}, {});", target, counter.low, value, counter.high);
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

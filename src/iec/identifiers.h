@@ -1,11 +1,13 @@
 #pragma once
 
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace grafwire::ladder {
+#include "iec/keywords.h"
+#include "text/safe_names.h"
+
+namespace grafwire::iec {
 
 /// Makes names into identifiers of IEC 61131-3 (section 2.1.2: ASCII letters, digits, single
 /// underscores, no case, no keywords), one-to-one and readable: `V+` becomes V_plus, `↑dcy`
@@ -17,13 +19,11 @@ class Identifiers {
     std::vector<std::string> add(const std::vector<std::string>& names);
 
   private:
-    bool take(const std::string& identifier);
-
-    std::set<std::string> taken_;  ///< in capitals
+    SafeNames names_{false, is_keyword};
 };
 
 bool is_identifier(std::string_view name);
 /// In capitals, as identifiers are compared.
 std::string capitals(std::string_view name);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::iec

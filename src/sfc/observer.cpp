@@ -6,21 +6,21 @@
 // With two delays a TON runs while the operand and the value differ, one for either change: a
 // return of the operand before the end stops it, as it must.
 
-#include "ladder/plcopen/sfc_observer.h"
+#include "sfc/observer.h"
 
 #include <fmt/format.h>
 
 #include <map>
 
-#include "ladder/ladder.h"
+#include "iec/literals.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
 class Observer {
   public:
-    Observer(const SfcPlan& plan, const SfcNames& names)
+    Observer(const Plan& plan, const Names& names)
         : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names) {}
 
     std::string make() {
@@ -54,9 +54,9 @@ class Observer {
     void time_condition(std::size_t i);
     void assign_outputs();
 
-    const SfcPlan& plan_;
+    const Plan& plan_;
     const Grafcet& grafcet_;
-    const SfcNames& names_;
+    const Names& names_;
     StructuredText text_;
     std::string text_so_far_;
     std::string heading_;
@@ -67,7 +67,7 @@ void Observer::time_condition(std::size_t i) {
     const TimeCondition& condition = pool.time_condition_of(pool.time_conditions()[i]);
     const std::string& bit = names_.times[i];
     const auto start_timer = [&](const std::string& timer, const std::string& input, Time delay) {
-        add(fmt::format("{}(IN := {}, PT := {});", timer, input, time_literal(delay)));
+        add(fmt::format("{}(IN := {}, PT := {});", timer, input, iec::time_literal(delay)));
     };
     const std::string& timer = names_.timers[i];
     if (condition.off_delay == 0) {
@@ -101,8 +101,8 @@ void Observer::assign_outputs() {
 
 }  // namespace
 
-std::string observer_text(const SfcPlan& plan, const SfcNames& names) {
+std::string observer_text(const Plan& plan, const Names& names) {
     return Observer(plan, names).make();
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -2,7 +2,7 @@
 // transliterated, not numbered, because whoever commissions the program looks for the names of the
 // chart in it; a number keeps apart what transliteration makes equal.
 
-#include "plc/shared/safe_names.h"
+#include "text/safe_names.h"
 
 #include <fmt/format.h>
 
@@ -20,11 +20,12 @@ struct Spelling {
 /// The letters of the languages of Western Europe, and the signs met in names of equipment.
 constexpr Spelling spellings[] = {
     {"_plus_", "+"}, {"_minus_", "-"}, {"_star_", "*"}, {"_percent_", "%"}, {"_deg_", "°"},
-    {"2", "²"},      {"3", "³"},       {"u", "µùúûü"},  {"A", "ÀÁÂÃÄÅ"},    {"a", "àáâãäå"},
-    {"AE", "Æ"},     {"ae", "æ"},      {"C", "Ç"},      {"c", "ç"},         {"E", "ÈÉÊË"},
-    {"e", "èéêë"},   {"I", "ÌÍÎÏ"},    {"i", "ìíîï"},   {"N", "Ñ"},         {"n", "ñ"},
-    {"O", "ÒÓÔÕÖØ"}, {"o", "òóôõöø"},  {"OE", "Œ"},     {"oe", "œ"},        {"U", "ÙÚÛÜ"},
-    {"Y", "ÝŸ"},     {"y", "ýÿ"},      {"ss", "ß"},
+    {"_eq_", "="},   {"_lt_", "<"},    {"_gt_", ">"},   {"_and_", "&"},     {"rise_", "↑"},
+    {"fall_", "↓"},  {"2", "²"},       {"3", "³"},      {"u", "µùúûü"},     {"A", "ÀÁÂÃÄÅ"},
+    {"a", "àáâãäå"}, {"AE", "Æ"},      {"ae", "æ"},     {"C", "Ç"},         {"c", "ç"},
+    {"E", "ÈÉÊË"},   {"e", "èéêë"},    {"I", "ÌÍÎÏ"},   {"i", "ìíîï"},      {"N", "Ñ"},
+    {"n", "ñ"},      {"O", "ÒÓÔÕÖØ"},  {"o", "òóôõöø"}, {"OE", "Œ"},        {"oe", "œ"},
+    {"U", "ÙÚÛÜ"},   {"Y", "ÝŸ"},      {"y", "ýÿ"},     {"ss", "ß"},
 };
 
 bool is_letter(char c) {
@@ -80,6 +81,10 @@ std::string SafeNames::folded(std::string name) const {
 bool SafeNames::is_free(const std::string& name) const {
     const std::string compared = folded(name);
     return taken_.count(compared) == 0 && !is_reserved_(compared);
+}
+
+bool SafeNames::keep(const std::string& name) {
+    return is_free(name) && taken_.insert(folded(name)).second;
 }
 
 std::string SafeNames::claim(std::string_view wanted) {

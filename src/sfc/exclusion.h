@@ -6,13 +6,13 @@
 
 #include "grafcet/grafcet.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// What can be seen not to happen in one scan. Only what is evident from the shape of the chart
 /// counts: a "no" means that it was not seen.
-class SfcExclusion {
+class Exclusion {
   public:
-    explicit SfcExclusion(const Grafcet& grafcet);
+    explicit Exclusion(const Grafcet& grafcet);
 
     /// A sequence has one initial step, transitions with one step before and one after each, and
     /// nothing that forces or encloses it: as an SFC it has exactly one active step at any time.
@@ -31,4 +31,4 @@ class SfcExclusion {
     std::set<std::pair<StepId, StepId>> links_;
 };
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -4,13 +4,13 @@
 // after its step (the standard's final scan), and whether or not the P1 of an initial step is
 // executed in the first scan, which a GRAFCET does not do.
 
-#include "ladder/plcopen/sfc_actions.h"
+#include "sfc/actions.h"
 
 #include <fmt/format.h>
 
-#include "ladder/ladder.h"
+#include "iec/literals.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 namespace {
 
@@ -26,10 +26,10 @@ std::string between(const std::string& condition, const std::string& statements)
 
 class ActionsOfStep {
   public:
-    ActionsOfStep(const SfcPlan& plan, const SfcNames& names, StepId step)
+    ActionsOfStep(const Plan& plan, const Names& names, StepId step)
         : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names), step_(step) {}
 
-    std::vector<SfcAction> make() {
+    std::vector<ActionBlockEntry> make() {
         const Step& step = grafcet_.steps[step_];
         for (const Action& action : grafcet_.actions_of(step)) add(action);
         if (!activation_.empty() && step.initial)
@@ -44,26 +44,26 @@ class ActionsOfStep {
 
   private:
     void add(const Action& action);
-    void add_continuous(const Action& action, SfcForm form);
+    void add_continuous(const Action& action, Form form);
     void add_statements(const char* qualifier, const std::string& statements) {
         if (!statements.empty()) actions_.push_back({qualifier, "", "", statements});
     }
 
-    const SfcPlan& plan_;
+    const Plan& plan_;
     const Grafcet& grafcet_;
-    const SfcNames& names_;
+    const Names& names_;
     StructuredText text_;
     StepId step_;
-    std::vector<SfcAction> actions_;
+    std::vector<ActionBlockEntry> actions_;
     // Statements, each with its line end.
     std::string deactivation_;
     std::string activation_;
     std::string event_;
 };
 
-void ActionsOfStep::add_continuous(const Action& action, SfcForm form) {
+void ActionsOfStep::add_continuous(const Action& action, Form form) {
     const std::string& output = names_.outputs[index_of(action.output)];
-    if (form == SfcForm::observed) {
+    if (form == Form::observed) {
         const std::string condition =
             action.expression == no_expr ? "" : " if " + text_.expression(action.expression);
         actions_.push_back(
@@ -71,68 +71,41 @@ void ActionsOfStep::add_continuous(const Action& action, SfcForm form) {
              fmt::format("(* {}{}: assigned by {} *)", output, condition, names_.observer)});
         return;
     }
-    if (form == SfcForm::non_stored) {
+    if (form == Form::non_stored) {
         actions_.push_back({"N", "", output, ""});
         return;
     }
     const Expressions& pool = grafcet_.expressions;
-    const bool is_limited = form == SfcForm::limited;
+    const bool is_limited = form == Form::limited;
     const ExprId id = is_limited ? pool.operands(action.expression).front() : action.expression;
-    actions_.push_back(
-        {is_limited ? "L" : "D", time_literal(pool.time_condition_of(id).on_delay), output, ""});
+    actions_.push_back({is_limited ? "L" : "D",
+                        iec::time_literal(pool.time_condition_of(id).on_delay), output, ""});
 }
 
 void ActionsOfStep::add(const Action& action) {
     const std::size_t index = plan_.index_of_action(action);
-    const SfcForm form = plan_.forms[index];
-    if (form == SfcForm::beyond) return;
+    const Form form = plan_.forms[index];
+    if (form == Form::beyond) return;
     if (action.kind == ActionKind::continuous) return add_continuous(action, form);
-    if (form == SfcForm::set || form == SfcForm::reset) {
-        const char* qualifier = form == SfcForm::set ? "S" : "R";
+    if (form == Form::set || form == Form::reset) {
+        const char* qualifier = form == Form::set ? "S" : "R";
         actions_.push_back({qualifier, "", text_.variable(action.write.target), ""});
         return;
     }
     const Reading reading = plan_.reading_of(index);
     const std::string statement = text_.statement(action.write, reading);
-    if (form == SfcForm::deactivation) deactivation_ += statement + "\n";
-    if (form == SfcForm::activation) activation_ += statement + "\n";
-    if (form != SfcForm::event) return;
+    if (form == Form::deactivation) deactivation_ += statement + "\n";
+    if (form == Form::activation) activation_ += statement + "\n";
+    if (form != Form::event) return;
     event_ += fmt::format("IF {} THEN {} END_IF;\n", text_.expression(action.expression, reading),
                           statement);
 }
 
 }  // namespace
 
-std::vector<SfcAction> sfc_actions(const SfcPlan& plan, const SfcNames& names, StepId step) {
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step) {
     if (index_of(step) >= plan.grafcet->steps.size()) return {};
     return ActionsOfStep(plan, names, step).make();
 }
 
-void write_sfc_action_block(const std::vector<SfcAction>& actions, const Outlet& source,
-                            PlcopenBody& body) {
-    constexpr int row = 30;
-    const Point corner{source.at.x + 30, source.at.y - row / 2};
-    const int height = row * static_cast<int>(actions.size());
-    pugi::xml_node block = body.element("actionBlock", corner, 130, height);
-    PlcopenBody::inlet(block, corner, {corner.x, source.at.y}, {source});
-    int y = 0;
-    for (const SfcAction& action : actions) {
-        pugi::xml_node node = block.append_child("action");
-        node.append_attribute("localId") = body.new_id();
-        node.append_attribute("qualifier") = action.qualifier.c_str();
-        if (!action.duration.empty()) {
-            node.append_attribute("duration") = action.duration.c_str();
-        }
-        pugi::xml_node place = node.append_child("relPosition");
-        place.append_attribute("x") = 0;
-        place.append_attribute("y") = y;
-        y += row;
-        if (!action.reference.empty()) {
-            node.append_child("reference").append_attribute("name") = action.reference.c_str();
-        } else {
-            add_text(node.append_child("inline").append_child("ST"), action.statements);
-        }
-    }
-}
-
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
-#include "ladder/plcopen/sfc_chart.h"
+#include "sfc/chart.h"
 
-namespace grafwire::ladder {
+namespace grafwire::sfc {
 
 /// How SFC says an action of a GRAFCET.
-enum class SfcForm : std::uint8_t {
+enum class Form : std::uint8_t {
     non_stored,    ///< N: a continuous action without a condition
     delayed,       ///< D: `lamp if 5s/X5` of step 5
     limited,       ///< L: `lamp if /(5s/X5)` of step 5
@@ -27,9 +27,9 @@ enum class SfcForm : std::uint8_t {
 /// began. Inputs do not change in a scan.
 struct Reading {
     bool at_start = false;
-    const std::set<grafwire::Variable>* copied = nullptr;  ///< these at the start in any case
+    const std::set<Variable>* copied = nullptr;  ///< these at the start in any case
 
-    bool is_copy(grafwire::Variable variable) const {
+    bool is_copy(Variable variable) const {
         if (variable.kind == VariableKind::input || variable.kind == VariableKind::control) {
             return false;
         }
@@ -44,31 +44,31 @@ inline constexpr Reading reading_at_start{true, nullptr};
 /// scan. It works out the time conditions, which the conditions of transitions see a scan later (as
 /// in the table method), assigns the outputs whose conditions no qualifier says, and keeps what the
 /// next scan compares with: the operands of edges, and copies of what these read.
-struct SfcPlan {
+struct Plan {
     /// Nothing decided yet. The GRAFCET must outlive the plan.
-    explicit SfcPlan(const Grafcet& of)
+    explicit Plan(const Grafcet& of)
         : grafcet(&of),
           chart(of),
-          forms(of.actions.size(), SfcForm::beyond),
+          forms(of.actions.size(), Form::beyond),
           copied_reads(of.actions.size()),
           edges(of.expressions.edges().size(), false),
           times(of.expressions.time_conditions().size(), false) {}
 
     const Grafcet* grafcet;
-    SfcChart chart;
-    std::vector<SfcForm> forms;  ///< per action
+    Chart chart;
+    std::vector<Form> forms;  ///< per action
     /// Per action: what a stored one reads although another one may write it in the same scan.
-    std::vector<std::set<grafwire::Variable>> copied_reads;
+    std::vector<std::set<Variable>> copied_reads;
     std::set<std::uint32_t> controls;  ///< those of Init, AUdur and AUdoux that anything reads
     std::set<OutputId> observed_outputs;
     std::vector<bool> edges;  ///< per edge: whether anything reads it
     std::vector<bool> times;  ///< per time condition: whether anything reads its bit
-    std::set<grafwire::Variable> copies;
+    std::set<Variable> copies;
     std::set<std::size_t> time_copies;  ///< of the bits of time conditions
     bool has_start_bit = false;         ///< `started`: 0 in the first scan only
     /// Variables with two writes that can meet in one scan, and the actions that make them.
     struct Meeting {
-        grafwire::Variable target;
+        Variable target;
         std::set<std::size_t> actions;
     };
     std::vector<Meeting> meetings;  ///< in the order of the variables
@@ -80,6 +80,6 @@ struct SfcPlan {
     }
 };
 
-SfcPlan sfc_plan(const Grafcet& grafcet);
+Plan plan_of(const Grafcet& grafcet);
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::sfc

@@ -23,6 +23,9 @@ class SafeNames {
         : case_matters_(case_matters), is_reserved_(std::move(is_reserved)) {}
 
     std::string claim(std::string_view wanted);
+    /// Takes a name, which must be a word of the language, as it is; false where it is reserved or
+    /// somebody has it.
+    bool keep(const std::string& name);
 
   private:
     bool is_free(const std::string& name) const;

@@ -1,11 +1,10 @@
-#include "ladder/iec_literals.h"
+#include "iec/literals.h"
 
 #include <charconv>
-#include <string>
 
-#include "ladder/identifiers.h"
+#include "iec/identifiers.h"
 
-namespace grafwire::ladder {
+namespace grafwire::iec {
 
 namespace {
 
@@ -32,6 +31,12 @@ std::optional<std::int64_t> whole_number(std::string_view text, int base) {
 }
 
 }  // namespace
+
+std::string time_literal(Time duration) {
+    std::string text = format_duration(duration);
+    if (text.ends_with("min")) text.resize(text.size() - 2);  // m is the minute of the language
+    return "T#" + text;
+}
 
 std::optional<Time> parse_time_literal(std::string_view text) {
     const std::size_t mark = text.find('#');
@@ -83,4 +88,4 @@ std::optional<std::int64_t> parse_number_literal(std::string_view text) {
     return whole_number(number, base);
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::iec

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sfc/structured_text.h"
+
+namespace grafwire::sfc {
+
+/// One action of an action block: a qualifier, a duration (of L and D), and either the name of a
+/// bit or statements.
+struct ActionBlockEntry {
+    std::string qualifier;
+    std::string duration;
+    std::string reference;
+    std::string statements;
+};
+
+/// The actions of a step, as far as SFC can express them.
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step);
+
+}  // namespace grafwire::sfc

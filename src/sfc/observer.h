@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "sfc/structured_text.h"
+
+namespace grafwire::sfc {
+
+/// The statements of the step `observe`, to be executed after all other actions of a scan; empty
+/// where there is nothing to observe.
+std::string observer_text(const Plan& plan, const Names& names);
+
+}  // namespace grafwire::sfc
