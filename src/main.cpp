@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     for (const Command& command : commands) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
         sub->footer(fmt::format("Example: {}", command.example));
-        const std::function<int()> action = command.declare(*sub, language);
+        const std::function<int()> action = command.declare(CommandLine(*sub), language);
         sub->final_callback([&chosen, action] { chosen = action; });
     }
     try {

@@ -2,31 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "grafcet/declared_names.h"
 #include "iec/identifiers.h"
 
 namespace grafwire {
 
-namespace {
-
 using ladder::VariableId;
-
-/// What a ladder diagram of the chart declares first, in its order (ladder_names.cpp), so that the
-/// identifiers are those of write_plcopen.
-std::vector<std::string> declared_names(const Grafcet& grafcet) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < grafcet.all_input_count(); ++i) {
-        names.emplace_back(input_name(grafcet, i));
-    }
-    for (const Output& output : grafcet.outputs) names.push_back(output.name);
-    for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) {
-        names.push_back(variable_name(grafcet, {VariableKind::step, s}));
-    }
-    for (const Var& var : grafcet.vars) names.push_back(var.name);
-    for (const Counter& counter : grafcet.counters) names.push_back(counter.name);
-    return names;
-}
-
-}  // namespace
 
 LadderNames find_names(const Grafcet& grafcet, const ladder::Ladder& ladder) {
     const std::vector<std::string> names = declared_names(grafcet);

@@ -161,7 +161,7 @@ void Story::tell_difference(std::string_view other_side) {
     };
     for (const Witness::Value& value : witness_.values) {
         if (value.expected == value.got) continue;
-        text_ += fmt::format("  {}: {} {}, {} {}\n", value.name,
+        text_ += fmt::format("  {}{} {} {}, {} {}\n", value.name, choose(":", " :"),
                              choose("the reference gives", "la référence donne"),
                              digit(value.expected), other_side, digit(value.got));
     }

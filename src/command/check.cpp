@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "check/check_equivalence.h"
@@ -85,45 +84,43 @@ bool is_listing(const std::string& path) {
     return std::filesystem::path(path).extension() == ".awl";
 }
 
-void declare_options(CLI::App& app, CheckRequest& request) {
-    app.add_option("FILE", request.path, "the GRAFCET, - for standard input")->required();
-    request.netlist.declare(app, false);
-    app.add_option("--delay", request.delay, "delay of every gate: unit (1 ns)")
-        ->check(CLI::IsMember({"unit"}))
-        ->capture_default_str();
-    app.add_option(
-        "--against", request.against,
-        "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this "
-        ".xml ladder diagram (PLCopen), instead of a generated netlist");
-    app.add_option("--program", request.program,
-                   "ladder diagrams: which program of the project, where it holds several");
-    app.add_option("--io", request.io,
-                   "listings: table of assignment, which address stands for which name");
-    app.add_option("--scan", request.scan,
-                   "listings and ladder diagrams: the time from one scan to the next (default: one "
-                   "that divides all delays)");
-    app.add_option("--cpu", request.cpu, "listings: the controller, 212 or 214")
-        ->check(CLI::IsMember({"212", "214"}))
-        ->capture_default_str();
-    app.add_option("--to", request.format, "form of the report")
-        ->check(CLI::IsMember({"text", "json", "junit"}))
-        ->capture_default_str();
-    app.add_option("-o", request.output, "file for the report (default: standard output)");
-    app.add_option("--witness", request.witness,
-                   "folder for the stimuli, traces and waveforms that show a difference");
-    app.add_option("--assume", request.assumptions,
-                   "what the plant never does, besides what the file assumes: an expression that "
-                   "is never 0");
-    app.add_option("--max-cases", request.max_cases, "give up after so many cases");
-    app.add_option("--max-seconds", request.max_seconds, "give up after so much time")
-        ->check(CLI::NonNegativeNumber);
+void declare_options(const CommandLine& line, CheckRequest& request) {
+    line.add("FILE", request.path, "the GRAFCET, - for standard input").required();
+    request.netlist.declare(line, false);
+    line.add("--delay", request.delay, "delay of every gate: unit (1 ns)")
+        .one_of({"unit"})
+        .shows_default();
+    line.add("--against", request.against,
+             "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this "
+             ".xml ladder diagram (PLCopen), instead of a generated netlist");
+    line.add("--program", request.program,
+             "ladder diagrams: which program of the project, where it holds several");
+    line.add("--io", request.io,
+             "listings: table of assignment, which address stands for which name");
+    line.add("--scan", request.scan,
+             "listings and ladder diagrams: the time from one scan to the next (default: one "
+             "that divides all delays)");
+    line.add("--cpu", request.cpu, "listings: the controller, 212 or 214")
+        .one_of({"212", "214"})
+        .shows_default();
+    line.add("--to", request.format, "form of the report")
+        .one_of({"text", "json", "junit"})
+        .shows_default();
+    line.add("-o", request.output, "file for the report (default: standard output)");
+    line.add("--witness", request.witness,
+             "folder for the stimuli, traces and waveforms that show a difference");
+    line.add("--assume", request.assumptions,
+             "what the plant never does, besides what the file assumes: an expression that "
+             "is never 0");
+    line.add("--max-cases", request.max_cases, "give up after so many cases");
+    line.add("--max-seconds", request.max_seconds, "give up after so much time");
 }
 
 }  // namespace
 
-std::function<int()> declare_check(CLI::App& app, const Language& language) {
+std::function<int()> declare_check(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<CheckRequest>();
-    declare_options(app, *request);
+    declare_options(line, *request);
     return [request, &language] {
         // Read the GRAFCET, and what the plant never does.
         auto loaded = load_grafcet(request->path);

@@ -3,11 +3,8 @@
 #include <functional>
 #include <string_view>
 
+#include "command/command_line.h"
 #include "text/language.h"
-
-namespace CLI {
-class App;
-}
 
 namespace grafwire {
 
@@ -17,16 +14,16 @@ struct Command {
     std::string_view name;
     std::string_view summary;
     std::string_view example;
-    std::function<int()> (*declare)(CLI::App& app, const Language& language);
+    std::function<int()> (*declare)(const CommandLine& line, const Language& language);
 };
 
-std::function<int()> declare_info(CLI::App& app, const Language& language);
-std::function<int()> declare_equations(CLI::App& app, const Language& language);
-std::function<int()> declare_run(CLI::App& app, const Language& language);
-std::function<int()> declare_netlist(CLI::App& app, const Language& language);
-std::function<int()> declare_simulate(CLI::App& app, const Language& language);
-std::function<int()> declare_check(CLI::App& app, const Language& language);
-std::function<int()> declare_plc(CLI::App& app, const Language& language);
-std::function<int()> declare_s7(CLI::App& app, const Language& language);
+std::function<int()> declare_info(const CommandLine& line, const Language& language);
+std::function<int()> declare_equations(const CommandLine& line, const Language& language);
+std::function<int()> declare_run(const CommandLine& line, const Language& language);
+std::function<int()> declare_netlist(const CommandLine& line, const Language& language);
+std::function<int()> declare_simulate(const CommandLine& line, const Language& language);
+std::function<int()> declare_check(const CommandLine& line, const Language& language);
+std::function<int()> declare_plc(const CommandLine& line, const Language& language);
+std::function<int()> declare_s7(const CommandLine& line, const Language& language);
 
 }  // namespace grafwire

@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/netlist_request.h"
@@ -28,21 +26,21 @@ EquationFormat format_named(const std::string& name) {
 
 }  // namespace
 
-std::function<int()> declare_equations(CLI::App& app, const Language& language) {
+std::function<int()> declare_equations(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<Request>();
-    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
-    app.add_option("--cdx", request->cdx, "form of CDX")
-        ->check(CLI::IsMember({"successor", "transition"}))
-        ->capture_default_str();
-    app.add_option("--modes", request->modes, "with Init, AUdur and AUdoux, or without")
-        ->check(CLI::IsMember({"on", "off"}))
-        ->capture_default_str();
-    app.add_option("--to", request->format, "output form")
-        ->check(CLI::IsMember({"text", "markdown", "latex", "csv", "json"}))
-        ->capture_default_str();
-    app.add_flag("--karnaugh", request->karnaugh,
-                 "with the truth table, Karnaugh map and minimised form of every step");
-    app.add_option("-o", request->output, "output file (default: standard output)");
+    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add("--cdx", request->cdx, "form of CDX")
+        .one_of({"successor", "transition"})
+        .shows_default();
+    line.add("--modes", request->modes, "with Init, AUdur and AUdoux, or without")
+        .one_of({"on", "off"})
+        .shows_default();
+    line.add("--to", request->format, "output form")
+        .one_of({"text", "markdown", "latex", "csv", "json"})
+        .shows_default();
+    line.add_flag("--karnaugh", request->karnaugh,
+                  "with the truth table, Karnaugh map and minimised form of every step");
+    line.add("-o", request->output, "output file (default: standard output)");
     return [request, &language] {
         // Read the GRAFCET.
         const auto loaded = load_grafcet(request->path);

@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/inputs.h"
@@ -7,9 +5,9 @@
 
 namespace grafwire {
 
-std::function<int()> declare_info(CLI::App& app, const Language& language) {
+std::function<int()> declare_info(const CommandLine& line, const Language& language) {
     const auto path = std::make_shared<std::string>();
-    app.add_option("FILE", *path, "the GRAFCET, - for standard input")->required();
+    line.add("FILE", *path, "the GRAFCET, - for standard input").required();
     return [path, &language] {
         // Read and check; errors and warnings go to standard error.
         const auto loaded = load_grafcet(*path);

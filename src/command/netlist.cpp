@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/netlist_request.h"
@@ -41,18 +39,17 @@ Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& s
 
 }  // namespace
 
-std::function<int()> declare_netlist(CLI::App& app, const Language&) {
+std::function<int()> declare_netlist(const CommandLine& line, const Language&) {
     const auto request = std::make_shared<Request>();
-    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
-    request->netlist.declare(app, true);
-    app.add_option("--to", request->format,
-                   fmt::format("output format: {}", fmt::join(exporter_names(), ", ")))
-        ->required();
-    app.add_option("--stim", request->stimuli,
-                   "stimuli to hold in the file as well (formats with a test bench)");
-    app.add_option("--scan", request->scan, "scan period that clocked timers count with")
-        ->capture_default_str();
-    app.add_option("-o", request->output, "output file (default: standard output)");
+    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    request->netlist.declare(line, true);
+    line.add("--to", request->format,
+             fmt::format("output format: {}", fmt::join(exporter_names(), ", ")))
+        .required();
+    line.add("--stim", request->stimuli,
+             "stimuli to hold in the file as well (formats with a test bench)");
+    line.add("--scan", request->scan, "scan period that clocked timers count with").shows_default();
+    line.add("-o", request->output, "output file (default: standard output)");
     return [request] {
         // Read the request.
         const Exporter* exporter = find_exporter(request->format);

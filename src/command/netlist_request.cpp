@@ -1,26 +1,25 @@
 #include "command/netlist_request.h"
 
-#include <CLI/CLI.hpp>
 #include <vector>
 
 namespace grafwire {
 
-void NetlistRequest::declare(CLI::App& app, bool style_is_required) {
+void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
     std::vector<std::string> styles;
     for (const StyleRow& row : style_table) styles.emplace_back(row.name);
-    CLI::Option* option = app.add_option("--style", style, "how the equations become cells")
-                              ->check(CLI::IsMember(styles));
+    const AddedOption option =
+        line.add("--style", style, "how the equations become cells").one_of(styles);
     if (style_is_required) {
-        option->required();
+        option.required();
     } else {
         style = "nand";
-        option->capture_default_str();
+        option.shows_default();
     }
-    app.add_option("--cdx", cdx, "form of CDX (default: successor; transition for clocked)")
-        ->check(CLI::IsMember({"successor", "transition"}));
-    app.add_option("--modes", modes, "with Init, AUdur and AUdoux, or without")
-        ->check(CLI::IsMember({"on", "off"}))
-        ->capture_default_str();
+    line.add("--cdx", cdx, "form of CDX (default: successor; transition for clocked)")
+        .one_of({"successor", "transition"});
+    line.add("--modes", modes, "with Init, AUdur and AUdoux, or without")
+        .one_of({"on", "off"})
+        .shows_default();
 }
 
 Style NetlistRequest::style_id() const {

@@ -4,13 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "command/command_line.h"
 #include "command/inputs.h"
 #include "equations/equations.h"
 #include "netlist/netlist_from.h"
-
-namespace CLI {
-class App;
-}
 
 namespace grafwire {
 
@@ -19,7 +16,7 @@ struct NetlistRequest {
     std::string style;
     std::string cdx;
     std::string modes = "on";
-    void declare(CLI::App& app, bool style_is_required);
+    void declare(const CommandLine& line, bool style_is_required);
     /// The form of CDX that results.
     CdxForm cdx_form() const;
     std::string_view cdx_name() const;

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/inputs.h"
@@ -39,9 +37,9 @@ constexpr std::string_view special_options[] = {"--io",      "--addresses", "--m
                                                 "--offsets", "--tables",    "--cpu"};
 
 /// Whether one of them has been given for a format that has no use for it; shows it if so.
-bool has_idle_option(const CLI::App& app, const PlcFormat& format) {
+bool has_idle_option(const CommandLine& line, const PlcFormat& format) {
     for (const std::string_view option : special_options) {
-        if (app.count(std::string(option)) == 0) continue;
+        if (!line.has(std::string(option))) continue;
         if (format.options.find(option) != std::string_view::npos) continue;
         std::vector<std::string_view> others;
         for (const PlcFormat& other : plc_formats()) {
@@ -85,34 +83,34 @@ std::optional<s7::IoAssignment> load_assignment(const Request& request, const Pl
 
 }  // namespace
 
-std::function<int()> declare_plc(CLI::App& app, const Language&) {
+std::function<int()> declare_plc(const CommandLine& line, const Language&) {
     const auto request = std::make_shared<Request>();
-    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
-    app.add_option("--to", request->format,
-                   fmt::format("language: {}", fmt::join(plc_format_names(), ", ")))
-        ->required();
-    app.add_option("--modes", request->modes, "with Init, AUdur and AUdoux")
-        ->check(CLI::IsMember({"on", "off"}))
-        ->capture_default_str();
-    app.add_option("--io", request->io, "addresses of names, one a line: E0.0 = start");
-    app.add_option("--addresses", request->addresses,
-                   "file for the addresses of all names, in the form of --io");
-    app.add_option("--mnemonics", request->mnemonics, "spelling of instructions")
-        ->check(CLI::IsMember({"simatic", "iec", "en"}))
-        ->capture_default_str();
-    app.add_option("--offsets", request->offsets, "byte offsets before instructions")
-        ->check(CLI::IsMember({"on", "off"}))
-        ->capture_default_str();
-    app.add_option("--tables", request->tables, "80 steps, or as many as the chart has")
-        ->check(CLI::IsMember({"standard", "wide"}))
-        ->capture_default_str();
-    app.add_option("--cpu", request->cpu, "controller whose memory has to hold the program")
-        ->check(CLI::IsMember({"212", "214"}));
-    app.add_option("-o", request->output, "output file (default: standard output)");
-    return [request, &app] {
+    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add("--to", request->format,
+             fmt::format("language: {}", fmt::join(plc_format_names(), ", ")))
+        .required();
+    line.add("--modes", request->modes, "with Init, AUdur and AUdoux")
+        .one_of({"on", "off"})
+        .shows_default();
+    line.add("--io", request->io, "addresses of names, one a line: E0.0 = start");
+    line.add("--addresses", request->addresses,
+             "file for the addresses of all names, in the form of --io");
+    line.add("--mnemonics", request->mnemonics, "spelling of instructions")
+        .one_of({"simatic", "iec", "en"})
+        .shows_default();
+    line.add("--offsets", request->offsets, "byte offsets before instructions")
+        .one_of({"on", "off"})
+        .shows_default();
+    line.add("--tables", request->tables, "80 steps, or as many as the chart has")
+        .one_of({"standard", "wide"})
+        .shows_default();
+    line.add("--cpu", request->cpu, "controller whose memory has to hold the program")
+        .one_of({"212", "214"});
+    line.add("-o", request->output, "output file (default: standard output)");
+    return [request, line] {
         // Read the request and the GRAFCET.
         const PlcFormat* format = find_format(request->format);
-        if (format == nullptr || has_idle_option(app, *format)) {
+        if (format == nullptr || has_idle_option(line, *format)) {
             return static_cast<int>(bad_request);
         }
         if (request->path == "-" && request->io == "-") {

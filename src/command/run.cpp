@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/inputs.h"
@@ -22,14 +20,13 @@ struct Request {
 
 }  // namespace
 
-std::function<int()> declare_run(CLI::App& app, const Language& language) {
+std::function<int()> declare_run(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<Request>();
-    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
-    app.add_option("STIM", request->stimuli, "the stimuli (.stim), - for standard input")
-        ->required();
-    app.add_option("--scan", request->scan,
-                   "scan by scan with this period (default: until stable at every instant)");
-    request->output.declare(app);
+    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
+    line.add("--scan", request->scan,
+             "scan by scan with this period (default: until stable at every instant)");
+    request->output.declare(line);
     return [request, &language] {
         // Read the GRAFCET and the stimuli.
         if (share_standard_input(request->path, request->stimuli)) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "command/command.h"
@@ -102,28 +101,25 @@ int run_listing(const Request& request) {
 
 }  // namespace
 
-std::function<int()> declare_s7(CLI::App& app, const Language&) {
+std::function<int()> declare_s7(const CommandLine& line, const Language&) {
     const auto request = std::make_shared<Request>();
-    app.require_subcommand(1);
-    CLI::App* run = app.add_subcommand("run", "execute a listing over stimuli, scan by scan");
-    run->footer(
-        "Example: grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim "
+    const CommandLine run = line.add_command(
+        "run", "execute a listing over stimuli, scan by scan",
+        "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim "
         "--scan 10ms --io examples/s7-200/manipulator.io");
-    run->add_option("LISTING", request->listing,
-                    "the instruction list (.awl), - for standard input")
-        ->required();
-    run->add_option("--stim", request->stimuli, "the stimuli (.stim)")->required();
-    run->add_option("--scan", request->scan, "the time from one scan to the next, such as 10ms")
-        ->required();
-    run->add_option("--io", request->io,
-                    "table of assignment: which address stands for which name (default: names are "
-                    "the addresses)");
-    run->add_option("--cpu", request->cpu, "the controller: 212 or 214")
-        ->check(CLI::IsMember({"212", "214"}))
-        ->capture_default_str();
-    run->add_option("--grafcet", request->grafcet,
-                    "the GRAFCET whose columns the trace shall have; needs --io");
-    request->output.declare(*run);
+    run.add("LISTING", request->listing, "the instruction list (.awl), - for standard input")
+        .required();
+    run.add("--stim", request->stimuli, "the stimuli (.stim)").required();
+    run.add("--scan", request->scan, "the time from one scan to the next, such as 10ms").required();
+    run.add("--io", request->io,
+            "table of assignment: which address stands for which name (default: names are "
+            "the addresses)");
+    run.add("--cpu", request->cpu, "the controller: 212 or 214")
+        .one_of({"212", "214"})
+        .shows_default();
+    run.add("--grafcet", request->grafcet,
+            "the GRAFCET whose columns the trace shall have; needs --io");
+    request->output.declare(run);
     return [request] { return run_listing(*request); };
 }
 

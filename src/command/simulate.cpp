@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "check/compare_ports.h"
 #include "command/command.h"
 #include "command/exit_status.h"
@@ -70,20 +68,19 @@ int simulate_netlist(const Request& request, const LoadedGrafcet& loaded, const 
 
 }  // namespace
 
-std::function<int()> declare_simulate(CLI::App& app, const Language& language) {
+std::function<int()> declare_simulate(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<Request>();
-    app.add_option("FILE", request->path, "the GRAFCET, - for standard input")->required();
-    app.add_option("STIM", request->stimuli, "the stimuli (.stim), - for standard input")
-        ->required();
-    request->netlist.declare(app, false);
-    app.add_option("--against", request->against,
-                   "simulate this .blif or .json netlist instead of a generated one");
-    app.add_option("--delay", request->delay, "delay of every gate: unit (1 ns)")
-        ->check(CLI::IsMember({"unit"}))
-        ->capture_default_str();
-    app.add_option("--scan", request->scan,
-                   "clocked style: one scan every so much time (default: until stable)");
-    request->output.declare(app);
+    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
+    request->netlist.declare(line, false);
+    line.add("--against", request->against,
+             "simulate this .blif or .json netlist instead of a generated one");
+    line.add("--delay", request->delay, "delay of every gate: unit (1 ns)")
+        .one_of({"unit"})
+        .shows_default();
+    line.add("--scan", request->scan,
+             "clocked style: one scan every so much time (default: until stable)");
+    request->output.declare(line);
     return [request, &language] {
         // Read the GRAFCET and the stimuli.
         if (share_standard_input(request->path, request->stimuli)) {

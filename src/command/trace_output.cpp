@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "command/inputs.h"
@@ -10,9 +9,9 @@
 
 namespace grafwire {
 
-void TraceOutput::declare(CLI::App& app) {
-    app.add_option("-o", csv, "the trace as CSV (default: standard output)");
-    app.add_option("--vcd", vcd, "the waveform as VCD, for GTKWave");
+void TraceOutput::declare(const CommandLine& line) {
+    line.add("-o", csv, "the trace as CSV (default: standard output)");
+    line.add("--vcd", vcd, "the waveform as VCD, for GTKWave");
 }
 
 void warn_of_broken_assumptions(const Grafcet& grafcet,

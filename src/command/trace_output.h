@@ -2,14 +2,11 @@
 
 #include <string>
 
+#include "command/command_line.h"
 #include "command/files.h"
 #include "evolution/run.h"
 #include "trace/stimuli.h"
 #include "trace/trace.h"
-
-namespace CLI {
-class App;
-}
 
 namespace grafwire {
 
@@ -18,7 +15,7 @@ struct TraceOutput {
     std::string csv;
     std::string vcd;
 
-    void declare(CLI::App& app);
+    void declare(const CommandLine& line);
     void add_files(OutputFiles& files, const Trace& trace, std::string waveform) const {
         files.add(csv, write_csv(trace));
         if (!vcd.empty()) files.add(vcd, std::move(waveform));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grafcet/declared_names.h"
 #include "grafcet/write_grafcet.h"
 #include "iec/identifiers.h"
 #include "text/utf8.h"
@@ -50,19 +51,8 @@ class Namer {
     Names names_;
 };
 
-/// In the order of the ladder diagram, which makes its identifiers in the same way.
 void Namer::name_declared() {
-    std::vector<std::string> all;
-    for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
-        all.emplace_back(input_name(grafcet_, i));
-    }
-    for (const Output& output : grafcet_.outputs) all.push_back(output.name);
-    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
-        all.push_back(variable_name(grafcet_, {VariableKind::step, s}));
-    }
-    for (const Var& var : grafcet_.vars) all.push_back(var.name);
-    for (const Counter& counter : grafcet_.counters) all.push_back(counter.name);
-    const std::vector<std::string> made = identifiers_.add(all);
+    const std::vector<std::string> made = identifiers_.add(declared_names(grafcet_));
     auto next = made.begin();
     const auto take = [&](std::vector<std::string>& list, std::size_t count) {
         list.assign(next, next + static_cast<std::ptrdiff_t>(count));

@@ -2,6 +2,7 @@
 
 #include <regex>
 #include <sstream>
+#include <unordered_map>
 
 namespace grafwire::testing {
 
@@ -97,7 +98,11 @@ Pl7Listing read_pl7(const std::string& text) {
 bool is_pl7_bit(const std::string& object) {
     static const std::regex form(
         "(I|O)[0-3],(\\d|1\\d|2[0-3])|B\\d{1,3}|X\\d\\d?|T\\d\\d?,D|SY(0|21|22|23)");
-    return std::regex_match(object, form);
+    // Asked for every contact in every scan, of few objects.
+    static std::unordered_map<std::string, bool> known;
+    const auto found = known.find(object);
+    if (found != known.end()) return found->second;
+    return known.emplace(object, std::regex_match(object, form)).first->second;
 }
 
 }  // namespace grafwire::testing

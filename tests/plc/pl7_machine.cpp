@@ -153,17 +153,18 @@ void Pl7Machine::check_coil(const std::string& object, const std::string& kind) 
 
 void Pl7Machine::execute(const Pl7Rung& rung) {
     const bool holds = contacts(rung);
-    static const std::regex coil_form("\\(([ SR])\\) (.*)");
     static const std::regex timer_form("(T\\d\\d?) TB=(10ms|100ms|1s|1mn) P=(\\d{1,4})");
     std::smatch parts;
-    if (std::regex_match(rung.coil, parts, coil_form)) {
-        const std::string object = parts[2];
-        check_coil(object, parts[1]);
+    const std::string form = rung.coil.substr(0, 4);
+    if (form == "( ) " || form == "(S) " || form == "(R) ") {
+        const std::string object = rung.coil.substr(4);
+        const std::string kind = form.substr(1, 1);
+        check_coil(object, kind);
         if (holds && object.front() == 'X') preset_line_ = rung.line;
-        if (parts[1] == " ") {
+        if (kind == " ") {
             bits_[object] = holds;
         } else if (holds) {
-            bits_[object] = parts[1] == "S";
+            bits_[object] = kind == "S";
         }
     } else if (std::regex_match(rung.coil, parts, timer_form)) {
         run_timer(parts, holds);

@@ -107,7 +107,7 @@ La référence :
   avant : X0
   cycle à 0 ms : franchit (0) 0 -> 1 -> X1
 Où ils se séparent :
-  lamp: la référence donne 1, le programme 0
+  lamp : la référence donne 1, le programme 0
 D'où cela vient dans le programme :
   lamp (A0.0) vaut 0 après le cycle à 0 ms, et devrait valoir 1
   aucun réseau ne l'écrit

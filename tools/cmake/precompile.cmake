@@ -1,17 +1,21 @@
-# grafwire_precompile(TARGET): with PRECOMPILE on, its files share the headers that most of them
-# include and that take longest to read.
+# With PRECOMPILE on, the headers that most files include and that take longest to read are read
+# once for the product and once for its tests.
 
-if(PRECOMPILE)
-  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
-  add_library(grafwire_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(grafwire_precompiled PRIVATE fmt::fmt)
-  target_precompile_headers(grafwire_precompiled PRIVATE
-    <algorithm> <functional> <map> <memory> <optional> <set> <span> <sstream> <string>
-    <unordered_map> <vector> <fmt/format.h>)
-endif()
-
-function(grafwire_precompile target)
+# grafwire_precompiled(NAME HEADERS…): makes them ready, with the settings of the folder.
+function(grafwire_precompiled name)
   if(PRECOMPILE)
-    target_precompile_headers(${target} REUSE_FROM grafwire_precompiled)
+    file(WRITE ${PROJECT_BINARY_DIR}/${name}.cpp "")
+    add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
+    target_link_libraries(${name} PRIVATE fmt::fmt grafwire_settings)
+    target_precompile_headers(${name} PRIVATE
+      <algorithm> <functional> <map> <memory> <optional> <set> <span> <sstream> <string>
+      <unordered_map> <vector> <fmt/format.h> ${ARGN})
+  endif()
+endfunction()
+
+# grafwire_use_precompiled(TARGET NAME)
+function(grafwire_use_precompiled target name)
+  if(PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${name})
   endif()
 endfunction()
