@@ -1,7 +1,5 @@
 // grafwire: from a GRAFCET (IEC 60848) to checked wiring.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <string_view>
@@ -52,7 +50,6 @@ Language language_of_locale() {
 int main(int argc, char** argv) {
     CLI::App app{"From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.",
                  "grafwire"};
-    app.require_subcommand(1);
     app.set_version_flag("--version", "grafwire " GRAFWIRE_VERSION);
     app.footer(
         "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; "
@@ -70,10 +67,10 @@ int main(int argc, char** argv) {
 
     std::function<int()> chosen;
     for (const Command& command : commands) {
-        CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
-        sub->footer(fmt::format("Example: {}", command.example));
-        const std::function<int()> action = command.declare(CommandLine(*sub), language);
-        sub->final_callback([&chosen, action] { chosen = action; });
+        const CommandLine line = CommandLine(app).add_command(
+            std::string(command.name), std::string(command.summary), std::string(command.example));
+        const std::function<int()> action = command.declare(line, language);
+        line.when_read([&chosen, action] { chosen = action; });
     }
     try {
         app.parse(argc, argv);

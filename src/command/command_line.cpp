@@ -46,12 +46,16 @@ void CommandLine::add_flag(const char* name, bool& target, const std::string& he
     app_.add_flag(name, target, help);
 }
 
-CommandLine CommandLine::add_command(const char* name, const std::string& help,
+CommandLine CommandLine::add_command(const std::string& name, const std::string& help,
                                      const std::string& example) const {
     app_.require_subcommand(1);
     CLI::App* command = app_.add_subcommand(name, help);
     command->footer("Example: " + example);
     return CommandLine(*command);
+}
+
+void CommandLine::when_read(std::function<void()> action) const {
+    app_.final_callback(std::move(action));
 }
 
 bool CommandLine::has(const std::string& option) const {

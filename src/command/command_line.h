@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,10 @@ class CommandLine {
 
     /// A command below this one; one of those must be given. `example` stands at the end of its
     /// help.
-    CommandLine add_command(const char* name, const std::string& help,
+    CommandLine add_command(const std::string& name, const std::string& help,
                             const std::string& example) const;
+    /// What is done once this command and all that belongs to it have been read.
+    void when_read(std::function<void()> action) const;
 
     /// Whether an option was written; once the command line has been read.
     bool has(const std::string& option) const;

@@ -13,6 +13,21 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
+void append_steps_in_braces(std::string& out, const Grafcet& grafcet,
+                            const std::vector<StepId>& steps) {
+    std::string_view separator = "{";
+    for (const StepId step : steps) {
+        out += separator;
+        const std::string& text = grafcet.steps[step].name;
+        if (text == "INIT")
+            out += "\"INIT\"";
+        else
+            append_name(out, text);
+        separator = ", ";
+    }
+    out += '}';
+}
+
 class GrafcetWriter {
   public:
     explicit GrafcetWriter(const Grafcet& grafcet)
@@ -133,7 +148,7 @@ class GrafcetWriter {
             const Enclosure& enclosure = grafcet_.enclosures[step.enclosure];
             out_ += " encloses ";
             name(grafcet_.graphs[enclosure.graph].name);
-            write_steps_in_braces(enclosure.links);
+            append_steps_in_braces(out_, grafcet_, enclosure.links);
         }
         std::string_view separator = " : ";
         for (const Action& action : grafcet_.actions_of(step)) {
@@ -152,60 +167,16 @@ class GrafcetWriter {
                 expression(action.expression);
                 break;
             case ActionKind::order:
-                write_order(grafcet_.orders[action.order]);
+                out_ += write_order(grafcet_, grafcet_.orders[action.order]);
                 break;
             case ActionKind::stored:
-                write_write(action.write);
+                out_ += write_write(grafcet_, action.write);
                 if (action.trigger == Trigger::deactivation) out_ += " on deactivation";
                 if (action.trigger != Trigger::event) break;
                 out_ += " on ";
                 expression(action.expression);
                 break;
         }
-    }
-
-    void write_order(const Order& order) {
-        name(grafcet_.graphs[order.graph].name);
-        switch (order.kind) {
-            case OrderKind::empty:
-                out_ += "{}";
-                break;
-            case OrderKind::freeze:
-                out_ += "{*}";
-                break;
-            case OrderKind::initial:
-                out_ += "{INIT}";
-                break;
-            case OrderKind::listed:
-                write_steps_in_braces(order.steps);
-                break;
-        }
-    }
-
-    void write_steps_in_braces(const std::vector<StepId>& steps) {
-        std::string_view separator = "{";
-        for (const StepId step : steps) {
-            out_ += separator;
-            const std::string& text = grafcet_.steps[step].name;
-            if (text == "INIT")
-                out_ += "\"INIT\"";
-            else
-                name(text);
-            separator = ", ";
-        }
-        out_ += '}';
-    }
-
-    void write_write(const Write& write) {
-        if (write.operation == WriteOperation::set) out_ += "set ";
-        if (write.operation == WriteOperation::reset) out_ += "reset ";
-        variable(variable_name(grafcet_, write.target));
-        if (write.operation != WriteOperation::assign) return;
-        out_ += " := ";
-        if (write.sum != none)
-            append_sum(out_, grafcet_, grafcet_.sums[write.sum]);
-        else
-            expression(write.value);
     }
 
     void write_transition(const Transition& transition) {
@@ -223,7 +194,7 @@ class GrafcetWriter {
         std::string_view separator = " do ";
         for (const ClearingAction& action : grafcet_.clearing_actions_of(transition)) {
             out_ += separator;
-            write_write(action.write);
+            out_ += write_write(grafcet_, action.write);
             separator = ", ";
         }
     }
@@ -255,6 +226,38 @@ class GrafcetWriter {
 };
 
 }  // namespace
+
+std::string write_order(const Grafcet& grafcet, const Order& order) {
+    std::string text;
+    append_name(text, grafcet.graphs[order.graph].name);
+    switch (order.kind) {
+        case OrderKind::empty:
+            return text + "{}";
+        case OrderKind::freeze:
+            return text + "{*}";
+        case OrderKind::initial:
+            return text + "{INIT}";
+        case OrderKind::listed:
+            break;
+    }
+    append_steps_in_braces(text, grafcet, order.steps);
+    return text;
+}
+
+std::string write_write(const Grafcet& grafcet, const Write& write) {
+    std::string text;
+    if (write.operation == WriteOperation::set) text += "set ";
+    if (write.operation == WriteOperation::reset) text += "reset ";
+    append_variable_name(text, variable_name(grafcet, write.target));
+    if (write.operation != WriteOperation::assign) return text;
+    text += " := ";
+    if (write.sum != none) {
+        append_sum(text, grafcet, grafcet.sums[write.sum]);
+    } else {
+        text += write_expression(grafcet, grafcet.expressions, write.value);
+    }
+    return text;
+}
 
 std::string write_grafcet(const Grafcet& grafcet) {
     return GrafcetWriter(grafcet).write();

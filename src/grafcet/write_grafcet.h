@@ -14,6 +14,10 @@ std::string write_grafcet(const Grafcet& grafcet);
 /// b)`. Names that the language would not read as one word are quoted.
 std::string write_expression(const Grafcet& grafcet, const Expressions& expressions, ExprId id);
 
+/// A forcing or freezing order, `H{10, 20}`, and a stored write, `c := c + 1`, likewise.
+std::string write_order(const Grafcet& grafcet, const Order& order);
+std::string write_write(const Grafcet& grafcet, const Write& write);
+
 /// A name as the language writes it: quoted only where it has to be.
 std::string quoted_where_needed(std::string_view name);
 

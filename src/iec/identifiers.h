@@ -23,7 +23,8 @@ class Identifiers {
 };
 
 bool is_identifier(std::string_view name);
-/// In capitals, as identifiers are compared.
+/// In capitals, as identifiers are compared; the other in small letters, as keywords are listed.
 std::string capitals(std::string_view name);
+std::string small_letters(std::string_view name);
 
 }  // namespace grafwire::iec

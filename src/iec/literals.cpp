@@ -43,10 +43,7 @@ std::optional<Time> parse_time_literal(std::string_view text) {
     if (mark == std::string_view::npos) return std::nullopt;
     const std::string prefix = capitals(text.substr(0, mark));
     if (prefix != "T" && prefix != "TIME") return std::nullopt;
-    std::string rest = without_underscores(text.substr(mark + 1));
-    for (char& c : rest) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    const std::string rest = small_letters(without_underscores(text.substr(mark + 1)));
     if (rest.empty()) return std::nullopt;
     Time total = 0;
     for (std::size_t at = 0; at < rest.size();) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grafcet/forcing_hierarchy.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/ladder_build.h"
 
@@ -165,23 +166,13 @@ std::size_t LadderBuild::force(std::size_t first) {
         }
         if (!where.is_known()) where = statements[at].origin;
     }
-    std::vector<std::size_t> depth(off.size(), 0);
-    // Orders form no circle, so as many rounds as there are steps are enough.
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t s = 0; s < off.size(); ++s) {
-            for (const Bit giver : off[s]) {
-                if (depth[s] > depth[giver.index]) continue;
-                depth[s] = depth[giver.index] + 1;
-                changed = true;
-            }
-        }
-    }
+    const std::vector<std::size_t> depths = forcing_depths(grafcet_);
     const auto rungs = [&](const std::vector<std::vector<Bit>>& orders, std::size_t level,
                            CoilKind kind, const char* comment) {
         std::map<std::vector<Bit>, std::vector<Bit>> steps_of;
         for (std::uint32_t s = 0; s < orders.size(); ++s) {
-            if (depth[s] != level || orders[s].empty()) continue;
+            const GraphId graph = grafcet_.steps[StepId{s}].graph;
+            if (depths[index_of(graph)] != level || orders[s].empty()) continue;
             steps_of[orders[s]].push_back({BitKind::step, s});
         }
         for (const auto& [givers, steps] : steps_of) {
@@ -190,7 +181,7 @@ std::size_t LadderBuild::force(std::size_t first) {
             add_rung(parallel(std::move(contacts)), kind, steps, comment, where);
         }
     };
-    for (std::size_t level = *std::max_element(depth.begin(), depth.end()); level > 0; --level) {
+    for (std::size_t level = *std::max_element(depths.begin(), depths.end()); level > 0; --level) {
         rungs(off, level, CoilKind::reset, "forcing orders: to the empty situation");
         rungs(on, level, CoilKind::set, "forcing orders: steps that are to be active");
     }

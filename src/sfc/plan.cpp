@@ -14,16 +14,13 @@
 #include <algorithm>
 #include <map>
 
-#include "sfc/exclusion.h"
-
 namespace grafwire::sfc {
 
 namespace {
 
 class Planner {
   public:
-    explicit Planner(const Grafcet& grafcet)
-        : grafcet_(grafcet), exclusion_(grafcet), plan_(grafcet) {}
+    explicit Planner(const Grafcet& grafcet) : grafcet_(grafcet), plan_(grafcet) {}
 
     Plan make() {
         for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
@@ -59,7 +56,6 @@ class Planner {
     }
 
     const Grafcet& grafcet_;
-    Exclusion exclusion_;
     Plan plan_;
     std::map<OutputId, std::vector<std::size_t>> drivers_;  ///< its continuous actions
     std::map<Variable, std::vector<std::size_t>> writers_;
@@ -78,8 +74,8 @@ Form Planner::continuous_form(const Action& action) const {
         condition.off_delay == 0 && pool.kind(condition.operand) == ExprKind::variable &&
         pool.variable_of(condition.operand) ==
             Variable{VariableKind::step, static_cast<std::uint32_t>(action.step)};
-    if (!is_own_step || !exclusion_.is_sequence(grafcet_.steps[action.step].graph) ||
-        exclusion_.leads_to(action.step, action.step)) {
+    if (!is_own_step || !plan_.exclusion.is_sequence(grafcet_.steps[action.step].graph) ||
+        plan_.exclusion.leads_to(action.step, action.step)) {
         return Form::observed;
     }
     return negated ? Form::limited : Form::delayed;
@@ -104,7 +100,7 @@ void Planner::choose_continuous(OutputId output, const std::vector<std::size_t>&
 bool Planner::has_latch_form(const std::vector<std::size_t>& writers) const {
     const Action& first = grafcet_.actions[writers.front()];
     const GraphId graph = grafcet_.steps[first.step].graph;
-    if (!exclusion_.is_sequence(graph)) return false;
+    if (!plan_.exclusion.is_sequence(graph)) return false;
     std::set<StepId> steps;
     for (const std::size_t a : writers) {
         const Action& action = grafcet_.actions[a];
@@ -191,7 +187,7 @@ void Planner::find_meetings() {
             const Action& other = grafcet_.actions[b];
             // Writes of one step on one event are statements one below the other.
             const bool are_one = action.step == other.step && plan_.forms[a] == plan_.forms[b];
-            if (!are_one && !exclusion_.never_meet(action, other)) {
+            if (!are_one && !plan_.exclusion.never_meet(action, other)) {
                 meetings[action.write.target].insert({a, b});
             }
         }
@@ -203,7 +199,7 @@ void Planner::find_meetings() {
 bool Planner::meets_any(std::size_t action, const std::vector<std::size_t>& others) const {
     return std::any_of(others.begin(), others.end(), [&](std::size_t other) {
         return other != action &&
-               !exclusion_.never_meet(grafcet_.actions[action], grafcet_.actions[other]);
+               !plan_.exclusion.never_meet(grafcet_.actions[action], grafcet_.actions[other]);
     });
 }
 

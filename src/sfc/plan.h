@@ -6,6 +6,7 @@
 
 #include "grafcet/grafcet.h"
 #include "sfc/chart.h"
+#include "sfc/exclusion.h"
 
 namespace grafwire::sfc {
 
@@ -49,6 +50,7 @@ struct Plan {
     explicit Plan(const Grafcet& of)
         : grafcet(&of),
           chart(of),
+          exclusion(of),
           forms(of.actions.size(), Form::beyond),
           copied_reads(of.actions.size()),
           edges(of.expressions.edges().size(), false),
@@ -56,6 +58,7 @@ struct Plan {
 
     const Grafcet* grafcet;
     Chart chart;
+    Exclusion exclusion;
     std::vector<Form> forms;  ///< per action
     /// Per action: what a stored one reads although another one may write it in the same scan.
     std::vector<std::set<Variable>> copied_reads;

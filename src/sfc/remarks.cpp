@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
-#include "sfc/exclusion.h"
 
 namespace grafwire::sfc {
 
@@ -53,8 +52,6 @@ class Remarks {
     std::string transition_text(const Transition& transition) const {
         return "(" + quoted_where_needed(transition.name) + ")";
     }
-    std::string order_text(const Order& order) const;
-    std::string write_text(const Write& write) const;
     std::string trigger_text(const Action& action) const;
     void orders();
     void enclosures();
@@ -69,38 +66,10 @@ class Remarks {
     std::vector<Remark> remarks_;
 };
 
-std::string Remarks::order_text(const Order& order) const {
-    std::string steps;
-    for (const StepId step : order.steps) {
-        steps += (steps.empty() ? "" : ", ") + quoted_where_needed(grafcet_.steps[step].name);
-    }
-    if (order.kind == OrderKind::freeze) steps = "*";
-    if (order.kind == OrderKind::initial) steps = "INIT";
-    return graph_text(order.graph) + "{" + steps + "}";
-}
-
-std::string Remarks::write_text(const Write& write) const {
-    const std::string target = quoted_where_needed(variable_name(grafcet_, write.target));
-    if (write.operation == WriteOperation::set) return "set " + target;
-    if (write.operation == WriteOperation::reset) return "reset " + target;
-    if (write.target.kind != VariableKind::counter) {
-        return target + " := " + write_expression(grafcet_, grafcet_.expressions, write.value);
-    }
-    std::string text = target + " :=";
-    bool is_first = true;
-    for (const SumTerm& term : grafcet_.sums[write.sum]) {
-        text += term.negative ? " - " : is_first ? " " : " + ";
-        is_first = false;
-        text += term.counter == SumTerm::no_counter
-                    ? fmt::format("{}", term.value)
-                    : quoted_where_needed(grafcet_.counters[CounterId{term.counter}].name);
-    }
-    return text;
-}
-
 void Remarks::orders() {
     for (const Order& order : grafcet_.orders) {
-        add(Kind::order, step_text(order.step) + " gives the order " + order_text(order));
+        add(Kind::order,
+            step_text(order.step) + " gives the order " + write_order(grafcet_, order));
     }
 }
 
@@ -114,14 +83,14 @@ void Remarks::enclosures() {
 void Remarks::clearing_actions() {
     for (const ClearingAction& action : grafcet_.clearing_actions) {
         const Transition& transition = grafcet_.transitions[action.transition];
-        add(Kind::clearing, fmt::format("transition {}: {} on clearing",
-                                        transition_text(transition), write_text(action.write)));
+        add(Kind::clearing,
+            fmt::format("transition {}: {} on clearing", transition_text(transition),
+                        write_write(grafcet_, action.write)));
     }
 }
 
 /// Per step, the transitions after it of which two can be cleared at once.
 void Remarks::selections() {
-    const Exclusion exclusion(grafcet_);
     std::vector<std::vector<TransitionId>> after(grafcet_.steps.size());
     for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
         for (const StepId step : grafcet_.preceding(grafcet_.transitions[TransitionId{t}])) {
@@ -132,8 +101,8 @@ void Remarks::selections() {
         std::string list;
         for (const TransitionId a : after[s]) {
             const bool meets = std::any_of(after[s].begin(), after[s].end(), [&](TransitionId b) {
-                return a != b &&
-                       !exclusion.never_both(grafcet_.transitions[a], grafcet_.transitions[b]);
+                return a != b && !plan_.exclusion.never_both(grafcet_.transitions[a],
+                                                             grafcet_.transitions[b]);
             });
             if (!meets) continue;
             list += (list.empty() ? "" : ", ") + transition_text(grafcet_.transitions[a]);

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "grafcet/forcing_hierarchy.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
@@ -53,19 +54,7 @@ Condition worked_out(const Condition& condition) {
 
 /// Graphs with the deepest in the hierarchy of forcing orders first.
 std::vector<GraphId> graphs_upwards(const Grafcet& grafcet) {
-    std::vector<std::size_t> depth(grafcet.graphs.size(), 0);
-    // Orders form no circle, so this comes to an end.
-    for (bool deepened = true; deepened;) {
-        deepened = false;
-        for (const Order& order : grafcet.orders) {
-            if (order.kind == OrderKind::freeze) continue;
-            const std::size_t giver = depth[index_of(grafcet.steps[order.step].graph)];
-            std::size_t& forced = depth[index_of(order.graph)];
-            if (forced > giver) continue;
-            forced = giver + 1;
-            deepened = true;
-        }
-    }
+    const std::vector<std::size_t> depth = forcing_depths(grafcet);
     std::vector<GraphId> graphs;
     for (std::uint32_t g = 0; g < depth.size(); ++g) graphs.push_back(GraphId{g});
     std::stable_sort(graphs.begin(), graphs.end(),
