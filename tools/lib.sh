@@ -11,6 +11,7 @@ ca-certificates      /etc/ssl/certs
 cmake                /usr/bin/cmake
 g++                  /usr/bin/g++
 libboost-dev         /usr/include/boost/version.hpp
+libcadical-dev       /usr/include/cadical.hpp
 libcli11-dev         /usr/include/CLI/CLI.hpp
 libfmt-dev           /usr/include/fmt/core.h
 libpugixml-dev       /usr/include/pugixml.hpp

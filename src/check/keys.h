@@ -2,16 +2,12 @@
 
 #include <string>
 
-#include "evolution/evolution.h"
+#include "evolution/bit_table.h"
 
 namespace grafwire {
 
 /// Appends the bits of a table to a key, all of them. States are compared by such keys, which hold
 /// the whole of them, never by a digest: a collision would be a wrong verdict.
 void append_key(std::string& key, const BitTable& bits);
-
-/// Appends a state of the reference, as far as it decides how the evolution goes on, but for the
-/// running delays.
-void append_key(std::string& key, const EvolutionState& state);
 
 }  // namespace grafwire

@@ -1,67 +1,102 @@
+// A netlist in one case after the other.
+//
+// What a settled netlist remembers is little beside what it has of nets: the outputs of cells with a
+// memory, the nets on loops of gates (netlist/loops.h), and the operands of timers, since a delay
+// that runs knows where to. Every other net follows from these and the inputs. And of these again
+// only those count on which an X or an output can ever depend: a counter that nothing reads is
+// simulated with the rest, but two states that differ in nothing else are one.
+//
+// Inputs that are open are simulated as unknown, which stands for any behaviour of theirs. Where
+// something that counts comes out unknown, one of the open inputs it stems from is to be closed.
+
 #include "check/netlist_case.h"
 
 #include <algorithm>
-#include <boost/graph/strong_components.hpp>
 
 #include "check/running_delays.h"
-#include "netlist/boost_graph.h"
+#include "netlist/loops.h"
 
 namespace grafwire {
 
-namespace {
-
-/// Moments aside.
-bool goes_on_alike(const SimulatorState& a, const SimulatorState& b) {
-    return a.values == b.values && a.due == b.due && a.towards == b.towards;
-}
-
-std::vector<NetId> differing_nets(const SimulatorState& a, const SimulatorState& b) {
-    std::vector<NetId> nets;
-    for (std::size_t i = 0; i < a.values.size(); ++i) {
-        if (a.values[i] != b.values[i]) nets.push_back(static_cast<NetId>(i));
-    }
-    return nets;
-}
-
-}  // namespace
-
-NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays)
+NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                           const KeepGoing& keep_going)
     : grafcet_(grafcet),
       netlist_(netlist),
       simulator_(netlist, delays),
+      delay_ends_(netlist),
       ports_(map_ports(grafcet, netlist)),
       drivers_(drivers_of(netlist)),
-      input_of_net_(netlist.net_count(), none) {
+      input_of_net_(netlist.net_count(), none),
+      is_relevant_(netlist.net_count()) {
+    simulator_.ask(keep_going);
     for (std::uint32_t i = 0; i < ports_.inputs.size(); ++i) {
         if (ports_.inputs[i] != no_net) input_of_net_[index_of(ports_.inputs[i])] = i;
     }
-    find_watched_nets();
+    compared_ = ports_.steps;
+    compared_.insert(compared_.end(), ports_.outputs.begin(), ports_.outputs.end());
+    find_relevant_nets();
+    find_remembered_nets();
 }
 
-void NetlistCases::find_watched_nets() {
-    const NetlistGraph graph(netlist_);
-    std::vector<std::uint32_t> component(graph.cell_count());
-    const auto index = get(boost::vertex_index_t{}, graph);
-    const auto count =
-        boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
-                                 boost::vertex_index_map(index));
-    std::vector<std::uint32_t> size(count);
-    for (const std::uint32_t c : component) ++size[c];
-    for (std::uint32_t i = 0; i < component.size(); ++i) {
-        const Cell& cell = netlist_.cells[netlist_.cells.id_at(i)];
-        const auto readers = graph.readers(i);
-        const bool own_reader = std::find(readers.begin(), readers.end(), i) != readers.end();
-        const bool in_loop = size[component[i]] > 1 || own_reader;
-        if (in_loop || row_of(cell.type).has_memory) watched_.push_back(cell.output);
-        if (is_timer(cell.type)) {
-            watched_.push_back(netlist_.pins_of(cell)[0]);
-        }
+/// Backwards from what is compared, through all cells.
+void NetlistCases::find_relevant_nets() {
+    std::vector<NetId> waiting;
+    const auto add = [&](NetId net) {
+        if (is_relevant_[index_of(net)] != 0) return;
+        is_relevant_[index_of(net)] = 1;
+        waiting.push_back(net);
+    };
+    for (const NetId net : compared_) add(net);
+    while (!waiting.empty()) {
+        const CellId driver = drivers_[waiting.back()];
+        waiting.pop_back();
+        if (driver == no_cell) continue;
+        for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) add(pin);
     }
-    watched_.insert(watched_.end(), ports_.steps.begin(), ports_.steps.end());
-    remembered_ = watched_;
-    watched_.insert(watched_.end(), ports_.outputs.begin(), ports_.outputs.end());
-    std::sort(watched_.begin(), watched_.end());
-    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+void NetlistCases::find_remembered_nets() {
+    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist_);
+    for (std::size_t i = 0; i < netlist_.cells.size(); ++i) {
+        const Cell& cell = netlist_.cells.items()[i];
+        if (is_relevant_[index_of(cell.output)] == 0) continue;
+        if (on_loop[i] != 0 || row_of(cell.type).has_memory) remembered_.push_back(cell.output);
+        if (cell.type == CellType::timer) remembered_.push_back(netlist_.pins_of(cell)[0]);
+    }
+    std::sort(remembered_.begin(), remembered_.end());
+    remembered_.erase(std::unique(remembered_.begin(), remembered_.end()), remembered_.end());
+}
+
+std::vector<std::uint32_t> NetlistCases::conditions_of_timers() const {
+    std::vector<std::uint32_t> conditions;
+    for (const CellId timer : simulator_.timers()) {
+        conditions.push_back(netlist_.timings[netlist_.cells[timer].timing].ordinal);
+    }
+    return conditions;
+}
+
+std::vector<std::uint8_t> NetlistCases::relevant_timers() const {
+    std::vector<std::uint8_t> relevant;
+    for (const CellId timer : simulator_.timers()) {
+        relevant.push_back(is_relevant_[index_of(netlist_.cells[timer].output)]);
+    }
+    return relevant;
+}
+
+/// Two bits a value.
+void NetlistCases::append_key(std::string& key, const SimulatorState& state) const {
+    unsigned packed = 1;
+    const auto append = [&](Logic value) {
+        packed = packed << 2U | static_cast<unsigned>(value);
+        if (packed < 0x100U) return;
+        key += static_cast<char>(packed);
+        packed = 1;
+    };
+    for (const NetId net : remembered_) append(state.values[index_of(net)]);
+    for (std::size_t timer = 0; timer < state.due.size(); ++timer) {
+        if (state.due[timer] != never) append(state.towards[timer]);
+    }
+    key += static_cast<char>(packed);
 }
 
 std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
@@ -99,7 +134,13 @@ Settling NetlistCases::start_up(const PathStep& step) {
 /// The state left, with the change of the case.
 void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
                          const PathStep& step) {
-    simulator_.restore(start);
+    if (step.ended.timers.empty()) {
+        simulator_.restore(start);
+    } else {
+        SimulatorState with_due = start;
+        for (const std::uint32_t timer : step.ended.timers) with_due.due[timer] = 0;
+        simulator_.restore(with_due);
+    }
     if (step.before != left) {
         simulator_.hold_pulses(true);
         set_inputs(step.before);
@@ -107,8 +148,8 @@ void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
         simulator_.hold_pulses(false);
     }
     begin_instant();
-    for (const std::uint32_t timer : step.ended.timers) simulator_.end_delay(timer);
     set_inputs(step.inputs);
+    if (!netlist_.is_clocked()) delay_ends_.take_effect(simulator_, instant_);
     simulator_.doubt_unknown_pulses();
 }
 
@@ -128,39 +169,16 @@ SimulatorState NetlistCases::kept_state() const {
     return state;
 }
 
-std::vector<std::uint32_t> NetlistCases::conditions_of_timers() const {
-    std::vector<std::uint32_t> conditions;
-    for (const CellId timer : simulator_.timers()) {
-        conditions.push_back(netlist_.timings[netlist_.cells[timer].timing].ordinal);
-    }
-    return conditions;
-}
-
 bool NetlistCases::same(const BitTable& situation, const OutputValues& outputs) const {
-    for (std::size_t i = 0; i < ports_.steps.size(); ++i) {
-        if ((simulator_.value(ports_.steps[i]) == Logic::one) != situation.test(i)) return false;
-    }
-    for (std::size_t i = 0; i < ports_.outputs.size(); ++i) {
-        if ((simulator_.value(ports_.outputs[i]) == Logic::one) != outputs.test(i)) return false;
+    const std::size_t steps = ports_.steps.size();
+    for (std::size_t i = 0; i < compared_.size(); ++i) {
+        const bool expected = i < steps ? situation.test(i) : outputs.test(i - steps);
+        if ((simulator_.value(compared_[i]) == Logic::one) != expected) return false;
     }
     return true;
 }
 
-std::vector<NetId> NetlistCases::unknown_nets() const {
-    std::vector<NetId> unknown;
-    for (const NetId net : watched_) {
-        if (simulator_.value(net) == Logic::unknown) unknown.push_back(net);
-    }
-    return unknown;
-}
-
-bool NetlistCases::is_compared(NetId net) const {
-    return std::find(ports_.steps.begin(), ports_.steps.end(), net) != ports_.steps.end() ||
-           std::find(ports_.outputs.begin(), ports_.outputs.end(), net) != ports_.outputs.end();
-}
-
-/// Looks for an open input among what the nets depend on, backwards over pins whose value is not
-/// known.
+/// Looks for an open input among what the nets depend on, backwards over all pins.
 bool NetlistCases::open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
                                      std::uint32_t& input) const {
     std::vector<std::uint8_t> seen(netlist_.net_count());
@@ -194,18 +212,31 @@ NetlistOutcome NetlistCases::blame(const std::vector<NetId>& nets, const PathSte
     return outcome;
 }
 
+NetlistOutcome NetlistCases::not_settled(const Settling& settling, const PathStep& step) const {
+    if (!settling.broken_off) return blame(settling.oscillating, step);
+    NetlistOutcome outcome;
+    outcome.kind = NetlistOutcome::Kind::broken_off;
+    return outcome;
+}
+
 /// Compares what the netlist shows, settled, with what it should.
 NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues& outputs,
                                   const PathStep& step) const {
     NetlistOutcome outcome;
     // A memory that no open input explains has never been given a value. That matters once an X
     // or an output depends on it, and may stay so until then.
-    if (const std::vector<NetId> unknown = unknown_nets(); !unknown.empty()) {
+    std::vector<NetId> unknown;
+    for (const std::vector<NetId>* nets : {&compared_, &remembered_}) {
+        for (const NetId net : *nets) {
+            if (simulator_.value(net) == Logic::unknown) unknown.push_back(net);
+        }
+    }
+    if (!unknown.empty()) {
         outcome = blame(unknown, step);
         if (outcome.kind == NetlistOutcome::Kind::open) return outcome;
-        const bool visible = std::any_of(unknown.begin(), unknown.end(),
-                                         [&](NetId net) { return is_compared(net); });
-        if (visible) return outcome;
+        const bool is_visible = std::find(compared_.begin(), compared_.end(), unknown.front()) !=
+                                compared_.end();
+        if (is_visible) return outcome;
     }
     outcome.kind =
         same(situation, outputs) ? NetlistOutcome::Kind::agrees : NetlistOutcome::Kind::differs;
@@ -214,50 +245,18 @@ NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues&
 
 NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInputs& left,
                                  const PathStep& step, const ReferenceOutcome& expected) {
+    Settling settling;
     if (start == nullptr) {
-        const Settling settling = start_up(step);
-        if (!settling.settled) return blame(settling.oscillating, step);
+        settling = start_up(step);
+        if (!settling.settled) return not_settled(settling, step);
     } else {
         leave(*start, left, step);
     }
-    if (netlist_.is_clocked()) return run_cycles(step, expected);
-    const Settling settling = simulator_.settle();
-    if (!settling.settled) return blame(settling.oscillating, step);
+    settling = netlist_.is_clocked() ? simulator_.clock_cycle()
+                                     : delay_ends_.settle(simulator_, instant_);
+    if (!settling.settled) return not_settled(settling, step);
     NetlistOutcome outcome = look(expected.state.situation, expected.outputs, step);
     if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();
-    return outcome;
-}
-
-/// A clock cycle for every scan of the reference, and more until the netlist is at rest as well. If
-/// it comes back to a state instead (found by Brent's scheme), it does not settle.
-NetlistOutcome NetlistCases::run_cycles(const PathStep& step, const ReferenceOutcome& expected) {
-    NetlistOutcome outcome;
-    SimulatorState landmark;
-    std::size_t next_landmark = expected.scans.size();
-    for (std::size_t cycle = 1; expected.stable || cycle <= expected.scans.size(); ++cycle) {
-        const bool reference_rests = expected.stable && cycle >= expected.scans.size();
-        const SimulatorState before = reference_rests ? simulator_.save() : SimulatorState();
-        const Settling settling = simulator_.clock_cycle();
-        if (!settling.settled) return blame(settling.oscillating, step);
-        const auto& scan = expected.scans[std::min(cycle, expected.scans.size()) - 1];
-        const NetlistOutcome now = look(scan.situation, scan.outputs, step);
-        if (now.kind == NetlistOutcome::Kind::open) return now;
-        if (now.kind == NetlistOutcome::Kind::differs) {
-            outcome.kind = NetlistOutcome::Kind::differs_within;
-        }
-        if (!reference_rests) continue;
-        const SimulatorState after = simulator_.save();
-        if (goes_on_alike(before, after)) {
-            if (now.kind == NetlistOutcome::Kind::differs) return now;
-            break;
-        }
-        if (goes_on_alike(landmark, after)) return blame(differing_nets(before, after), step);
-        if (cycle == next_landmark) {
-            landmark = after;
-            next_landmark *= 2;
-        }
-    }
-    outcome.state = kept_state();
     return outcome;
 }
 

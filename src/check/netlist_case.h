@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "check/path.h"
 #include "check/reference_case.h"
 #include "netlist/netlist.h"
+#include "simulate/delay_ends.h"
 #include "simulate/simulate.h"
 #include "simulate/simulator.h"
 
@@ -15,36 +17,44 @@ namespace grafwire {
 struct NetlistOutcome {
     enum class Kind {
         agrees,
-        open,            ///< depends on an input that is still open: see `split`
-        differs,         ///< no open input is to blame
-        differs_within,  ///< in a scan of an instant, but not at its end (if it has one)
+        open,        ///< depends on an input that is still open: see `split`
+        differs,     ///< no open input is to blame
+        broken_off,  ///< the time was up
     };
     Kind kind = Kind::agrees;
     /// open: the input to close, in the state left (`split_before`) or in the case.
     std::uint32_t split = 0;
     bool split_before = false;
-    /// agrees, differs_within: the state reached, with `due` as RunningDelays wants it.
+    /// agrees: the state reached, with `due` as RunningDelays wants it.
     SimulatorState state;
 };
 
-/// Takes a netlist through cases: restores the state left, applies the change, lets it settle, and
-/// compares with what the reference did.
+/// Takes a netlist through cases: restores the state left, applies the change, lets it settle (an
+/// asynchronous netlist) or gives it a clock cycle (a clocked one), and compares with what the
+/// reference did.
 class NetlistCases {
   public:
-    NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays);
+    NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                 const KeepGoing& keep_going);
 
     /// `start` none: power-up and initialisation. `left` are the inputs with which the state
     /// `start` was saved; `step.before` may close some that are open there.
     NetlistOutcome run(const SimulatorState* start, const PartialInputs& left, const PathStep& step,
                        const ReferenceOutcome& expected);
 
-    /// Per timer cell, in the order of Simulator::timers: the time condition it stands for.
+    /// Per timer cell, in the order of Simulator::timers: the time condition it stands for, and
+    /// whether an X or an output depends on it.
     std::vector<std::uint32_t> conditions_of_timers() const;
+    std::vector<std::uint8_t> relevant_timers() const;
 
-    /// Opens inputs in a state, if none of the nets on which the future depends (the outputs aside)
-    /// comes to depend on them; nothing otherwise.
+    /// Opens inputs in a state, if none of the nets on which the future depends comes to depend on
+    /// them; nothing otherwise.
     std::optional<SimulatorState> forget(const SimulatorState& state,
                                          const std::vector<std::uint32_t>& inputs);
+
+    /// Appends to a key what the netlist remembers in a state, as far as an X or an output can ever
+    /// depend on it.
+    void append_key(std::string& key, const SimulatorState& state) const;
 
   private:
     Settling start_up(const PathStep& step);
@@ -52,27 +62,29 @@ class NetlistCases {
     void begin_instant();
     SimulatorState kept_state() const;
     void set_inputs(const PartialInputs& inputs);
-    NetlistOutcome run_cycles(const PathStep& step, const ReferenceOutcome& expected);
     NetlistOutcome look(const BitTable& situation, const OutputValues& outputs,
                         const PathStep& step) const;
+    NetlistOutcome not_settled(const Settling& settling, const PathStep& step) const;
     bool same(const BitTable& situation, const OutputValues& outputs) const;
-    std::vector<NetId> unknown_nets() const;
-    bool is_compared(NetId net) const;
     NetlistOutcome blame(const std::vector<NetId>& nets, const PathStep& step) const;
     bool open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
                            std::uint32_t& input) const;
-    void find_watched_nets();
+    void find_relevant_nets();
+    void find_remembered_nets();
 
     const Grafcet& grafcet_;
     const Netlist& netlist_;
     Simulator simulator_;
+    DelayEnds delay_ends_;
     PortMap ports_;
     Time instant_ = 0;  ///< of the case, on the clock of the simulation
     Table<NetId, CellId> drivers_;
     std::vector<std::uint32_t> input_of_net_;  ///< per net: the input it carries, or none
-    /// Nets on which the future depends: X, outputs, memories, feedback loops, operands of timers.
-    std::vector<NetId> watched_;
-    std::vector<NetId> remembered_;  ///< the same without the outputs
+    std::vector<std::uint8_t> is_relevant_;    ///< per net: an X or an output depends on it
+    std::vector<NetId> compared_;              ///< X of every step, then the outputs
+    /// What the future depends on, besides the inputs: memories, loops of gates, operands of
+    /// timers; as far as they are relevant.
+    std::vector<NetId> remembered_;
 };
 
 }  // namespace grafwire

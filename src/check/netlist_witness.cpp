@@ -1,93 +1,85 @@
 // A difference counts only if it can be shown again: the stimuli are run once more from the start,
 // through the reference on the one side and from power-up through the gates on the other, with real
 // moments and real lengths of delays, and the first moment at which the two differ is the witness.
+//
+// A value that comes out unknown is no difference yet: three-valued simulation is pessimistic. It
+// comes from memories whose value at power-up is not known, so such values are tried until one leads
+// to a wrong value that is known.
 
 #include "check/netlist_witness.h"
 
-#include <algorithm>
-
-#include "evolution/evolution.h"
 #include "evolution/run.h"
+#include "netlist/loops.h"
 #include "simulate/simulate.h"
 
 namespace grafwire {
 
 namespace {
 
-/// The shortest time between two lines, or a convenient one.
-Time spacing_of(const Stimuli& stimuli) {
-    Time spacing = 100 * millisecond;
-    for (std::size_t i = 1; i < stimuli.changes.size(); ++i) {
-        spacing = std::min(spacing, stimuli.changes[i].at - stimuli.changes[i - 1].at);
-    }
-    return spacing;
-}
+constexpr int most_power_ups = 64;
 
-/// Per line of the stimuli, whether a delay of the reference ends at that very moment.
-std::vector<bool> lines_at_ends(const Grafcet& grafcet, const Stimuli& stimuli) {
-    const Evolution evolution(grafcet);
-    std::vector<bool> at_end;
-    InputValues inputs(grafcet.all_input_count(), 0);
-    EvolutionState state;
-    const auto next_end = [&] { return *std::min_element(state.due.begin(), state.due.end()); };
-    for (const Stimuli::Change& change : stimuli.changes) {
-        while (!at_end.empty() && !state.due.empty() && next_end() < change.at) {
-            const Time end = next_end();
-            evolution.end_delays(state, end);
-            evolution.settle(state, {inputs}, end);
+/// Gives every memory that nothing is known of a value at power-up, the next of a sequence that
+/// begins with all 0 and all 1. False where there is none.
+bool choose_power_up(Netlist& netlist, int number) {
+    std::uint64_t random = 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(number + 1);
+    const auto next_value = [&] {
+        if (number < 2) return number == 1;
+        random = random * 6364136223846793005U + 1442695040888963407U;
+        return (random >> 63U) != 0;
+    };
+    bool any = false;
+    std::vector<std::uint8_t> is_known(netlist.net_count());
+    for (const Netlist::InitialValue& initial : netlist.initial_values) {
+        is_known[index_of(initial.net)] = 1;
+    }
+    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
+    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
+        Cell& cell = netlist.cells.items()[i];
+        if (row_of(cell.type).has_memory && cell.initial == Logic::unknown) {
+            cell.initial = next_value() ? Logic::one : Logic::zero;
+            any = true;
+        } else if (on_loop[i] != 0 && is_known[index_of(cell.output)] == 0) {
+            netlist.initial_values.push_back({cell.output, next_value()});
+            any = true;
         }
-        at_end.push_back(!at_end.empty() && !state.due.empty() && next_end() == change.at);
-        for (const auto& set : change.assignments) inputs[set.input] = set.value;
-        if (at_end.size() == 1) state = evolution.start({inputs});
-        evolution.end_delays(state, change.at);
-        evolution.settle(state, {inputs}, change.at);
     }
-    return at_end;
+    return any;
 }
 
-/// The stimuli for a run scan by scan, going on for a while after their end. There a delay ends at
-/// the end of a scan, not before its beginning; so a change that comes together with the end of one
-/// is made some scans later.
-Stimuli stimuli_by_scan(const Stimuli& stimuli, const std::vector<bool>& at_end, Time later,
-                        Time after) {
-    Stimuli by_scan = stimuli;
-    for (std::size_t i = 0; i < at_end.size(); ++i) {
-        if (at_end[i]) by_scan.changes[i].at += later;
+/// Whether a value that comes out unknown is really left open: some power-up of the memories that
+/// nothing is known of leads to a difference between known values, or to no rest at all.
+bool is_left_open(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                  const Stimuli& stimuli, const RunResult& expected, Time period) {
+    SimulateOptions options;
+    options.scan_period = period;
+    for (int number = 0; number < most_power_ups; ++number) {
+        Netlist powered = netlist;
+        if (!choose_power_up(powered, number)) return false;
+        const SimulateResult got = simulate(grafcet, powered, delays, stimuli, options);
+        const auto witness =
+            first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at);
+        if (witness && witness->kind != DifferenceKind::race) return true;
     }
-    by_scan.end = add_times(stimuli.end, after);
-    return by_scan;
+    return false;
 }
 
 }  // namespace
 
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli) {
-    const RunResult expected = run_until_stable(grafcet, stimuli);
-    const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, SimulateOptions());
+                              const CellDelays& delays, const Stimuli& stimuli, Time period) {
+    const RunResult expected =
+        period == 0 ? run_until_stable(grafcet, stimuli) : run_scans(grafcet, stimuli, period);
+    SimulateOptions options;
+    options.scan_period = period;
+    const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, options);
     auto witness = first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at);
-    if (witness || !netlist.is_clocked()) return witness;
-
-    // A clocked netlist may go astray within an instant and find back. Then the scans show it. A
-    // hundred are usually enough for what happens within an instant.
-    const std::vector<bool> at_end = lines_at_ends(grafcet, stimuli);
-    const Time spacing = spacing_of(stimuli);
-    for (const Time room : {100, 10'000}) {
-        // Not more than some hundred thousand rows altogether.
-        const Time period = std::max({spacing / room, stimuli.end / 100'000, nanosecond});
-        for (const Time scans_later : {0, 1, 2}) {
-            if (scans_later * period >= spacing) break;
-            const Stimuli by_scan =
-                stimuli_by_scan(stimuli, at_end, scans_later * period, room * period);
-            const SimulateResult cycles =
-                simulate(grafcet, netlist, delays, by_scan, {false, period, {}});
-            witness = first_difference(grafcet, by_scan, run_scans(grafcet, by_scan, period),
-                                       cycles.trace, cycles.unsettled_at);
-            if (!witness) continue;
-            witness->scan_period = period;
-            return witness;
-        }
+    if (!witness) return std::nullopt;
+    witness->scan_period = period;
+    if (witness->kind == DifferenceKind::race) {
+        if (!is_left_open(grafcet, netlist, delays, stimuli, expected, period)) return std::nullopt;
+        if (witness->stimuli.end == 0) witness->kind = DifferenceKind::power_up;
     }
-    return std::nullopt;
+    return witness;
 }
 
 }  // namespace grafwire

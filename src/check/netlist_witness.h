@@ -12,10 +12,10 @@
 
 namespace grafwire {
 
-/// Runs reference and netlist over the stimuli of a path, from power-up, and reports the difference
-/// at their end; nothing where none shows.
+/// Runs reference and netlist over stimuli, from power-up, and reports the first difference; nothing
+/// where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli);
+                              const CellDelays& delays, const Stimuli& stimuli, Time period);
 
 /// The witness in words: what changes at the last instant, which transitions the reference clears,
 /// which gates change first, and where the two sides part.

@@ -11,17 +11,16 @@
 
 namespace grafwire {
 
-/// A stable state of the reference together with the settled state of the netlist that came with
-/// it.
+/// A state of the reference together with the settled state of the netlist that came with it: at
+/// the end of an instant, or of a scan.
 struct PairState {
     EvolutionState reference;
     SimulatorState netlist;
     PartialInputs inputs;
     RunningDelays delays;
+    /// Everything that decides how the pair goes on, but for what remains of its delays.
+    std::string key;
 };
-
-/// Everything that decides how a pair goes on, but for what remains of its delays.
-std::string key_of(const PairState& pair);
 
 /// The pairs that an exploration has reached.
 class SeenPairs {

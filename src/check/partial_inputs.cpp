@@ -1,5 +1,6 @@
-// Assumptions are few and small, so their satisfiability is decided by trying the inputs they
-// mention one after the other, with three-valued evaluation to give up early.
+// Whether open inputs can be given values under which every assumption holds is asked for every
+// case. Mostly three-valued evaluation answers it, or one of the solutions found before; a SAT
+// solver does where they do not, so that assumptions may be as many and as entangled as they like.
 
 #include "check/partial_inputs.h"
 
@@ -8,6 +9,8 @@
 namespace grafwire {
 
 namespace {
+
+constexpr std::size_t most_solutions = 16;
 
 void collect_inputs(const Grafcet& grafcet, ExprId id, std::vector<std::uint32_t>& inputs) {
     const Expressions& pool = grafcet.expressions;
@@ -35,7 +38,7 @@ PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes) {
     return inputs;
 }
 
-Assumptions::Assumptions(const Grafcet& grafcet) : grafcet_(grafcet) {
+Assumptions::Assumptions(const Grafcet& grafcet) : grafcet_(grafcet), plant_(grafcet) {
     for (const Assumption& assumption : grafcet.assumptions) {
         collect_inputs(grafcet, assumption.expression, mentioned_);
     }
@@ -81,38 +84,64 @@ Logic Assumptions::evaluate(ExprId id, const PartialInputs& inputs) const {
     }
 }
 
-bool Assumptions::is_broken(const PartialInputs& inputs) const {
+Logic Assumptions::evaluate_all(const PartialInputs& inputs) const {
+    Logic all = Logic::one;
     for (const Assumption& assumption : grafcet_.assumptions) {
-        if (evaluate(assumption.expression, inputs) == Logic::zero) return true;
+        const Logic value = evaluate(assumption.expression, inputs);
+        if (value == Logic::zero) return value;
+        if (value == Logic::unknown) all = value;
     }
-    return false;
+    return all;
 }
 
-bool Assumptions::search(PartialInputs& inputs, std::size_t next,
-                         const InputValues& preferred) const {
-    if (is_broken(inputs)) return false;
-    while (next < mentioned_.size() && inputs[mentioned_[next]] != Logic::unknown) ++next;
-    if (next == mentioned_.size()) return true;
-    const std::uint32_t input = mentioned_[next];
-    const Logic first = preferred[input] != 0 ? Logic::one : Logic::zero;
-    for (const Logic value : {first, invert(first)}) {
-        inputs[input] = value;
-        if (search(inputs, next + 1, preferred)) return true;
+/// Whether a solution found earlier agrees with the inputs that are not open.
+bool Assumptions::is_known_to_hold(const PartialInputs& inputs) const {
+    return std::any_of(solutions_.begin(), solutions_.end(), [&](const std::vector<Logic>& some) {
+        for (std::size_t i = 0; i < mentioned_.size(); ++i) {
+            const Logic wanted = inputs[mentioned_[i]];
+            if (wanted != Logic::unknown && wanted != some[i]) return false;
+        }
+        return true;
+    });
+}
+
+bool Assumptions::can_be_completed(const PartialInputs& inputs) const {
+    std::vector<int> literals = plant_.assumptions();
+    for (const std::uint32_t input : mentioned_) {
+        if (inputs[input] == Logic::unknown) continue;
+        const int variable = plant_.input(input);
+        literals.push_back(inputs[input] == Logic::one ? variable : -variable);
     }
-    inputs[input] = Logic::unknown;
-    return false;
+    if (!plant_.solver().can_hold(literals)) return false;
+    std::vector<Logic> solution;
+    for (const std::uint32_t input : mentioned_) {
+        const bool value = plant_.solver().value(plant_.input(input));
+        solution.push_back(value ? Logic::one : Logic::zero);
+    }
+    if (solutions_.size() < most_solutions) {
+        solutions_.push_back(std::move(solution));
+    } else {
+        solutions_[oldest_++ % most_solutions] = std::move(solution);
+    }
+    return true;
 }
 
 bool Assumptions::can_hold(const PartialInputs& inputs) const {
-    if (mentioned_.empty()) return true;
-    PartialInputs trial = inputs;
-    return search(trial, 0, InputValues(inputs.size(), 0));
+    if (grafcet_.assumptions.empty()) return true;
+    const Logic all = evaluate_all(inputs);
+    if (all != Logic::unknown) return all == Logic::one;
+    return is_known_to_hold(inputs) || can_be_completed(inputs);
 }
 
 std::optional<InputValues> Assumptions::complete(const PartialInputs& inputs,
                                                  const InputValues& preferred) const {
+    if (!can_hold(inputs)) return std::nullopt;
     PartialInputs trial = inputs;
-    if (!search(trial, 0, preferred)) return std::nullopt;
+    for (const std::uint32_t input : mentioned_) {
+        if (trial[input] != Logic::unknown) continue;
+        trial[input] = preferred[input] != 0 ? Logic::one : Logic::zero;
+        if (!can_hold(trial)) trial[input] = invert(trial[input]);
+    }
     InputValues values(trial.size());
     for (std::size_t i = 0; i < trial.size(); ++i) {
         values[i] = trial[i] == Logic::unknown ? preferred[i] : trial[i] == Logic::one;

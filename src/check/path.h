@@ -12,7 +12,7 @@
 
 namespace grafwire {
 
-/// The delays that end at one instant.
+/// The delays that fall due at one instant, or by one scan.
 struct EndedDelays {
     std::vector<std::uint32_t> conditions;  ///< of the reference: numbers of time conditions
     std::vector<std::uint32_t> timers;      ///< of the netlist: numbers of timer cells
@@ -23,17 +23,20 @@ struct EndedDelays {
 struct RunningDelay {
     std::size_t begun = 0;  ///< the instant at which it began
     Time length = 0;
-    bool ends = false;  ///< at this instant; or it goes on beyond it
+    bool ends = false;  ///< at this instant, or by this scan; or it goes on beyond it
 };
 
 /// One step of a way through the exploration: inputs that change and delays that end, all at one
-/// instant.
+/// instant or scan.
 struct PathStep {
     PartialInputs before;  ///< what the inputs were in the state left (open: any)
     PartialInputs inputs;  ///< what they become
     EndedDelays ended;
     std::vector<RunningDelay> running;  ///< the delays of both sides when the instant comes
 };
+
+/// What leads from some values of the inputs to others.
+std::vector<Stimuli::Assignment> differences(const InputValues& from, const InputValues& to);
 
 /// Finds moments and full input values for a path, so that exactly the delays that are to end do
 /// so, and instants are at least `gap` apart; nothing where that cannot be. Instants are numbered
@@ -44,5 +47,24 @@ std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& as
 /// The gaps worth trying, from one that people like to read to the smallest that can be needed: if
 /// a path is possible at all, it is so with the last.
 std::vector<Time> gaps_for(const std::vector<PathStep>& path);
+
+/// The path with all inputs given values and at most one of them changing at an instant, as far as
+/// the assumptions allow that; what changes without an effect gets instants of its own. Nothing
+/// where the assumptions allow no values.
+std::optional<std::vector<PathStep>> one_by_one(const Assumptions& assumptions,
+                                                const std::vector<PathStep>& path,
+                                                std::size_t input_count);
+
+/// Stimuli for a run scan by scan, and its period.
+struct ScanStimuli {
+    Stimuli stimuli;
+    Time period = 0;
+};
+
+/// Finds a period and full input values for a path whose steps are scans, so that exactly the
+/// delays that are to fall due by a scan do so; nothing where there is none. `period`, if not 0, is
+/// the only one.
+std::optional<ScanStimuli> scans_for(const Grafcet& grafcet, const Assumptions& assumptions,
+                                     const std::vector<PathStep>& path, Time period);
 
 }  // namespace grafwire

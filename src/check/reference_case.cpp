@@ -31,7 +31,9 @@ struct CaseInputs {
         : partial(inputs), values(inputs.size()), consulted(inputs.size()) {
         for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
     }
-    EvolutionInputs read() { return {values, &consulted}; }
+    EvolutionInputs read(std::vector<std::uint8_t>* cleared = nullptr) {
+        return {values, &consulted, cleared};
+    }
 
     /// Tells an outcome which open inputs were looked at.
     void close(ReferenceOutcome& outcome) const {
@@ -48,39 +50,56 @@ struct CaseInputs {
     std::vector<std::uint8_t> consulted;
 };
 
-}  // namespace
-
-ReferenceOutcome ReferenceCases::run(const EvolutionState* start,
-                                     const std::vector<std::uint32_t>& ended,
-                                     const PartialInputs& inputs) const {
-    ReferenceOutcome outcome;
-    CaseInputs given(inputs);
-    const EvolutionInputs read = given.read();
-    outcome.state = start == nullptr ? evolution_.start(read) : *start;
-    for (const std::uint32_t condition : ended) evolution_.end_delay(outcome.state, condition);
-    if (scan_by_scan_) {
-        run_scans(outcome, read);
-    } else {
-        SettleResult result = evolution_.settle(outcome.state, read, 0);
-        outcome.stable = result.stable;
-        outcome.changing = std::move(result.changing);
-        if (outcome.stable) outcome.outputs = evolution_.outputs(outcome.state, read);
+/// A case of the reference from its beginning: the state it starts from, and what it reads.
+struct Case {
+    Case(const Evolution& evolution, const EvolutionState* start, const PartialInputs& inputs)
+        : given(inputs), read(given.read(&outcome.cleared)) {
+        outcome.cleared.resize(evolution.grafcet().transitions.size());
+        outcome.state = start == nullptr ? evolution.start(read) : *start;
+    }
+    void fall_due(const std::vector<std::uint32_t>& conditions) {
+        for (const std::uint32_t condition : conditions) outcome.state.due[condition] = 0;
+    }
+    ReferenceOutcome finish(const Evolution& evolution) {
+        if (outcome.stable) outcome.outputs = evolution.outputs(outcome.state, read);
+        given.close(outcome);
+        return std::move(outcome);
     }
 
-    given.close(outcome);
-    return outcome;
+    ReferenceOutcome outcome;
+    CaseInputs given;
+    EvolutionInputs read;
+};
+
+}  // namespace
+
+ReferenceOutcome ReferenceCases::instant(const EvolutionState* start,
+                                         const std::vector<std::uint32_t>& due,
+                                         const PartialInputs& inputs) const {
+    Case one(evolution_, start, inputs);
+    one.fall_due(due);
+    if (!due.empty()) evolution_.end_delays(one.outcome.state, one.read, 0);
+    SettleResult result = evolution_.settle(one.outcome.state, one.read, 0, keep_going_);
+    one.outcome.stable = result.stable;
+    one.outcome.broken_off = result.broken_off;
+    one.outcome.changing = std::move(result.changing);
+    return one.finish(evolution_);
+}
+
+ReferenceOutcome ReferenceCases::scan_after(const EvolutionState* start,
+                                            const std::vector<std::uint32_t>& due,
+                                            const PartialInputs& inputs) const {
+    Case one(evolution_, start, inputs);
+    one.fall_due(due);
+    evolution_.scan(one.outcome.state, one.read, 0);
+    return one.finish(evolution_);
 }
 
 ReferenceOutcome ReferenceCases::scan(const EvolutionState* start, const PartialInputs& inputs,
                                       Time now) const {
-    ReferenceOutcome outcome;
-    CaseInputs given(inputs);
-    const EvolutionInputs read = given.read();
-    outcome.state = start == nullptr ? evolution_.start(read) : *start;
-    evolution_.scan(outcome.state, read, now);
-    outcome.outputs = evolution_.outputs(outcome.state, read);
-    given.close(outcome);
-    return outcome;
+    Case one(evolution_, start, inputs);
+    evolution_.scan(one.outcome.state, one.read, now);
+    return one.finish(evolution_);
 }
 
 std::vector<std::uint32_t> ReferenceCases::unread_inputs(const EvolutionState& state,
@@ -95,23 +114,6 @@ std::vector<std::uint32_t> ReferenceCases::unread_inputs(const EvolutionState& s
     return unread;
 }
 
-/// Every scan up to the last of the instant, or until a state comes back.
-void ReferenceCases::run_scans(ReferenceOutcome& outcome, const EvolutionInputs& inputs) const {
-    std::vector<EvolutionState> seen;
-    for (;;) {
-        const EvolutionState before = outcome.state;
-        evolution_.scan(outcome.state, inputs, 0);
-        outcome.outputs = evolution_.outputs(outcome.state, inputs);
-        outcome.scans.push_back({outcome.state.situation, outcome.outputs});
-        if (Evolution::is_settled(before, outcome.state)) return;
-        if (std::find(seen.begin(), seen.end(), outcome.state) != seen.end()) break;
-        seen.push_back(outcome.state);
-    }
-    outcome.stable = false;
-    EvolutionState again = outcome.state;
-    outcome.changing = evolution_.settle(again, inputs, 0).changing;
-}
-
 void for_each_case(const Assumptions& assumptions, const PartialInputs& inputs,
                    const std::function<ReferenceOutcome(const PartialInputs&)>& run,
                    const std::function<bool(const ReferenceOutcome&)>& visit) {
@@ -121,6 +123,10 @@ void for_each_case(const Assumptions& assumptions, const PartialInputs& inputs,
         remaining.pop_back();
         if (!assumptions.can_hold(some)) continue;
         const ReferenceOutcome outcome = run(some);
+        if (outcome.broken_off) {
+            visit(outcome);
+            return;
+        }
         PartialInputs other = some;
         for (const std::uint32_t input : outcome.closed) {
             other[input] = Logic::one;

@@ -7,21 +7,18 @@
 
 #include "check/partial_inputs.h"
 #include "evolution/evolution.h"
+#include "text/keep_going.h"
 
 namespace grafwire {
 
 /// What the reference does in one case, down to the outputs that a netlist is compared with.
 struct ReferenceOutcome {
     bool stable = true;
+    bool broken_off = false;            ///< the time was up; the rest is of no meaning
     std::vector<std::string> changing;  ///< not stable: what keeps changing
     EvolutionState state;               ///< at the end
     OutputValues outputs;               ///< there
-    /// For clocked netlists: situation and outputs after every scan of the instant.
-    struct Scan {
-        BitTable situation;
-        OutputValues outputs;
-    };
-    std::vector<Scan> scans;
+    std::vector<std::uint8_t> cleared;  ///< per transition, 1 where it was cleared
     /// The inputs of the case, closed (to 0) where the reference looked at them while they were
     /// open.
     PartialInputs inputs;
@@ -33,13 +30,17 @@ struct ReferenceOutcome {
 /// at (see the comment in the source on why that is sound).
 class ReferenceCases {
   public:
-    ReferenceCases(const Evolution& evolution, bool scan_by_scan)
-        : evolution_(evolution), scan_by_scan_(scan_by_scan) {}
+    ReferenceCases(const Evolution& evolution, KeepGoing keep_going)
+        : evolution_(evolution), keep_going_(std::move(keep_going)) {}
 
-    /// One instant from `start` (none: the start of the GRAFCET), after the given delays have
-    /// ended, with open inputs taken as 0 but noted when looked at.
-    ReferenceOutcome run(const EvolutionState* start, const std::vector<std::uint32_t>& ended,
-                         const PartialInputs& inputs) const;
+    /// One instant from `start` (none: the start of the GRAFCET), until stable. The given delays
+    /// are due at it. Open inputs are taken as 0 but noted when looked at.
+    ReferenceOutcome instant(const EvolutionState* start, const std::vector<std::uint32_t>& due,
+                             const PartialInputs& inputs) const;
+
+    /// One scan, by which the given delays have fallen due; otherwise the same.
+    ReferenceOutcome scan_after(const EvolutionState* start, const std::vector<std::uint32_t>& due,
+                                const PartialInputs& inputs) const;
 
     /// One scan at moment `now`, with the lengths of delays, for devices that are executed scan by
     /// scan; otherwise the same.
@@ -51,10 +52,8 @@ class ReferenceCases {
                                              const PartialInputs& inputs) const;
 
   private:
-    void run_scans(ReferenceOutcome& outcome, const EvolutionInputs& inputs) const;
-
     const Evolution& evolution_;
-    bool scan_by_scan_;
+    KeepGoing keep_going_;
 };
 
 /// All cases that inputs, some of them open, stand for: `run` runs the reference under them (see

@@ -18,6 +18,8 @@ std::string_view kind_name(DifferenceKind kind) {
             return "oscillation";
         case DifferenceKind::race:
             return "race";
+        case DifferenceKind::power_up:
+            return "power-up";
     }
     return "";
 }

@@ -40,47 +40,66 @@ RunningDelays::Ending RunningDelays::ending(const Zone& zone, const std::vector<
     return ending;
 }
 
+namespace {
+
 /// Of a delay that is running: it goes on where it was, or has just begun.
-Zone::Origin RunningDelays::origin_of(std::uint32_t place, Time due) const {
+Zone::Origin origin_of(std::uint32_t place, Time due, Time grain) {
     if (due == some_time) return {place, 0};
-    return {Zone::Origin::begins, due / grain_};
+    return {Zone::Origin::begins, due / grain};
 }
 
+Zone zone_after(const DelayFacts& facts, const Zone& at_instant,
+                const std::vector<Zone::Origin>& origins) {
+    switch (facts.passing) {
+        case Passing::free:
+            return Zone::unbounded(origins.size());
+        case Passing::to_an_end:
+            return at_instant.with(origins).later();
+        case Passing::to_a_scan:
+            return at_instant.with(origins).at_a_scan();
+        case Passing::by_a_period:
+            return at_instant.with(origins).after(facts.period / facts.grain);
+    }
+    return {};
+}
+
+}  // namespace
+
 std::uint32_t RunningDelays::add(RunningDelays& next, std::vector<Zone::Origin>& origins,
-                                 Zone::Origin origin, std::size_t instant) const {
+                                 Zone::Origin origin, Time length, std::size_t instant) const {
     origins.push_back(origin);
     if (origin.delay == Zone::Origin::begins) {
-        next.delays_.push_back({instant, origin.grains * grain_});
+        next.delays_.push_back({instant, length});
     } else {
         next.delays_.push_back(delays_[origin.delay]);
     }
     return static_cast<std::uint32_t>(origins.size() - 1);
 }
 
-RunningDelays RunningDelays::after(const Zone& at_instant, EvolutionState& reference,
-                                   SimulatorState& netlist,
-                                   const std::vector<std::uint32_t>& condition_of_timer,
+RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_instant,
+                                   EvolutionState& reference, SimulatorState& netlist,
                                    std::size_t instant) const {
-    RunningDelays next(of_condition_.size(), of_timer_.size(), grain_, lengths_);
+    RunningDelays next(facts);
     std::vector<Zone::Origin> origins;
     for (std::size_t k = 0; k < of_condition_.size(); ++k) {
         Time& due = reference.due[k];
+        if (facts.is_relevant_condition[k] == 0) due = never;
         if (due == never) continue;
-        next.of_condition_[k] = add(next, origins, origin_of(of_condition_[k], due), instant);
+        const Zone::Origin origin = origin_of(of_condition_[k], due, facts.grain);
+        next.of_condition_[k] = add(next, origins, origin, due, instant);
         due = some_time;
     }
     for (std::size_t i = 0; i < of_timer_.size(); ++i) {
         Time& due = netlist.due[i];
+        if (facts.is_relevant_timer[i] == 0) due = never;
         if (due == never) continue;
-        const Zone::Origin origin = origin_of(of_timer_[i], due);
-        const std::uint32_t shared = next.of_condition_[condition_of_timer[i]];
+        const Zone::Origin origin = origin_of(of_timer_[i], due, facts.grain);
+        const std::uint32_t shared = next.of_condition_[facts.condition_of_timer[i]];
         const bool shares = shared != none && origins[shared] == origin;
-        next.of_timer_[i] = shares ? shared : add(next, origins, origin, instant);
+        next.of_timer_[i] = shares ? shared : add(next, origins, origin, due, instant);
         due = some_time;
     }
-    if (origins.empty()) return next;
-    next.zone_ = lengths_ == Lengths::exact ? at_instant.with(origins).later()
-                                            : Zone::unbounded(origins.size());
+    if (!origins.empty()) next.zone_ = zone_after(facts, at_instant, origins);
     return next;
 }
 
@@ -96,8 +115,8 @@ void RunningDelays::append_key(std::string& key) const {
     }
 }
 
-Time common_grain(const Grafcet& grafcet, const Netlist& netlist) {
-    Time grain = 0;
+Time common_grain(const Grafcet& grafcet, const Netlist& netlist, Time period) {
+    Time grain = period;
     for (const ExprId id : grafcet.expressions.time_conditions()) {
         const TimeCondition& condition = grafcet.expressions.time_condition_of(id);
         grain = std::gcd(grain, std::gcd(condition.on_delay, condition.off_delay));

@@ -18,8 +18,25 @@ namespace grafwire {
 /// `never` where none is running, else this. What remains of them is told by a Zone.
 inline constexpr Time some_time = never - 1;
 
-/// Whether the lengths of delays count: in the first case a running delay can end at any instant.
-enum class Lengths { ignored, exact };
+/// How time passes from one instant to the next, or from one scan to the next.
+enum class Passing {
+    free,         ///< any running delay can end at any time, whatever its length
+    to_an_end,    ///< lengths count, and there is an instant at the end of every delay
+    to_a_scan,    ///< lengths count, and any time lies between two scans
+    by_a_period,  ///< lengths count, and a given time lies between two scans
+};
+
+/// What is known of the delays of both sides from the start.
+struct DelayFacts {
+    Passing passing = Passing::free;
+    Time period = 0;  ///< of by_a_period
+    Time grain = 1;   ///< a duration that divides all lengths, and the period
+    /// Per timer, the time condition it stands for.
+    std::vector<std::uint32_t> condition_of_timer;
+    /// Whether anything that is compared depends on them. The others are left out.
+    std::vector<std::uint8_t> is_relevant_condition;
+    std::vector<std::uint8_t> is_relevant_timer;
+};
 
 /// The delays that run in a state of reference and netlist, and what can remain of them.
 ///
@@ -29,14 +46,12 @@ enum class Lengths { ignored, exact };
 class RunningDelays {
   public:
     RunningDelays() = default;
-    /// Before the first instant: no delay is running. `grain`: a duration that divides all lengths.
-    RunningDelays(std::size_t conditions, std::size_t timers, Time grain, Lengths lengths)
-        : lengths_(lengths),
-          grain_(grain),
-          of_condition_(conditions, none),
-          of_timer_(timers, none) {}
+    /// Before the first instant: no delay is running.
+    explicit RunningDelays(const DelayFacts& facts)
+        : of_condition_(facts.is_relevant_condition.size(), none),
+          of_timer_(facts.is_relevant_timer.size(), none) {}
 
-    /// What can remain at the next instant, before it is known which delays end at it.
+    /// What can remain at the next instant, before it is known which delays end by it.
     const Zone& zone() const { return zone_; }
 
     /// One way in which the next instant can come.
@@ -46,16 +61,16 @@ class RunningDelays {
         Zone zone;                          ///< what can remain of them at the instant
     };
     /// Every set of delays that can end together, and before the others; the empty set too, as far
-    /// as there is time before the first must end. `visit` says whether to go on.
+    /// as there is time before the first must end. At a scan those end that have fallen due since
+    /// the one before. `visit` says whether to go on.
     void for_each_ending(const std::function<bool(const Ending&)>& visit) const;
 
     /// The delays after an instant. `at_instant` is the zone at it; both states are as the instant
     /// left them, `due` being `some_time` for a delay that goes on and the length of one that began
-    /// at it. They get `some_time` for these too. `instant` is the number of the instant.
-    /// `condition_of_timer`: per timer, the time condition it stands for.
-    RunningDelays after(const Zone& at_instant, EvolutionState& reference, SimulatorState& netlist,
-                        const std::vector<std::uint32_t>& condition_of_timer,
-                        std::size_t instant) const;
+    /// at it. They get `some_time` for these too, and `never` for delays on which nothing depends.
+    /// `instant` is the number of the instant.
+    RunningDelays after(const DelayFacts& facts, const Zone& at_instant, EvolutionState& reference,
+                        SimulatorState& netlist, std::size_t instant) const;
 
     /// Adds to a key what is not in the zone: which delays run, and which share a place.
     void append_key(std::string& key) const;
@@ -69,19 +84,17 @@ class RunningDelays {
     bool choose(const Zone& zone, std::size_t left, std::vector<bool>& ends,
                 const std::function<bool(const Ending&)>& visit) const;
     Ending ending(const Zone& zone, const std::vector<bool>& ends) const;
-    Zone::Origin origin_of(std::uint32_t place, Time due) const;
     std::uint32_t add(RunningDelays& next, std::vector<Zone::Origin>& origins, Zone::Origin origin,
-                      std::size_t instant) const;
+                      Time length, std::size_t instant) const;
 
-    Lengths lengths_ = Lengths::exact;
-    Time grain_ = 1;
     std::vector<std::uint32_t> of_condition_;  ///< per time condition: its place, or none
     std::vector<std::uint32_t> of_timer_;      ///< per timer cell: the same
     std::vector<Delay> delays_;                ///< by place
     Zone zone_;
 };
 
-/// The greatest duration that divides the lengths of all delays on both sides.
-Time common_grain(const Grafcet& grafcet, const Netlist& netlist);
+/// The greatest duration that divides the lengths of all delays on both sides, and the period if
+/// one is given.
+Time common_grain(const Grafcet& grafcet, const Netlist& netlist, Time period);
 
 }  // namespace grafwire

@@ -18,8 +18,9 @@
 #include <deque>
 #include <unordered_set>
 
-#include "check/keys.h"
+#include "check/path.h"
 #include "check/reference_case.h"
+#include "check/relevance.h"
 
 namespace grafwire {
 
@@ -35,10 +36,12 @@ struct Node {
     std::uint32_t scan = no_parent;
 };
 
-std::string key_of(const Node& node, const ScannedDevice& device) {
+std::string key_of(const Node& node, const Relevance& relevance, const ScannedDevice& device) {
     std::string key;
-    append_key(key, node.reference);
-    for (const Time due : node.reference.due) {
+    relevance.append_key(key, node.reference);
+    for (std::size_t i = 0; i < node.reference.due.size(); ++i) {
+        if (relevance.time_conditions()[i] == 0) continue;
+        const Time due = node.reference.due[i];
         const Time remaining = due == never ? never : due - node.now;
         key.append(reinterpret_cast<const char*>(&remaining), sizeof(remaining));
     }
@@ -53,7 +56,9 @@ class ScanExploration {
           device_(device),
           period_(period),
           evolution_(grafcet),
-          reference_(evolution_, true),
+          reference_(evolution_, {}),
+          relevance_(grafcet),
+          exercised_(grafcet, device.has_modes()),
           assumptions_(grafcet),
           counter_(options, result_.coverage) {}
 
@@ -64,6 +69,7 @@ class ScanExploration {
             waiting_.pop_front();
             explore_scan(&node);
         }
+        result_.never = exercised_.never();
         conclude(result_, waiting_.empty() && !done_, waiting_.size());
         return std::move(result_);
     }
@@ -87,6 +93,8 @@ class ScanExploration {
     Time period_;
     Evolution evolution_;
     ReferenceCases reference_;
+    Relevance relevance_;
+    Exercised exercised_;
     Assumptions assumptions_;
     std::deque<Node> waiting_;
     std::unordered_set<std::string> seen_;
@@ -129,6 +137,7 @@ void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected
             continue;
         }
         if (!counter_.count(true, waiting_.size())) done_ = true;
+        exercised_.note(expected, inputs);
         if (agree(expected, got)) {
             arrive({expected.state, std::move(got.memory), now}, before, inputs);
         } else {
@@ -151,7 +160,7 @@ bool ScanExploration::agree(const ReferenceOutcome& expected,
 }
 
 void ScanExploration::arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs) {
-    if (!seen_.insert(key_of(next, device_)).second) return;
+    if (!seen_.insert(key_of(next, relevance_, device_)).second) return;
     counter_.note(next.reference.situation);
     next.scan = static_cast<std::uint32_t>(scans_.size());
     scans_.push_back({before, inputs});
@@ -164,13 +173,8 @@ Stimuli ScanExploration::stimuli_of(std::vector<PartialInputs> scans) const {
     InputValues previous(grafcet_.all_input_count(), 0);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         stimuli.end = static_cast<Time>(i) * period_;
-        Stimuli::Change change;
-        change.at = stimuli.end;
         const InputValues values = *assumptions_.complete(scans[i], previous);
-        for (std::uint32_t input = 0; input < values.size(); ++input) {
-            if (values[input] == previous[input]) continue;
-            change.assignments.push_back({input, values[input] != 0});
-        }
+        Stimuli::Change change{stimuli.end, differences(previous, values), {}};
         previous = values;
         if (i == 0 || !change.assignments.empty()) stimuli.changes.push_back(std::move(change));
     }

@@ -103,7 +103,7 @@ void Story::follow_instants(const Evolution& evolution) {
         if (row == 0) {
             state = evolution.start({values});
         } else {
-            evolution.end_delays(state, at);
+            evolution.end_delays(state, {values}, at);
         }
         if (row + 1 < run.trace.row_count()) {
             evolution.settle(state, {values}, at);

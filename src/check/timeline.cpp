@@ -70,6 +70,14 @@ std::optional<std::vector<Time>> solve(const std::vector<Constraint>& constraint
 
 }  // namespace
 
+std::vector<Stimuli::Assignment> differences(const InputValues& from, const InputValues& to) {
+    std::vector<Stimuli::Assignment> assignments;
+    for (std::uint32_t input = 0; input < to.size(); ++input) {
+        if (from[input] != to[input]) assignments.push_back({input, to[input] != 0});
+    }
+    return assignments;
+}
+
 std::vector<Time> gaps_for(const std::vector<PathStep>& path) {
     std::vector<Time> gaps{100 * millisecond, millisecond, 10 * microsecond, microsecond};
     Time grain = 0;
@@ -102,10 +110,7 @@ std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& as
     for (std::size_t i = 0; i < path.size(); ++i) {
         Stimuli::Change change;
         change.at = (*moments)[i];
-        for (std::uint32_t input = 0; input < previous.size(); ++input) {
-            if (values[i][input] == previous[input]) continue;
-            change.assignments.push_back({input, values[i][input] != 0});
-        }
+        change.assignments = differences(previous, values[i]);
         previous = values[i];
         // An instant at which only a delay ends, or nothing changes, comes about by itself; but the
         // latter would not, so its line stays.

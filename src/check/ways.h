@@ -14,7 +14,10 @@ class Ways {
   public:
     static constexpr std::uint32_t start = 0xffffffffU;  ///< before the first instant
 
-    explicit Ways(const Assumptions& assumptions) : assumptions_(assumptions) {}
+    /// `inserts`: whether a path gets steps of its own for what changes without an effect; where
+    /// not, the inputs before a step may differ from those that the step before it leads to.
+    Ways(const Assumptions& assumptions, bool inserts)
+        : assumptions_(assumptions), inserts_(inserts) {}
 
     /// The number that the next step will have.
     std::uint32_t next() const { return static_cast<std::uint32_t>(steps_.size()); }
@@ -31,6 +34,7 @@ class Ways {
         PathStep step;
     };
     const Assumptions& assumptions_;
+    bool inserts_;
     std::vector<Step> steps_;
 };
 

@@ -18,6 +18,7 @@ enum class DifferenceKind {
     output,       ///< an output differs
     oscillation,  ///< a netlist does not settle
     race,         ///< a netlist settles at a value that the gates leave open
+    power_up,     ///< a netlist does not find its initial situation by itself
 };
 
 /// A difference that replays: stimuli, and what the two sides show at their end.

@@ -21,9 +21,15 @@
 
 namespace grafwire {
 
+namespace {
+
+/// Beyond every time, and small enough for sums of bounds to fit.
+constexpr std::int64_t far = std::numeric_limits<std::int64_t>::max() / 8;
+
+}  // namespace
+
 Zone Zone::unbounded(std::size_t delays) {
-    // Half of what fits, so that sums of bounds fit too; and no delay is overdue.
-    constexpr std::int64_t far = std::numeric_limits<Bound>::max() / 8;
+    // No delay is overdue.
     Zone zone(delays);
     for (std::size_t i = 1; i < zone.size_; ++i) {
         for (std::size_t j = 0; j < zone.size_; ++j) {
@@ -43,6 +49,25 @@ Zone Zone::later() const {
         Bound lowest = weak(0);
         for (std::size_t j = 1; j < size_; ++j) lowest = std::min(lowest, bound(j, i));
         zone.bound(0, i) = lowest;
+    }
+    return zone;
+}
+
+/// Differences stay; upper bounds hold without the bounds themselves; there are no lower bounds.
+Zone Zone::at_a_scan() const {
+    Zone zone = *this;
+    for (std::size_t i = 1; i < size_; ++i) {
+        zone.bound(i, 0) &= ~Bound{1};
+        zone.bound(0, i) = strict(far);
+    }
+    return zone;
+}
+
+Zone Zone::after(std::int64_t grains) const {
+    Zone zone = *this;
+    for (std::size_t i = 1; i < size_; ++i) {
+        zone.bound(i, 0) -= 2 * grains;
+        zone.bound(0, i) += 2 * grains;
     }
     return zone;
 }

@@ -24,9 +24,13 @@ class Zone {
     /// The zone some time later, at any moment at which no delay is overdue: a positive time has
     /// passed, and each delay has some of its time left or ends at that very moment.
     Zone later() const;
+    /// The zone at the next scan, with any time in between: delays may be overdue there.
+    Zone at_a_scan() const;
+    /// The zone exactly so many grains later; delays may be overdue there.
+    Zone after(std::int64_t grains) const;
 
-    /// Keeps the moments at which a delay ends. False where there is none; the zone is of no use
-    /// then.
+    /// Keeps the moments at which a delay ends or is overdue. False where there is none; the zone is
+    /// of no use then.
     bool let_end(std::size_t delay) { return tighten(delay + 1, 0, weak(0)); }
     /// Keeps the moments at which some of the delay's time is left. False where there is none.
     bool let_run_on(std::size_t delay) { return tighten(0, delay + 1, strict(0)); }

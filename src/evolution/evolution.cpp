@@ -131,6 +131,9 @@ void Evolution::scan(EvolutionState& state, const EvolutionInputs& inputs, Time 
     } else {
         list_cleared(scan, cleared);
         clear_transitions(scan, cleared);
+        if (inputs.cleared != nullptr) {
+            for (const TransitionId id : cleared) (*inputs.cleared)[index_of(id)] = 1;
+        }
     }
 
     apply_forcing(scan, init);  // SBR 5

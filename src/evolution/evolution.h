@@ -8,6 +8,7 @@
 
 #include "evolution/bit_table.h"
 #include "grafcet/grafcet.h"
+#include "text/keep_going.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
 
@@ -38,6 +39,8 @@ struct EvolutionInputs {
     /// If not null, one byte per input, set to 1 when the value of that input was consulted. An
     /// input that was not consulted cannot have influenced the scan. Never cleared here.
     std::vector<std::uint8_t>* consulted = nullptr;
+    /// If not null, one byte per transition, set to 1 when it is cleared. Never cleared here.
+    std::vector<std::uint8_t>* cleared = nullptr;
 };
 
 /// Continuous and stored outputs together, one bit per output.
@@ -45,6 +48,8 @@ using OutputValues = BitTable;
 
 struct SettleResult {
     bool stable = true;
+    /// Broken off: what is stable is not known, and the state is one on the way.
+    bool broken_off = false;
     std::uint32_t repetitions = 0;
     /// Not stable: what keeps changing, by name (`X5`, vars, counters, stored outputs), in the
     /// order of steps, outputs, vars, counters.
@@ -68,20 +73,20 @@ class Evolution {
     /// fallen due by then take effect in SBR 6.
     void scan(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
 
-    /// The running delays that end at or before `now` take effect at once (the beginning of an
-    /// instant of the until-stable run).
-    void end_delays(EvolutionState& state, Time now) const;
+    /// The beginning of an instant of the until-stable run, once its inputs have changed: the
+    /// running delays that end at or before `now` take effect, from the inside outwards, but for
+    /// those whose operand, read under these inputs, no longer asks for it. SBR 6 settles what
+    /// becomes of the latter, as it does in a run scan by scan.
+    void end_delays(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
 
-    /// Lets the running delay of one time condition end at once, whatever its length: its value is
-    /// inverted. Only where is_running.
-    void end_delay(EvolutionState& state, std::size_t time_condition) const;
     static bool is_running(const EvolutionState& state, std::size_t time_condition) {
         return state.due[time_condition] != never;
     }
 
     /// Repeats scans with the inputs and the clock held until one in which no edge is 1 leaves
     /// everything as it was, or until a state comes back (not stable).
-    SettleResult settle(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
+    SettleResult settle(EvolutionState& state, const EvolutionInputs& inputs, Time now,
+                        const KeepGoing& keep_going = {}) const;
 
     /// Whether the scan that led from `before` to `after` was the last of an instant: no edge is 1
     /// in it, and situation, freeze bits, time conditions, vars, counters and stored outputs are as

@@ -29,7 +29,7 @@ class Runner {
     RunResult until_stable() {
         for (Time now = 0; now <= stimuli_.end; now = next_instant()) {
             change_inputs(now);
-            if (now != 0) evolution_.end_delays(state_, now);
+            if (now != 0) evolution_.end_delays(state_, {inputs_}, now);
             SettleResult settled = evolution_.settle(state_, {inputs_}, now);
             if (!settled.stable) {
                 result_.unstable_at = now;

@@ -18,6 +18,8 @@ namespace grafwire {
 
 namespace {
 
+constexpr std::uint64_t repetitions_between_questions = 256;
+
 /// Collects the bits in which tables differ from a first one.
 class Differences {
   public:
@@ -80,8 +82,8 @@ bool Evolution::is_settled(const EvolutionState& before, const EvolutionState& a
            before.counters == after.counters && before.stored_outputs == after.stored_outputs;
 }
 
-SettleResult Evolution::settle(EvolutionState& state, const EvolutionInputs& inputs,
-                               Time now) const {
+SettleResult Evolution::settle(EvolutionState& state, const EvolutionInputs& inputs, Time now,
+                               const KeepGoing& keep_going) const {
     SettleResult result;
     EvolutionState before = state;
     EvolutionState landmark;          // Brent's earlier state
@@ -98,6 +100,10 @@ SettleResult Evolution::settle(EvolutionState& state, const EvolutionInputs& inp
         if (repetition == next_landmark) {
             landmark = state;
             next_landmark *= 2;
+        }
+        if (repetition % repetitions_between_questions == 0 && keep_going && !keep_going()) {
+            result.broken_off = true;
+            return result;
         }
         before = state;
     }

@@ -10,7 +10,11 @@
 //
 // A delay of 0 is due at once. Conditions are taken from the inside outwards, so that an outer one
 // reads the inner ones as they are after this scan. Scan by scan a delay counts from the scan that
-// first saw e, and ends in the first scan that is not before `due` and still sees e.
+// first saw e, and ends in the first scan that is not before `due` and still sees e. Until stable, a
+// delay that ends exactly at an instant takes effect at its beginning, before SBR 1, so that the
+// receptivities of the first repetition see it beside the inputs that changed with it; again only if
+// e still asks for it, under the new inputs. So both ways of running agree on a delay whose operand
+// changes at the very moment at which it would have ended.
 
 #include "evolution/scan_parts.h"
 
@@ -38,15 +42,17 @@ void update_time_conditions(const ScanContext& scan) {
     }
 }
 
-void Evolution::end_delays(EvolutionState& state, Time now) const {
+void Evolution::end_delays(EvolutionState& state, const EvolutionInputs& inputs, Time now) const {
+    const Evaluator read(*grafcet_, *tables_, state, inputs);
+    const Expressions& expressions = grafcet_->expressions;
     for (std::size_t i = 0; i < state.due.size(); ++i) {
-        if (state.due[i] <= now && is_running(state, i)) end_delay(state, i);
+        if (!is_running(state, i) || state.due[i] > now) continue;
+        const ExprId id = expressions.time_conditions()[i];
+        const bool operand = read.value(expressions.time_condition_of(id).operand);
+        if (operand == state.time_values.test(i)) continue;
+        state.time_values.assign(i, operand);
+        state.due[i] = never;
     }
-}
-
-void Evolution::end_delay(EvolutionState& state, std::size_t time_condition) const {
-    state.time_values.assign(time_condition, !state.time_values.test(time_condition));
-    state.due[time_condition] = never;
 }
 
 }  // namespace grafwire

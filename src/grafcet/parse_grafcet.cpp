@@ -11,8 +11,10 @@
 #include <limits>
 
 #include "grafcet/names.h"
+#include "grafcet/plant_conditions.h"
 #include "grafcet/syntax_parser.h"
 #include "grafcet/warnings.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
@@ -36,6 +38,43 @@ void check(const Checking& checking) {
     resolve_actions(checking);
     check_enclosures(checking);
     check_circles(checking);
+}
+
+/// Refuses assumptions that leave no input: nothing could be said about a GRAFCET under them. The
+/// place is that of the last, as it was the one too many; those before `first_here` stand in another
+/// file.
+void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
+                           Diagnostics& diagnostics) {
+    std::vector<std::size_t> contradicting = contradicting_assumptions(grafcet);
+    if (contradicting.empty()) return;
+    const Assumption& last = grafcet.assumptions[contradicting.back()];
+    contradicting.pop_back();
+    if (contradicting.empty()) {
+        diagnostics.error(Code::contradicting_assumptions, last.where,
+                          "this assumption is never 1, so that no input is left");
+        return;
+    }
+    Diagnostic& error = diagnostics.error(
+        Code::contradicting_assumptions, last.where,
+        contradicting.size() == 1
+            ? "this assumption contradicts another, so that no input is left"
+            : fmt::format("this assumption contradicts {} others together, so that no input is left",
+                          contradicting.size()));
+    for (const std::size_t i : contradicting) {
+        const Assumption& other = grafcet.assumptions[i];
+        const std::string text =
+            write_expression(grafcet, grafcet.expressions, other.expression);
+        error.notes.push_back({i < first_here ? Location{} : other.where,
+                               fmt::format("the other: assume {}", text)});
+    }
+}
+
+void refuse_no_steps(const Grafcet& grafcet, Diagnostics& diagnostics) {
+    if (!grafcet.steps.empty()) return;
+    const Location where =
+        grafcet.blocks.empty() ? Location{1, 1} : grafcet.blocks.items().front().where;
+    diagnostics.error(Code::no_steps, where,
+                      "there is no step, and a GRAFCET needs one at least: graph G { initial 0 }");
 }
 
 std::vector<std::string_view> input_names(const Grafcet& grafcet) {
@@ -93,7 +132,12 @@ std::optional<Grafcet> parse_grafcet(const SourceFile& source, Diagnostics& diag
         check({syntax, names, suggestions, diagnostics});
         if (diagnostics.error_count() == errors_before) grafcet = build_model(syntax);
     }
-    if (grafcet) warn_about(*grafcet, diagnostics);
+    if (grafcet) {
+        refuse_no_steps(*grafcet, diagnostics);
+        refuse_contradictions(*grafcet, 0, diagnostics);
+        warn_about(*grafcet, diagnostics);
+        if (diagnostics.error_count() != errors_before) grafcet.reset();
+    }
     diagnostics.sort_by_place();
     return grafcet;
 }
@@ -108,11 +152,14 @@ void parse_assumption(const SourceFile& source, Grafcet& grafcet, Diagnostics& d
     const Checking checking{syntax, names, suggestions, diagnostics};
     for (const ExpressionSyntax& assumption : syntax.assumptions)
         resolve_expression(checking, assumption, ExpressionUse::assumption);
-    if (diagnostics.error_count() == errors_before)
+    if (diagnostics.error_count() == errors_before) {
+        const std::size_t first_here = grafcet.assumptions.size();
         for (const ExpressionSyntax& assumption : syntax.assumptions)
             grafcet.assumptions.push_back(
                 {build_expression(syntax, assumption, {}, {}, grafcet.expressions),
                  assumption.where});
+        refuse_contradictions(grafcet, first_here, diagnostics);
+    }
     diagnostics.sort_by_place();
 }
 

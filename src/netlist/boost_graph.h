@@ -16,7 +16,11 @@ namespace grafwire {
 /// fan-out lists are built.
 class NetlistGraph {
   public:
-    explicit NetlistGraph(const Netlist& netlist);
+    enum class Edges {
+        all,
+        at_once,  ///< none from cells with a memory, whose outputs do not follow their inputs at once
+    };
+    explicit NetlistGraph(const Netlist& netlist, Edges edges = Edges::all);
 
     struct Edge {
         std::uint32_t source = 0;

@@ -39,24 +39,24 @@ struct CellTypeRow {
     std::string_view description;  ///< in messages: "AND gate"
     std::string_view french;       ///< in French reports: "porte ET"
     std::uint32_t min_pins;
-    std::uint32_t max_pins;  ///< many: no bound
+    std::uint32_t max_pins;  ///< any_number: no bound
     bool has_memory;         ///< keeps a value of its own and has an initial value
     bool has_timing;
     bool is_clocked;  ///< its last pin is the clock
 };
 
-inline constexpr std::uint32_t many = 0xffffffffU;
+inline constexpr std::uint32_t any_number = 0xffffffffU;
 
 inline constexpr std::array<CellTypeRow, 17> cell_table{{
     {CellType::low, "low", "constant 0", "constante 0", 0, 0, false, false, false},
     {CellType::high, "high", "constant 1", "constante 1", 0, 0, false, false, false},
     {CellType::buffer, "buf", "buffer", "porte OUI", 1, 1, false, false, false},
     {CellType::inverter, "not", "NOT gate", "porte NON", 1, 1, false, false, false},
-    {CellType::and_gate, "and", "AND gate", "porte ET", 1, many, false, false, false},
-    {CellType::or_gate, "or", "OR gate", "porte OU", 1, many, false, false, false},
-    {CellType::nand_gate, "nand", "NAND gate", "porte NON-ET", 1, many, false, false, false},
-    {CellType::nor_gate, "nor", "NOR gate", "porte NON-OU", 1, many, false, false, false},
-    {CellType::xor_gate, "xor", "XOR gate", "porte OU exclusif", 1, many, false, false, false},
+    {CellType::and_gate, "and", "AND gate", "porte ET", 1, any_number, false, false, false},
+    {CellType::or_gate, "or", "OR gate", "porte OU", 1, any_number, false, false, false},
+    {CellType::nand_gate, "nand", "NAND gate", "porte NON-ET", 1, any_number, false, false, false},
+    {CellType::nor_gate, "nor", "NOR gate", "porte NON-OU", 1, any_number, false, false, false},
+    {CellType::xor_gate, "xor", "XOR gate", "porte OU exclusif", 1, any_number, false, false, false},
     {CellType::latch, "latch", "set-priority latch", "bascule RS", 2, 2, true, false, false},
     {CellType::hold_latch, "hold", "hold latch", "bascule D à verrouillage", 2, 2, true, false,
      false},

@@ -120,6 +120,9 @@ struct Netlist {
     std::vector<Observed> counters;
     NetId clock = no_net;  ///< the clock input of a clocked netlist
     bool has_modes = true;
+    /// Without modes: its steps are in the initial situation when it starts. Where not, they are in
+    /// whatever power-up leaves them in.
+    bool starts_initially = true;
     std::size_t step_count = 0;  ///< the first so many outputs are the X of the steps
 
     std::size_t net_count() const { return names.size(); }

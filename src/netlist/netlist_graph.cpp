@@ -2,9 +2,14 @@
 
 namespace grafwire {
 
-NetlistGraph::NetlistGraph(const Netlist& netlist)
+NetlistGraph::NetlistGraph(const Netlist& netlist, Edges edges)
     : first_reader_(netlist.cells.size() + 1), readers_() {
-    const Table<NetId, CellId> drivers = drivers_of(netlist);
+    Table<NetId, CellId> drivers = drivers_of(netlist);
+    if (edges == Edges::at_once) {
+        for (const Cell& cell : netlist.cells) {
+            if (row_of(cell.type).has_memory) drivers[cell.output] = no_cell;
+        }
+    }
     for (const Cell& cell : netlist.cells) {
         for (const NetId pin : netlist.pins_of(cell)) {
             if (drivers[pin] != no_cell) ++first_reader_[index_of(drivers[pin]) + 1];

@@ -132,7 +132,7 @@ class Initialisation {
         simulator_.power_up();
         set_all(inputs);
         hold_memories();
-        if (!has_init) hold_steps();
+        if (!has_init && netlist_.starts_initially) hold_steps();
         Settling settling = simulator_.settle();
         simulator_.release_all();
         if (!has_init || !settling.settled || is_known()) return settling;

@@ -36,13 +36,14 @@ class Simulator::Kernel {
     const std::vector<CellId>& timer_cells() const { return timer_cells_; }
     bool is_running(std::size_t timer) const { return due_[timer] != never; }
     Time next_due() const;
-    void end_delays(Time now);
-    void end_delay(std::size_t timer);
+    Time due(std::size_t timer) const { return due_[timer]; }
+    void end_delay(std::size_t timer, Logic operand);
 
     Logic value(std::uint32_t net) const { return values_[net]; }
     Time now() const { return origin_ + tick_ * slot_; }
     SimulatorState save() const { return {values_, due_, now(), towards_}; }
     void restore(const SimulatorState& state);
+    void ask(KeepGoing keep_going) { keep_going_ = std::move(keep_going); }
     void observe(Observer observer) { observer_ = std::move(observer); }
 
   private:
@@ -122,6 +123,7 @@ class Simulator::Kernel {
     void drop_pending(std::uint32_t net);
     void drop_all_pending();
     void take_snapshot(Snapshot& snapshot);
+    bool is_broken_off(std::uint64_t moments, Settling& settling) const;
     bool is_live() const { return next_.size != 0 || live_ != 0; }
 
     // memory_cells.cpp
@@ -202,6 +204,7 @@ class Simulator::Kernel {
 
     bool pulses_held_ = false;
     bool pulses_remember_ = false;
+    KeepGoing keep_going_;
     Observer observer_;
 };
 

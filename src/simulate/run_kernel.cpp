@@ -42,6 +42,7 @@ namespace {
 /// as many changes as there are nets, for the watch costs as much to set up.
 constexpr std::uint64_t patience = 64;
 constexpr std::size_t read_ahead = 12;
+constexpr std::uint64_t moments_between_questions = 1024;
 
 }  // namespace
 
@@ -206,6 +207,15 @@ inline void Simulator::Kernel::next_moment(RecurrenceWatch* watch) {
     evaluate_touched<uniform>();
 }
 
+/// Asks now and then whether to go on.
+bool Simulator::Kernel::is_broken_off(std::uint64_t moments, Settling& settling) const {
+    if (moments % moments_between_questions != moments_between_questions - 1) return false;
+    if (!keep_going_ || keep_going_()) return false;
+    settling.settled = false;
+    settling.broken_off = true;
+    return true;
+}
+
 template <bool uniform, bool observed>
 Settling Simulator::Kernel::run() {
     Settling settling;
@@ -217,6 +227,7 @@ Settling Simulator::Kernel::run() {
             break;
         }
         next_moment<uniform, observed, false>(nullptr);
+        if (is_broken_off(moments, settling)) break;
     }
     // Entries whose changes were cancelled may be left over.
     if (!is_live()) wheel_.clear();
@@ -230,8 +241,9 @@ void Simulator::Kernel::watch(Settling& settling) {
     Snapshot present;
     take_snapshot(present);
     RecurrenceWatch watch(words_.size(), std::move(present));
-    while (is_live()) {
+    for (std::uint64_t moments = 0; is_live(); ++moments) {
         next_moment<uniform, observed, true>(&watch);
+        if (is_broken_off(moments, settling)) return;
         if (watch.came_back([this](Snapshot& snapshot) { take_snapshot(snapshot); })) {
             settling.settled = false;
             settling.oscillating = watch.changing();

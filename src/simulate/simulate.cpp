@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "simulate/delay_ends.h"
 #include "simulate/waveform.h"
 
 // A netlist under stimuli
@@ -78,6 +79,7 @@ class Run {
           ports_(map_ports(grafcet, netlist)),
           rows_(grafcet, netlist, ports_),
           simulator_(netlist, delays),
+          delay_ends_(netlist),
           inputs_(grafcet.all_input_count(), 0) {
         result_.trace = empty_trace(grafcet);
         if (options.waveform) waveform_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
@@ -145,11 +147,10 @@ class Run {
     bool instant(Time at) {
         take_changes(at);
         simulator_.begin_instant(at);
-        if (netlist_.is_clocked()) set_inputs();
-        if (at > 0) simulator_.end_delays(at);
-        if (netlist_.is_clocked()) return note(at, cycle_until_stable());
         set_inputs();
-        return note(at, simulator_.settle());
+        if (at > 0) delay_ends_.take_effect(simulator_, at);
+        return note(at, netlist_.is_clocked() ? cycle_until_stable()
+                                              : delay_ends_.settle(simulator_, at));
     }
 
     bool scan(Time at) {
@@ -178,6 +179,7 @@ class Run {
     RowReader rows_;
     std::optional<Waveform> waveform_;
     Simulator simulator_;
+    DelayEnds delay_ends_;
     InputValues inputs_;
     std::size_t next_change_ = 0;
     bool started_ = false;

@@ -102,18 +102,12 @@ Time Simulator::Kernel::next_due() const {
     return first == due_.end() ? never : *first;
 }
 
-void Simulator::Kernel::end_delays(Time now) {
-    for (std::size_t timer = 0; timer < due_.size(); ++timer) {
-        if (due_[timer] <= now) end_delay(timer);
-    }
-}
-
-void Simulator::Kernel::end_delay(std::size_t timer) {
+void Simulator::Kernel::end_delay(std::size_t timer, Logic operand) {
     if (!is_running(timer)) return;
     const std::uint32_t net = timer_nodes_[timer];
     due_[timer] = never;
     drop_pending(net);
-    change_now(net, towards_[timer]);
+    change_now(net, agreed(towards_[timer], operand));
     touch(net);
 }
 
@@ -180,11 +174,11 @@ bool Simulator::is_running(std::size_t timer) const {
 Time Simulator::next_due() const {
     return kernel_->next_due();
 }
-void Simulator::end_delays(Time now) {
-    kernel_->end_delays(now);
+Time Simulator::due(std::size_t timer) const {
+    return kernel_->due(timer);
 }
-void Simulator::end_delay(std::size_t timer) {
-    kernel_->end_delay(timer);
+void Simulator::end_delay(std::size_t timer, Logic operand) {
+    kernel_->end_delay(timer, operand);
 }
 Logic Simulator::value(NetId net) const {
     return kernel_->value(static_cast<std::uint32_t>(net));
@@ -197,6 +191,9 @@ SimulatorState Simulator::save() const {
 }
 void Simulator::restore(const SimulatorState& state) {
     kernel_->restore(state);
+}
+void Simulator::ask(KeepGoing keep_going) {
+    kernel_->ask(std::move(keep_going));
 }
 void Simulator::observe(Observer observer) {
     kernel_->observe(std::move(observer));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "netlist/netlist.h"
+#include "text/keep_going.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -23,6 +24,7 @@ CellDelays unit_delays(const Netlist& netlist);
 /// What came of letting a netlist settle.
 struct Settling {
     bool settled = true;
+    bool broken_off = false;    ///< then it is not settled either; restore() before going on
     std::uint64_t events = 0;  ///< changes of nets that took place
     /// Not settled: the nets that keep changing, in the order of their ids.
     std::vector<NetId> oscillating;
@@ -93,19 +95,22 @@ class Simulator {
     bool is_running(std::size_t timer) const;
     /// The earliest moment at which a running delay ends; `never` if none runs.
     Time next_due() const;
-    /// The running delays that end at or before `now` end: the timer takes the value of its
-    /// operand at once (gates see it with settle()), as it was when last settled. settle() itself
-    /// never ends a delay of a timer; clock_cycle() ends those of scan timers that have fallen due
-    /// by the current instant.
-    void end_delays(Time now);
-    /// Lets one running delay end at once, whatever its length.
-    void end_delay(std::size_t timer);
+    /// The moment at which a running delay ends; `never` where none runs.
+    Time due(std::size_t timer) const;
+    /// Lets one running delay end at once, whatever its length, under this value of its operand,
+    /// which the timer takes (gates see it with settle()); it becomes unknown where the delay may
+    /// have run for another. settle() itself never ends a delay of a timer (delay_ends.h does);
+    /// clock_cycle() ends those of scan timers that have fallen due by the current instant.
+    void end_delay(std::size_t timer, Logic operand);
 
     Logic value(NetId net) const;
     Time now() const;
 
     SimulatorState save() const;
     void restore(const SimulatorState& state);
+
+    /// From now on asked while the netlist settles, which is broken off where it says no.
+    void ask(KeepGoing keep_going);
 
     /// Called at every change of a net; for waveforms. Costs time: none by default.
     using Observer = std::function<void(Time, NetId, Logic)>;

@@ -49,6 +49,8 @@ enum class Code {
     expansion_entry_exit,
     expansion_use,
     not_a_plant_condition,
+    contradicting_assumptions,
+    no_steps,
     // Warnings.
     unreachable_step,
     graph_without_start,

@@ -62,7 +62,7 @@ TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
     REQUIRE(gates.witness);
     CHECK(gates.witness->kind == DifferenceKind::oscillation);
     const Netlist netlist = netlist_of(grafcet, Style::gates);
-    CHECK(replay(grafcet, netlist, unit_delays(netlist), gates.witness->stimuli));
+    CHECK(replay(grafcet, netlist, unit_delays(netlist), gates.witness->stimuli, 0));
     const std::string story =
         tell_witness(grafcet, netlist, unit_delays(netlist), *gates.witness, Language::english);
     CHECK(story.find("These keep changing:\n  AND gate X1 of step 1\n") != std::string::npos);
@@ -94,6 +94,11 @@ TEST_CASE("a plain sequence is equivalent in every style, and its circling is co
         // Each of the three steps, and none while AUdur is 1.
         CHECK(result.coverage.situations == 4);
         CHECK(result.coverage.waiting == 0);
+        if (row.style == Style::clocked) {
+            // Scan by scan there is always something to compare.
+            CHECK(result.coverage.unstable == 0);
+            continue;
+        }
         // With m, a and b at 1 the token goes round for ever.
         CHECK(result.coverage.unstable > 0);
         CHECK(result.coverage.unstable < result.coverage.cases);
@@ -126,12 +131,12 @@ graph G { initial 0 step 1
     std::size_t asked = 0;
     options.keep_going = [&](const Coverage& coverage) {
         ++asked;
-        return coverage.cases < 512;
+        return coverage.cases < 64;
     };
     const CheckResult stopped = check_equivalence(large, of_large, unit_delays(of_large), options);
     CHECK(stopped.verdict == Verdict::undecided);
-    CHECK(asked == 2);
-    CHECK(stopped.coverage.cases == 512);
+    CHECK(asked == 4);
+    CHECK(stopped.coverage.cases == 64);
 }
 
 TEST_CASE("the shortest way to a difference, as stimuli") {
@@ -269,7 +274,8 @@ graph G {
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(value_of(*result.witness, "lamp").expected == Logic::one);
-    CHECK(replay(grafcet, wrong, unit_delays(wrong), result.witness->stimuli));
+    CHECK(replay(grafcet, wrong, unit_delays(wrong), result.witness->stimuli,
+                         result.witness->scan_period));
     // Without the possible way the lamp does not matter.
     const std::string only = R"(
   0 -> 1 : a
@@ -301,7 +307,8 @@ TEST_CASE("timers of the netlist that run while the GRAFCET's do not are followe
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(stimuli_of(result, grafcet).find("Init=1") != std::string::npos);
-        CHECK(replay(grafcet, other, unit_delays(other), result.witness->stimuli));
+        CHECK(replay(grafcet, other, unit_delays(other), result.witness->stimuli,
+                     result.witness->scan_period));
     }
 }
 

@@ -103,8 +103,8 @@ TEST_CASE("a replay shows a difference where there is one, and only there") {
     const Netlist wrong = netlist_of(grafcet_of(head + "/a }"), Style::gates);
     const auto stimuli = read_stimuli("0s : a=1\n1s : a=0\n5s : end\n", grafcet);
     REQUIRE(stimuli);
-    CHECK_FALSE(replay(grafcet, right, unit_delays(right), *stimuli));
-    const auto witness = replay(grafcet, wrong, unit_delays(wrong), *stimuli);
+    CHECK_FALSE(replay(grafcet, right, unit_delays(right), *stimuli, 0));
+    const auto witness = replay(grafcet, wrong, unit_delays(wrong), *stimuli, 0);
     REQUIRE(witness);
     CHECK(witness->kind == DifferenceKind::output);
     CHECK(witness->scan_period == 0);
@@ -126,14 +126,14 @@ TEST_CASE("rows are compared by their moments, where a side has instants of its 
     const Netlist hasty = netlist_of(grafcet_of(head + "1s" + tail), Style::gates);
     const auto stimuli = read_stimuli("0s :\n10s : end\n", grafcet);
     REQUIRE(stimuli);
-    const auto witness = replay(grafcet, hasty, unit_delays(hasty), *stimuli);
+    const auto witness = replay(grafcet, hasty, unit_delays(hasty), *stimuli, 0);
     REQUIRE(witness);
     CHECK(write_stimuli(witness->stimuli, grafcet) == "0s :\n1s : end\n");
     CHECK(witness->values[1].expected == Logic::zero);
     CHECK(witness->values[1].got == Logic::one);
     // With another delay that makes no difference, only the instants differ.
     const Netlist busy = netlist_of(grafcet_of(head + "3s/X0 . (1s/X0 + X0)" + "}"), Style::gates);
-    CHECK_FALSE(replay(grafcet, busy, unit_delays(busy), *stimuli));
+    CHECK_FALSE(replay(grafcet, busy, unit_delays(busy), *stimuli, 0));
 }
 
 }  // namespace grafwire::testing

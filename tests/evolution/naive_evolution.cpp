@@ -218,11 +218,12 @@ void NaiveEvolution::times(NaiveState& s, const InputValues& in, Time now) const
     }
 }
 
-void NaiveEvolution::end_delays(NaiveState& s, Time now) const {
+void NaiveEvolution::end_delays(NaiveState& s, const InputValues& in, Time now) const {
     for (std::size_t i = 0; i < s.times.size(); ++i) {
         const TimeCondition& c =
             g_.expressions.time_condition_of(g_.expressions.time_conditions()[i]);
         if (!s.waiting[i] || now - s.since[i] < (s.times[i] ? c.off_delay : c.on_delay)) continue;
+        if (value(c.operand, s, in) == s.times[i]) continue;  // it no longer asks for it
         s.times[i] = !s.times[i];
         s.waiting[i] = false;
         s.since[i] = 0;

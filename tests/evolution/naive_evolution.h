@@ -33,7 +33,7 @@ class NaiveEvolution {
     void scan(NaiveState& state, const InputValues& inputs, Time now) const;
     std::vector<bool> outputs(const NaiveState& state, const InputValues& inputs) const;
     std::vector<bool> cleared(NaiveState state, const InputValues& inputs) const;
-    void end_delays(NaiveState& state, Time now) const;
+    void end_delays(NaiveState& state, const InputValues& inputs, Time now) const;
     /// False where there is no stable situation; `changing` is filled then.
     bool settle(NaiveState& state, const InputValues& inputs, Time now,
                 std::vector<std::string>& changing) const;

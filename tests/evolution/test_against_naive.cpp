@@ -97,8 +97,8 @@ bool agrees_until_stable(const Grafcet& grafcet, Random& random, int& unstable_c
     NaiveState expected = naive.start(inputs);
     Time now = 0;
     for (int instant = 0; instant < 30; ++instant, now += (1 + random.below(3)) * millisecond) {
-        fast.end_delays(state, now);
-        naive.end_delays(expected, now);
+        fast.end_delays(state, {inputs}, now);
+        naive.end_delays(expected, inputs, now);
         if (!same(state, expected)) return false;
         const EvolutionState before = state;
         std::vector<std::uint8_t> consulted(inputs.size());

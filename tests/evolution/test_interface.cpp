@@ -54,12 +54,13 @@ TEST_CASE("delays are kept as the moment at which they end, and can be ended fro
     EvolutionState state = evolution.start({inputs});
     evolution.scan(state, {inputs}, 10 * second);
     CHECK(state.due == std::vector<Time>{12 * second, 11 * second});
-    evolution.end_delays(state, 11 * second);
+    evolution.end_delays(state, {inputs}, 11 * second);
     CHECK(state.due == std::vector<Time>{12 * second, never});
     CHECK(state.time_values.test(1));
     REQUIRE(Evolution::is_running(state, 0));
     CHECK_FALSE(Evolution::is_running(state, 1));
-    evolution.end_delay(state, 0);
+    state.due[0] = 0;
+    evolution.end_delays(state, {inputs}, 11 * second);
     CHECK(state.time_values.test(0));
     CHECK_FALSE(Evolution::is_running(state, 0));
     evolution.scan(state, {inputs}, 11 * second);
@@ -68,7 +69,7 @@ TEST_CASE("delays are kept as the moment at which they end, and can be ended fro
     inputs[0] = 0;
     evolution.scan(state, {inputs}, 20 * second);
     CHECK(state.due == std::vector<Time>{23 * second, never});
-    evolution.end_delay(state, 0);
+    evolution.end_delays(state, {inputs}, 23 * second);
     CHECK_FALSE(state.time_values.test(0));
 }
 

@@ -88,23 +88,46 @@ TEST_CASE("nested time conditions") {
           "\n0 0\n10 1\n20 0\n");
 }
 
-TEST_CASE("a delay that ends exactly when its input returns has ended first, until stable") {
+TEST_CASE("a delay whose input returns at the moment of its end does not end, both ways of running") {
     const char* const grafcet = R"(
 input a
 graph G { initial 1  step 2  1 -> 2 : 1s/a }
 )";
-    CHECK(until_stable(grafcet, "1s : a=1\n 2s : a=0\n 3s : end", "X1 X2") == R"(
-0 1 0
-1000 1 0
-2000 0 1
-3000 0 1
-)");
-    // A scan at that moment reads a = 0 and knows nothing of what was before.
-    CHECK(scans(grafcet, "1s : a=1\n 2s : a=0\n 3s : end", second, "X1 X2") == R"(
+    const std::string rows = R"(
 0 1 0
 1000 1 0
 2000 1 0
 3000 1 0
+)";
+    CHECK(until_stable(grafcet, "1s : a=1\n 2s : a=0\n 3s : end", "X1 X2") == rows);
+    CHECK(scans(grafcet, "1s : a=1\n 2s : a=0\n 3s : end", second, "X1 X2") == rows);
+}
+
+TEST_CASE("at the end of a delay the inputs of that moment are read beside it") {
+    // b comes as the delay ends, and a receptivity sees both; c asks for the delay in place of a.
+    const char* const grafcet = R"(
+input a, b, c
+graph G { initial 1  step 2  1 -> 2 : b . 1s/(a + c) }
+graph H { initial 3  step 4  3 -> 4 : /b . 1s/(a + c) }
+)";
+    CHECK(until_stable(grafcet, "1s : a=1\n 2s : b=1 a=0 c=1", "X2 X4") ==
+          "\n0 0 0\n1000 0 0\n2000 1 0\n");
+}
+
+TEST_CASE("an off-delay whose operand returns at its end goes on, from the inside outwards") {
+    const char* const grafcet = R"(
+input a
+output o, p
+graph G { initial 1 : o if 1s/a/2s, p if 1s/(1s/a/2s) }
+)";
+    // The inner condition ends at 2 s, the outer one a second later.
+    CHECK(until_stable(grafcet, "1s : a=1\n 3s : a=0\n 5s : a=1\n 6s : end", "o p") == R"(
+0 0 0
+1000 0 0
+2000 1 0
+3000 1 1
+5000 1 1
+6000 1 1
 )");
 }
 

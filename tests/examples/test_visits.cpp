@@ -30,7 +30,7 @@ class Visits {
             if (row == 0) {
                 state = evolution_.start({inputs});
             } else {
-                evolution_.end_delays(state, now);
+                evolution_.end_delays(state, {inputs}, now);
             }
             EvolutionState before;
             do {

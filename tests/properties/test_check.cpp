@@ -68,12 +68,14 @@ std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
         return {};
     }
     if (!result.witness) return "no witness";
-    const auto again = replay(*grafcet, *netlist, unit_delays(*netlist), result.witness->stimuli);
+    const Time period = result.witness->scan_period;
+    const auto again =
+        replay(*grafcet, *netlist, unit_delays(*netlist), result.witness->stimuli, period);
     if (!again) return "does not replay: " + witness_text(*grafcet, *result.witness);
     if (again->kind != result.witness->kind) return "replays as a difference of another kind";
     const auto written = read_stimuli(write_stimuli(result.witness->stimuli, *grafcet), *grafcet);
     if (!written) return "the stimuli of the witness cannot be read";
-    if (!replay(*grafcet, *netlist, unit_delays(*netlist), *written)) {
+    if (!replay(*grafcet, *netlist, unit_delays(*netlist), *written, period)) {
         return "does not replay once written and read";
     }
     return {};

@@ -23,9 +23,13 @@ struct Tally {
 };
 
 bool stimuli_show_it(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli) {
-    const RunResult expected = run_until_stable(grafcet, stimuli);
+    const Time period = netlist.is_clocked() ? millisecond : 0;
+    const RunResult expected =
+        period == 0 ? run_until_stable(grafcet, stimuli) : run_scans(grafcet, stimuli, period);
     if (!expected.broken_assumptions.empty()) return false;
-    const SimulateResult got = simulate(grafcet, netlist, unit_delays(netlist), stimuli, {});
+    SimulateOptions options;
+    options.scan_period = period;
+    const SimulateResult got = simulate(grafcet, netlist, unit_delays(netlist), stimuli, options);
     return first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at).has_value();
 }
 

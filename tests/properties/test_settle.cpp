@@ -53,7 +53,7 @@ RunResult run_by_hand(const Grafcet& grafcet, const Stimuli& stimuli) {
         if (now == 0) {
             state = evolution.start({inputs});
         } else {
-            evolution.end_delays(state, now);
+            evolution.end_delays(state, {inputs}, now);
         }
         if (!repeat_scans(evolution, state, {inputs}, now)) {
             result.unstable_at = now;
@@ -98,7 +98,7 @@ std::string unread_inputs_do_not_matter(const RandomCase& item) {
     EvolutionState state = evolution.start({inputs});
     for (const Stimuli::Change& change : stimuli->changes) {
         for (const auto& set : change.assignments) inputs[set.input] = set.value;
-        evolution.end_delays(state, change.at);
+        evolution.end_delays(state, {inputs}, change.at);
         const EvolutionState before = state;
         std::vector<std::uint8_t> consulted(inputs.size());
         const bool stable = evolution.settle(state, {inputs, &consulted}, change.at).stable;

@@ -98,8 +98,9 @@ std::string ChartWriter::declarations() {
         text += "counter " + counter + " : " + low + ".." + std::to_string(high) + "\n";
     }
     if (features_.assumptions && random_.one_in(3)) {
+        // With an input of its own among the terms, so that it can always be satisfied.
         const std::string a = expressions_->plant_expression(1);
-        text += "assume " + a + " + " + expressions_->plant_expression(1) + "\n";
+        text += "assume " + a + " + " + expressions_->plant_expression(0) + "\n";
     }
     return text;
 }

@@ -1,0 +1,63 @@
+#include "check/exercised.h"
+
+#include "check/reference_case.h"
+
+namespace grafwire {
+
+namespace {
+
+void add(BitTable& all, const BitTable& more) {
+    for (std::size_t w = 0; w < all.words().size(); ++w) all.words()[w] |= more.words()[w];
+}
+
+}  // namespace
+
+Exercised::Exercised(const Grafcet& grafcet, bool has_modes)
+    : grafcet_(grafcet),
+      input_count_(has_modes ? grafcet.all_input_count() : grafcet.inputs.size()),
+      active_(grafcet.steps.size()),
+      on_(grafcet.outputs.size()),
+      cleared_(grafcet.transitions.size()),
+      values_seen_(grafcet.all_input_count()) {
+    for (std::size_t s = 0; s < grafcet.steps.size(); ++s) {
+        if (grafcet.steps.items()[s].initial) active_.set(s);
+    }
+}
+
+void Exercised::note(const ReferenceOutcome& outcome, const PartialInputs& inputs) {
+    add(active_, outcome.state.situation);
+    if (outcome.stable) add(on_, outcome.outputs);
+    for (std::size_t t = 0; t < cleared_.size(); ++t) cleared_[t] |= outcome.cleared[t];
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (inputs[i] != Logic::one) values_seen_[i] |= 1U;
+        if (inputs[i] != Logic::zero) values_seen_[i] |= 2U;
+    }
+}
+
+NeverExercised Exercised::never() const {
+    // A step may be active for one scan only, on the way to a stable situation.
+    BitTable active = active_;
+    NeverExercised never;
+    for (std::size_t t = 0; t < cleared_.size(); ++t) {
+        const TransitionId id = grafcet_.transitions.id_at(t);
+        if (cleared_[t] == 0) {
+            never.transitions.push_back(id);
+            continue;
+        }
+        for (const StepId step : grafcet_.following(grafcet_.transitions[id])) {
+            active.set(index_of(step));
+        }
+    }
+    for (std::size_t s = 0; s < grafcet_.steps.size(); ++s) {
+        if (!active.test(s)) never.steps.push_back(grafcet_.steps.id_at(s));
+    }
+    for (std::uint32_t i = 0; i < input_count_; ++i) {
+        if (values_seen_[i] != 3) never.inputs.push_back(i);
+    }
+    for (std::size_t o = 0; o < grafcet_.outputs.size(); ++o) {
+        if (!on_.test(o)) never.outputs.push_back(grafcet_.outputs.id_at(o));
+    }
+    return never;
+}
+
+}  // namespace grafwire
