@@ -9,6 +9,7 @@
 #include "grafcet/parse_grafcet.h"
 #include "import/read_blif.h"
 #include "import/read_yosys_json.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -24,11 +25,11 @@ void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) 
 }
 
 void complain(std::string_view message) {
-    fmt::print(stderr, "grafwire: error: {}\n", message);
+    fmt::print(stderr, "grafwire: error: {}\n", visible(message, "\t\n"));
 }
 
 void warn(std::string_view message) {
-    fmt::print(stderr, "grafwire: warning: {}\n", message);
+    fmt::print(stderr, "grafwire: warning: {}\n", visible(message, "\t\n"));
 }
 
 std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {

@@ -132,7 +132,7 @@ std::function<int()> declare_plc(const CommandLine& line, const Language&) {
         std::string text = format->write(program, options, diagnostics);
         std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
         if (diagnostics.has_errors()) return static_cast<int>(bad_request);
-        OutputFiles files;
+        OutputFiles files({request->path, request->io});
         files.add(request->output, std::move(text));
         if (!request->addresses.empty()) {
             Diagnostics already_shown;

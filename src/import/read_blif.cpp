@@ -117,7 +117,9 @@ void BlifReader::read_line(const Words& words) {
 
 void BlifReader::read_model(const Words& words) {
     close();
-    if (++model_count_ == 1) model_ = words.size() > 1 ? decoded_name(words[1].text) : "netlist";
+    if (++model_count_ != 1) return;
+    model_ = words.size() > 1 ? decoded_name(words[1].text) : "netlist";
+    assembly_.check_name(model_, words.back().where);
 }
 
 void BlifReader::close() {

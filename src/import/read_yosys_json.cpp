@@ -262,9 +262,11 @@ std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     read_initial_values(part("netnames"));
     read_cells(part("cells"));
     set_initial_values();
+    const std::string name = decoded_name(module->name);
+    assembly_.check_name(name, {});
     std::optional<Netlist> netlist = assembly_.finish();
     if (!netlist) return std::nullopt;
-    netlist->name = decoded_name(module->name);
+    netlist->name = name;
     if (!netlist->modules.empty()) netlist->modules.front().name = netlist->name;
     return netlist;
 }

@@ -68,6 +68,21 @@ TEST_CASE("an unknown command is refused with the nearest one and all of them") 
     CHECK(contains(refusal({}), "--help"));
 }
 
+TEST_CASE("a bound is a whole number that can be one") {
+    for (const std::string bound : {"-1", "18446744073709551616", "1.5", "+1", "1e3", "many", ""}) {
+        INFO("bound: " << bound);
+        CHECK(contains(
+            refusal({"check", example("rule-5.grafcet"), "--style", "nand", "--max-cases", bound}),
+            "is no whole number from 0"));
+    }
+    for (const std::string bound : {"0", "18446744073709551615"}) {
+        const Ran ran = grafwire_with(
+            {"check", example("rule-5.grafcet"), "--style", "nand", "--max-cases", bound});
+        CHECK(ran.status == 0);
+    }
+    CHECK(contains(grafwire_with({"check", "--help"}).out, "(0: never)"));
+}
+
 TEST_CASE("an unknown option is refused with the nearest one") {
     CHECK(refusal({"check", example("rule-5.grafcet"), "--stile", "nand"}) ==
           "grafwire: error: there is no option '--stile'; did you mean '--style'?\n"
