@@ -23,7 +23,7 @@ bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
         Diagnostics diagnostics;
         const SourceFile source{"--assume", text};
         parse_assumption(source, grafcet, diagnostics);
-        std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+        show_diagnostics(diagnostics, source);
         good = good && !diagnostics.has_errors();
     }
     return good;

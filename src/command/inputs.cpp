@@ -18,6 +18,9 @@ namespace {
 /// A broken file can have very many errors; nobody reads more than these.
 constexpr std::size_t most_errors = 100;
 
+/// Messages may hold a list of all steps, say.
+constexpr std::size_t most_of_message = 4000;
+
 }  // namespace
 
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
@@ -25,7 +28,8 @@ void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) 
 }
 
 void complain(std::string_view message) {
-    fmt::print(stderr, "grafwire: error: {}\n", visible(message, "\t\n"));
+    fmt::print(stderr, "grafwire: error: {}\n",
+               visible(shortened(message, most_of_message), "\t\n"));
 }
 
 void warn(std::string_view message) {

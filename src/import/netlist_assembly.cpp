@@ -45,8 +45,9 @@ std::string_view NetlistAssembly::name_of(NetId net) const {
 void NetlistAssembly::drive(NetId id, Location where) {
     Net& net = nets_[index_of(id)];
     if (net.is_driven) {
-        Diagnostic& error = diagnostics_.error(
-            Code::bad_netlist, where, fmt::format("net '{}' has a second driver", net.name));
+        Diagnostic& error =
+            diagnostics_.error(Code::bad_netlist, where,
+                               fmt::format("net {} has a second driver", in_quotes(net.name)));
         if (net.driver.is_known()) error.notes.push_back({net.driver, "the first one is here"});
     }
     net.is_driven = true;
@@ -63,7 +64,7 @@ void NetlistAssembly::add_input(std::string_view name, NetId net, Location where
 void NetlistAssembly::add_output(std::string_view name, NetId net, Location where) {
     if (!output_names_.insert(std::string(name)).second) {
         diagnostics_.error(Code::bad_netlist, where,
-                           fmt::format("output '{}' is listed twice", name));
+                           fmt::format("output {} is listed twice", in_quotes(name)));
         return;
     }
     check_port(name, net, where);

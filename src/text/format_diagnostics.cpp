@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t characters_before_caret = 100;
 constexpr std::size_t characters_after_caret = 60;
+constexpr std::size_t most_of_message = 1000;  // names and lists of them may be as long as the file
 
 class SourceLines {
   public:
@@ -100,7 +101,7 @@ void append_message(std::string& out, SourceLines& lines, std::string_view file,
     out += visible(file);
     if (where.is_known()) out += fmt::format(":{}:{}", where.line, where.column);
     out += fmt::format(": {}: ", kind);
-    out += visible(message);
+    out += visible(shortened(message, most_of_message));
     out += '\n';
     if (lines.has(where)) lines.append(out, where);
 }
@@ -115,18 +116,23 @@ std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile&
     SourceLines note_lines(lines);
     const std::string_view file = source.name == "-" ? "<stdin>" : std::string_view(source.name);
     std::size_t errors = 0;
+    std::size_t warnings = 0;
     for (const Diagnostic& item : diagnostics.items()) {
         const bool is_error = item.severity == Severity::error;
-        if (is_error && limit != 0 && ++errors > limit) continue;
+        std::size_t& count = is_error ? errors : warnings;
+        if (++count > limit && limit != 0) continue;
         append_message(out, lines, file, item.where, is_error ? "error" : "warning", item.message);
         for (const Diagnostic::Note& note : item.notes)
             append_message(out, note_lines, file, note.where, "note", note.message);
     }
-    if (errors > limit) {
-        const std::size_t rest = errors - limit;
+    const auto tell_of_rest = [&](std::size_t count, std::string_view kind) {
+        if (limit == 0 || count <= limit) return;
+        const std::size_t rest = count - limit;
         out += visible(file);
-        out += fmt::format(": {} more error{} not shown\n", rest, rest == 1 ? "" : "s");
-    }
+        out += fmt::format(": {} more {}{} not shown\n", rest, kind, rest == 1 ? "" : "s");
+    };
+    tell_of_rest(errors, "error");
+    tell_of_rest(warnings, "warning");
     return out;
 }
 

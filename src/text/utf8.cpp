@@ -103,14 +103,17 @@ std::string control_in_name_message(std::string_view name) {
         in_quotes(visible(name, {})), static_cast<std::uint32_t>(c));
 }
 
-std::string in_quotes(std::string_view name) {
-    constexpr std::size_t most_shown = 60;
+std::string shortened(std::string_view text, std::size_t most) {
     std::size_t count = 0;
-    for (std::size_t at = 0; at < name.size(); ++at) {
-        if (is_continuation(name[at]) || ++count <= most_shown) continue;
-        return fmt::format("'{}…'", name.substr(0, at));
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (is_continuation(text[at]) || ++count <= most) continue;
+        return std::string(text.substr(0, at)) + "…";
     }
-    return fmt::format("'{}'", name);
+    return std::string(text);
+}
+
+std::string in_quotes(std::string_view name) {
+    return fmt::format("'{}'", shortened(name, 60));
 }
 
 bool check_utf8(std::string_view text, Diagnostics& diagnostics) {

@@ -62,7 +62,8 @@ TEST_CASE("control characters are found, and made visible") {
     }
     CHECK(visible("a\tb\nc\xff") == "a\tb\ufffdc\ufffd");
     CHECK(visible("a\tb\nc", "\t\n") == "a\tb\nc");
-    CHECK(control_in_name_message("a\x1b").starts_with("'a\ufffd' holds the control character U+001B, "));
+    CHECK(control_in_name_message("a\x1b").starts_with(
+        "'a\ufffd' holds the control character U+001B, "));
 }
 
 TEST_CASE("long names are cut in messages") {
