@@ -1,3 +1,7 @@
+// All results are made before the first appears, and those that can be taken back (files, under
+// other names until the end) before those that cannot (standard output, pipes, devices): so an exit
+// status of 2 means that nothing has changed.
+
 #include "command/files.h"
 
 #include <fcntl.h>
@@ -23,10 +27,6 @@ bool read_all(std::FILE* file, std::string& text) {
         text.append(buffer, count);
     }
     return std::ferror(file) == 0;
-}
-
-std::string shown_input(const std::string& path) {
-    return path == "-" ? "on standard input" : visible(path);
 }
 
 std::string cannot_write(const std::string& path, std::string_view reason) {
@@ -73,6 +73,17 @@ void OutputFiles::add(std::string path, std::string text) {
     files_.emplace_back(std::move(path), std::move(text));
 }
 
+/// Which input stands at a place, as it is said in a message; nothing where none does.
+std::optional<std::string> OutputFiles::input_at(const Place& place) const {
+    for (const std::string& input : inputs_) {
+        const auto identity = identity_of_input(input);
+        if (!identity || !place.is_same_as(*identity)) continue;
+        return fmt::format("it is the input {}",
+                           input == "-" ? "on standard input" : visible(input));
+    }
+    return std::nullopt;
+}
+
 /// Where everything goes; what cannot be is found before anything is written.
 std::optional<std::string> OutputFiles::find_places(std::vector<Place>& places) const {
     for (const auto& [path, text] : files_) {
@@ -82,12 +93,7 @@ std::optional<std::string> OutputFiles::find_places(std::vector<Place>& places) 
         for (const Place& other : places) {
             if (place->is_same_as(other)) return cannot_write(path, "it is to hold two results");
         }
-        for (const std::string& input : inputs_) {
-            const auto identity = identity_of_input(input);
-            if (identity && place->is_same_as(*identity)) {
-                return cannot_write(path, fmt::format("it is the input {}", shown_input(input)));
-            }
-        }
+        if (const auto input = input_at(*place)) return cannot_write(path, *input);
         places.push_back(*place);
     }
     return std::nullopt;
@@ -107,12 +113,7 @@ std::optional<std::string> OutputFiles::find_old_files(const std::vector<Place>&
         for (const Place& place : places) {
             if (place.is_same_as(*file)) return cannot_remove("it is to hold a result");
         }
-        for (const std::string& input : inputs_) {
-            const auto identity = identity_of_input(input);
-            if (identity && file->is_same_as(*identity)) {
-                return cannot_remove(fmt::format("it is the input {}", shown_input(input)));
-            }
-        }
+        if (const auto input = input_at(*file)) return cannot_remove(*input);
         std::error_code error;
         if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) continue;
         const std::string folder = std::filesystem::path(path).parent_path().string();

@@ -40,6 +40,7 @@ class OutputFiles {
     std::optional<std::string> write();
 
   private:
+    std::optional<std::string> input_at(const Place& place) const;
     std::optional<std::string> find_places(std::vector<Place>& places) const;
     std::optional<std::string> find_old_files(const std::vector<Place>& places,
                                               std::vector<std::string>& old) const;
