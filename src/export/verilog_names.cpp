@@ -79,8 +79,8 @@ void spell_verilog(std::string& out, std::string_view name) {
     }
     out.push_back('\\');
     // The preprocessor of Icarus does not know escaped identifiers: it takes quotation marks, `/*`
-    // and `(*` in them for the beginning of a text or a comment, and all up to the end of that, over
-    // many lines, for a part of it. A port named `*…` it takes for `.*`.
+    // and `(*` in them for the beginning of a text or a comment, and all up to the end of that,
+    // over many lines, for a part of it. A port named `*…` it takes for `.*`.
     for (std::size_t at = 0; at < name.size(); ++at) {
         const bool begins_comment =
             name[at] == '*' && (at == 0 || name[at - 1] == '/' || name[at - 1] == '(');
