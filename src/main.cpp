@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <sstream>
 #include <string_view>
 
 #include "command/command.h"
@@ -75,8 +76,14 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        // Help and version are no errors.
-        if (error.get_exit_code() == 0) return app.exit(error);
+        // Help and version are no errors, but results like any other.
+        if (error.get_exit_code() == 0) {
+            std::ostringstream text;
+            app.exit(error, text, text);
+            OutputFiles files({});
+            files.add("-", text.str());
+            return finish(files, done);
+        }
         complain(explain(app, error));
         return bad_request;
     }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "text/utf8.h"
+
 namespace grafwire {
 
 namespace {
@@ -116,10 +118,11 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
     const bool french = language == Language::french;
     std::vector<std::string> properties;
     for (const CheckSubject::Property& property : subject.properties) {
-        properties.push_back((french ? property.french : property.english) + " " + property.value);
+        properties.push_back((french ? property.french : property.english) + " " +
+                             visible(property.value));
     }
     std::string text =
-        fmt::format("{}: {} ({})\n", subject.file,
+        fmt::format("{}: {} ({})\n", visible(subject.file),
                     french ? french_verdict(result.verdict) : verdict_name(result.verdict),
                     fmt::join(properties, ", "));
     text += coverage_text(result, subject.is_scanned, french);
@@ -216,10 +219,10 @@ std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafce
         failed ? 1 : 0, error ? 1 : 0);
     std::vector<std::string> values;
     for (const CheckSubject::Property& property : subject.properties) {
-        values.push_back(xml_escaped(property.value));
+        values.push_back(xml_escaped(visible(property.value)));
     }
-    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\">\n", xml_escaped(subject.file),
-                        fmt::join(values, " "));
+    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\">\n",
+                        xml_escaped(visible(subject.file)), fmt::join(values, " "));
     const std::string details =
         write_check_text(subject, grafcet, result, story, Language::english);
     if (failed || error) {

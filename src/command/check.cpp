@@ -11,6 +11,7 @@
 #include "evolution/run.h"
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -22,7 +23,7 @@ bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
         Diagnostics diagnostics;
         const SourceFile source{"--assume", text};
         parse_assumption(source, grafcet, diagnostics);
-        std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+        show_diagnostics(diagnostics, source);
         good = good && !diagnostics.has_errors();
     }
     return good;
@@ -36,8 +37,8 @@ std::optional<Netlist> netlist_to_compare(const CheckRequest& request, const Loa
     if (!netlist) return std::nullopt;
     const PortComparison ports = compare_ports(loaded.grafcet, *netlist);
     if (!ports.fits()) {
-        fmt::print(stderr, "{}: the ports do not fit {}:\n{}", request.against, request.path,
-                   write_port_table(ports, language));
+        fmt::print(stderr, "{}: the ports do not fit {}:\n{}", visible(request.against),
+                   visible(request.path), write_port_table(ports, language));
     }
     if (!ports.can_compare()) return std::nullopt;
     adopt_ports(loaded.grafcet, *netlist);
@@ -108,12 +109,13 @@ void declare_options(const CommandLine& line, CheckRequest& request) {
         .shows_default();
     line.add("-o", request.output, "file for the report (default: standard output)");
     line.add("--witness", request.witness,
-             "folder for the stimuli, traces and waveforms that show a difference");
+             "folder for the stimuli, traces and waveforms that show a difference; those of an "
+             "earlier one go");
     line.add("--assume", request.assumptions,
              "what the plant never does, besides what the file assumes: an expression that "
              "is never 0");
-    line.add("--max-cases", request.max_cases, "give up after so many cases");
-    line.add("--max-seconds", request.max_seconds, "give up after so much time");
+    line.add("--max-cases", request.max_cases, "give up after so many cases (0: never)");
+    line.add("--max-seconds", request.max_seconds, "give up after so much time (0: never)");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -24,6 +25,26 @@ int exit_status(Verdict verdict) {
             return out_of_bounds;
     }
     return bad_request;
+}
+
+/// Adds the files to their folder, and says where they will stand; those of an earlier difference
+/// go, so that what is there always belongs to the last verdict.
+std::vector<std::string> add_witness(OutputFiles& files, const std::string& folder,
+                                     const std::vector<WitnessFile>& witness_files) {
+    std::vector<std::string> paths;
+    if (!witness_files.empty()) files.add_folder(folder);
+    for (const std::string_view name : witness_file_names) {
+        const std::string path = (std::filesystem::path(folder) / name).string();
+        const auto file = std::find_if(witness_files.begin(), witness_files.end(),
+                                       [&](const WitnessFile& item) { return item.name == name; });
+        if (file == witness_files.end()) {
+            files.remove(path);
+        } else {
+            files.add(path, file->text);
+            paths.push_back(path);
+        }
+    }
+    return paths;
 }
 
 }  // namespace
@@ -64,15 +85,9 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
                  const CheckResult& result, const std::string& story,
                  const std::vector<WitnessFile>& witness_files, Language language) {
-    OutputFiles files;
-    if (result.witness && !request.witness.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(request.witness, error);
-        for (const WitnessFile& file : witness_files) {
-            subject.witness_files.push_back(
-                (std::filesystem::path(request.witness) / file.name).string());
-            files.add(subject.witness_files.back(), file.text);
-        }
+    OutputFiles files({request.path, request.against, request.io});
+    if (!request.witness.empty()) {
+        subject.witness_files = add_witness(files, request.witness, witness_files);
     }
     if (request.format == "json") {
         files.add(request.output, write_check_json(subject, grafcet, result));

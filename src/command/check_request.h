@@ -49,14 +49,18 @@ class Progress {
     bool shown_ = false;
 };
 
-/// The name and the text of a file that shows a witness.
+/// The names of the files that show a witness.
+inline constexpr std::string_view witness_file_names[] = {
+    "witness.stim", "witness.txt", "expected.csv", "expected.vcd", "got.csv", "got.vcd"};
+
+/// One of these names, and the text of that file.
 struct WitnessFile {
     std::string name;
     std::string text;
 };
 
-/// Writes the report, and the files of the witness into the folder asked for, if one is; returns
-/// what the program ends with.
+/// Writes the report, and the files of the witness into the folder asked for, if one is, where
+/// those of an earlier witness go; returns what the program ends with.
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
                  const CheckResult& result, const std::string& story,
                  const std::vector<WitnessFile>& witness_files, Language language);

@@ -1,6 +1,7 @@
 #include "command/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 
 namespace grafwire {
 
@@ -30,7 +31,14 @@ AddedOption CommandLine::add(const char* name, std::vector<std::string>& target,
 
 AddedOption CommandLine::add(const char* name, std::uint64_t& target,
                              const std::string& help) const {
-    return AddedOption(app_.add_option(name, target, help));
+    // CLI11 takes -1 for the largest number there is.
+    const auto check = [](const std::string& text) -> std::string {
+        std::uint64_t number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error == std::errc() && end == text.data() + text.size()) return {};
+        return "'" + text + "' is no whole number from 0 to 18446744073709551615";
+    };
+    return AddedOption(app_.add_option(name, target, help)->check(check, "WHOLE"));
 }
 
 AddedOption CommandLine::add(const char* name, double& target, const std::string& help) const {

@@ -38,6 +38,7 @@ class CommandLine {
     /// An option that may be repeated.
     AddedOption add(const char* name, std::vector<std::string>& target,
                     const std::string& help) const;
+    /// Of 64 bits; more, or a sign, is refused.
     AddedOption add(const char* name, std::uint64_t& target, const std::string& help) const;
     /// Not negative.
     AddedOption add(const char* name, double& target, const std::string& help) const;

@@ -49,7 +49,7 @@ std::function<int()> declare_equations(const CommandLine& line, const Language& 
         const CdxForm cdx = request->cdx == "successor" ? CdxForm::successor : CdxForm::transition;
         const Equations equations = equations_from(loaded->grafcet, {cdx, request->modes == "on"});
         // Write them down.
-        OutputFiles files;
+        OutputFiles files({request->path});
         files.add(request->output, write_equations(equations, {format_named(request->format),
                                                                request->karnaugh, language}));
         return finish(files, done);

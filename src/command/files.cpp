@@ -1,5 +1,10 @@
+// All results are made before the first appears, and those that can be taken back (files, under
+// other names until the end) before those that cannot (standard output, pipes, devices): so an exit
+// status of 2 means that nothing has changed.
+
 #include "command/files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,6 +12,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+
+#include "command/new_file.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -21,46 +29,21 @@ bool read_all(std::FILE* file, std::string& text) {
     return std::ferror(file) == 0;
 }
 
-bool write_all(const std::string& path, const std::string& text) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr) return false;
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    return std::fclose(file) == 0 && written;
+std::string cannot_write(const std::string& path, std::string_view reason) {
+    return fmt::format("cannot write {}: {}", shown_place(path), reason);
 }
 
-bool write_stream(const std::string& path, const std::string& text) {
-    if (!path.empty() && path != "-") return write_all(path, text);
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
-           std::fflush(stdout) == 0;
+/// Writes to what cannot be replaced by a file: standard output, a device, a pipe.
+bool write_stream(const Place& place, const std::string& text) {
+    if (place.kind == Place::Kind::std_output) {
+        return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
+               std::fflush(stdout) == 0;
+    }
+    const int file = open(place.asked.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool is_written = write_fully(file, text);
+    return close(file) == 0 && is_written;
 }
-
-/// Standard output, and what is there but cannot be replaced by a file: a device, a pipe.
-bool is_stream(const std::string& path) {
-    if (path.empty() || path == "-") return true;
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-           !std::filesystem::is_directory(status);
-}
-
-/// The file itself where the path leads over symbolic links, so that no link is replaced.
-std::string place_of(const std::string& path) {
-    std::error_code error;
-    const auto place = std::filesystem::weakly_canonical(path, error);
-    return error || place.empty() ? path : place.string();
-}
-
-std::string cannot_write(const std::string& path) {
-    return fmt::format("cannot write {}: {}",
-                       path.empty() || path == "-" ? "to standard output" : path,
-                       std::strerror(errno));
-}
-
-struct Result {
-    std::string path;   ///< as asked for
-    std::string place;  ///< where the file stands
-    const std::string& text;
-};
 
 }  // namespace
 
@@ -90,46 +73,90 @@ void OutputFiles::add(std::string path, std::string text) {
     files_.emplace_back(std::move(path), std::move(text));
 }
 
-std::optional<std::string> OutputFiles::write() {
-    // Where everything goes; what cannot be is found before anything is written.
-    std::vector<Result> files;
-    std::vector<Result> streams;
+/// Which input stands at a place, as it is said in a message; nothing where none does.
+std::optional<std::string> OutputFiles::input_at(const Place& place) const {
+    for (const std::string& input : inputs_) {
+        const auto identity = identity_of_input(input);
+        if (!identity || !place.is_same_as(*identity)) continue;
+        return fmt::format("it is the input {}",
+                           input == "-" ? "on standard input" : visible(input));
+    }
+    return std::nullopt;
+}
+
+/// Where everything goes; what cannot be is found before anything is written.
+std::optional<std::string> OutputFiles::find_places(std::vector<Place>& places) const {
     for (const auto& [path, text] : files_) {
-        const Result result{path, place_of(path), text};
-        if (is_stream(path)) {
-            streams.push_back(result);
-            continue;
+        std::string problem;
+        const auto place = place_of(path, problem);
+        if (!place) return cannot_write(path, problem);
+        for (const Place& other : places) {
+            if (place->is_same_as(other)) return cannot_write(path, "it is to hold two results");
         }
+        if (const auto input = input_at(*place)) return cannot_write(path, *input);
+        places.push_back(*place);
+    }
+    return std::nullopt;
+}
+
+/// The files to be removed that are there, by their own names: of a link only the link goes.
+std::optional<std::string> OutputFiles::find_old_files(const std::vector<Place>& places,
+                                                       std::vector<std::string>& old) const {
+    for (const std::string& path : old_) {
+        std::string problem;
+        const auto file = place_of(path, problem);
+        if (!file || !file->is_file()) continue;
+        const auto cannot_remove = [&](std::string_view reason) {
+            return fmt::format("cannot remove {}, which is of an earlier time: {}",
+                               shown_place(path), reason);
+        };
+        for (const Place& place : places) {
+            if (place.is_same_as(*file)) return cannot_remove("it is to hold a result");
+        }
+        if (const auto input = input_at(*file)) return cannot_remove(*input);
         std::error_code error;
-        if (std::filesystem::is_directory(result.place, error)) {
-            return fmt::format("cannot write {}: it is a folder", path);
+        if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) continue;
+        const std::string folder = std::filesystem::path(path).parent_path().string();
+        if (faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK, AT_EACCESS) != 0) {
+            return cannot_remove(std::strerror(errno));
         }
-        for (const Result& other : files) {
-            if (other.place == result.place) {
-                return fmt::format("cannot write {}: it is to hold two results", path);
-            }
+        old.push_back(path);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> OutputFiles::write() {
+    NewFolders new_folders;
+    for (const std::string& folder : folders_) {
+        if (const auto problem = new_folders.make(folder)) return cannot_write(folder, *problem);
+    }
+    std::vector<Place> places;
+    std::vector<std::string> old;
+    if (auto problem = find_places(places)) return problem;
+    if (auto problem = find_old_files(places, old)) return problem;
+    // The files in full, under other names.
+    std::vector<std::pair<std::size_t, NewFile>> new_files;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!places[i].is_file()) continue;
+        new_files.emplace_back(i, NewFile());
+        if (const auto problem = new_files.back().second.write(places[i], files_[i].second)) {
+            return cannot_write(places[i].asked, *problem);
         }
-        files.push_back(result);
     }
-    // The files in full under other names, then all under their own.
-    const std::string suffix = fmt::format(".{}.part", getpid());
-    std::optional<std::string> problem;
-    std::size_t made = 0;
-    while (made < files.size() && !problem) {
-        const Result& file = files[made++];
-        if (!write_all(file.place + suffix, file.text)) problem = cannot_write(file.path);
+    // What cannot be taken back goes out once nothing else is likely to fail.
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i].is_file() || write_stream(places[i], files_[i].second)) continue;
+        return cannot_write(places[i].asked, std::strerror(errno));
     }
-    for (std::size_t i = 0; i < files.size() && !problem; ++i) {
-        if (std::rename((files[i].place + suffix).c_str(), files[i].place.c_str()) != 0) {
-            problem = cannot_write(files[i].path);
-        }
+    // All files under their own names; no signal comes in between.
+    const HeldSignals held;
+    for (auto& [i, file] : new_files) {
+        if (!file.put_in_place()) return cannot_write(places[i].asked, std::strerror(errno));
     }
-    if (problem) {
-        for (std::size_t i = 0; i < made; ++i) std::remove((files[i].place + suffix).c_str());
-        return problem;
-    }
-    for (const Result& stream : streams) {
-        if (!write_stream(stream.path, stream.text)) return cannot_write(stream.path);
+    new_folders.keep();
+    for (const std::string& path : old) {
+        if (unlink(path.c_str()) == 0 || errno == ENOENT) continue;
+        return fmt::format("cannot remove {}: {}", shown_place(path), std::strerror(errno));
     }
     return std::nullopt;
 }

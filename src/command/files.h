@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "command/place.h"
 #include "text/diagnostics.h"
 
 namespace grafwire {
@@ -13,18 +14,41 @@ namespace grafwire {
 /// `diagnostics` (Code::unreadable_file).
 SourceFile read_source(const std::string& path, Diagnostics& diagnostics);
 
-/// The output files of a command: they appear all together at the end, whole, or not at all.
+/// The results of a command: they appear all together at the end, whole, or not at all.
 class OutputFiles {
   public:
+    /// `inputs` are the paths that the command has read, none of which may be overwritten; empty
+    /// ones count for nothing, "-" stands for standard input.
+    explicit OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
+
     /// "-" and the empty path stand for standard output.
     void add(std::string path, std::string text);
+    /// A folder that is made, with those above it, where it is missing.
+    void add_folder(std::string path) { folders_.push_back(std::move(path)); }
+    /// A file of an earlier time that goes, if it is there, once the others have come.
+    void remove(std::string path) { old_.push_back(std::move(path)); }
 
-    /// Writes every file beside its place under another name, then moves all of them there; devices
-    /// and pipes, standard output among them, come last. Returns what went wrong, or nothing.
+    /// Writes every file beside its place under another name; then what goes to standard output,
+    /// devices and pipes; then moves all files to their places. Returns what went wrong, or
+    /// nothing.
+    ///
+    /// A file that is there is replaced: it keeps its rights and its owner, and a link to it stays
+    /// a link, one that leads to nothing as well. It is left alone, which is an error, where that
+    /// cannot be: a file that is read-only, that has other names (hard links), that cannot keep its
+    /// owner, or stands in a folder where no file can be made; and where it is an input, or is to
+    /// hold two results.
     std::optional<std::string> write();
 
   private:
+    std::optional<std::string> input_at(const Place& place) const;
+    std::optional<std::string> find_places(std::vector<Place>& places) const;
+    std::optional<std::string> find_old_files(const std::vector<Place>& places,
+                                              std::vector<std::string>& old) const;
+
+    std::vector<std::string> inputs_;
     std::vector<std::pair<std::string, std::string>> files_;
+    std::vector<std::string> folders_;
+    std::vector<std::string> old_;
 };
 
 }  // namespace grafwire

@@ -13,7 +13,7 @@ std::function<int()> declare_info(const CommandLine& line, const Language& langu
         const auto loaded = load_grafcet(*path);
         if (!loaded) return static_cast<int>(bad_request);
         // Describe it.
-        OutputFiles files;
+        OutputFiles files({*path});
         files.add("-", describe_grafcet(loaded->grafcet, language));
         return finish(files, done);
     };

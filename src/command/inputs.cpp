@@ -9,6 +9,7 @@
 #include "grafcet/parse_grafcet.h"
 #include "import/read_blif.h"
 #include "import/read_yosys_json.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -17,6 +18,9 @@ namespace {
 /// A broken file can have very many errors; nobody reads more than these.
 constexpr std::size_t most_errors = 100;
 
+/// Messages may hold a list of all steps, say.
+constexpr std::size_t most_of_message = 4000;
+
 }  // namespace
 
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
@@ -24,11 +28,12 @@ void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) 
 }
 
 void complain(std::string_view message) {
-    fmt::print(stderr, "grafwire: error: {}\n", message);
+    fmt::print(stderr, "grafwire: error: {}\n",
+               visible(shortened(message, most_of_message), "\t\n"));
 }
 
 void warn(std::string_view message) {
-    fmt::print(stderr, "grafwire: warning: {}\n", message);
+    fmt::print(stderr, "grafwire: warning: {}\n", visible(message, "\t\n"));
 }
 
 std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {

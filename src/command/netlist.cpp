@@ -78,7 +78,7 @@ std::function<int()> declare_netlist(const CommandLine& line, const Language&) {
             for (const Diagnostic& item : diagnostics.items()) complain(item.message);
             return static_cast<int>(bad_request);
         }
-        OutputFiles files;
+        OutputFiles files({request->path, request->stimuli});
         files.add(request->output, std::move(text));
         return finish(files, done);
     };

@@ -76,7 +76,7 @@ std::optional<s7::IoAssignment> load_assignment(const Request& request, const Pl
         options.io = &*assignment;
         format.check_io(grafcet, options, diagnostics);
     }
-    std::fputs(format_diagnostics(diagnostics, source).c_str(), stderr);
+    show_diagnostics(diagnostics, source);
     if (diagnostics.has_errors()) return std::nullopt;
     return assignment;
 }
@@ -130,9 +130,9 @@ std::function<int()> declare_plc(const CommandLine& line, const Language&) {
         const ScanProgram program = program_from(loaded->grafcet, {request->modes == "on"});
         Diagnostics diagnostics;
         std::string text = format->write(program, options, diagnostics);
-        std::fputs(format_diagnostics(diagnostics, loaded->source).c_str(), stderr);
+        show_diagnostics(diagnostics, loaded->source);
         if (diagnostics.has_errors()) return static_cast<int>(bad_request);
-        OutputFiles files;
+        OutputFiles files({request->path, request->io});
         files.add(request->output, std::move(text));
         if (!request->addresses.empty()) {
             Diagnostics already_shown;

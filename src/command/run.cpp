@@ -54,7 +54,7 @@ std::function<int()> declare_run(const CommandLine& line, const Language& langua
                                  : "no stable situation at {} ms; these keep changing: {}"),
                 format_milliseconds(*result.unstable_at), fmt::join(result.changing, ", ")));
         }
-        OutputFiles files;
+        OutputFiles files({request->path, request->stimuli});
         request->output.add_files(files, result.trace,
                                   write_vcd(result.trace, loaded->grafcet.name));
         return finish(files, result.unstable_at ? answer_is_no : done);

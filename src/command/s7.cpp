@@ -94,7 +94,7 @@ int run_listing(const Request& request) {
                              run.failure->error.where.line, run.failure->error.message));
         return bad_request;
     }
-    OutputFiles files;
+    OutputFiles files({request.listing, request.stimuli, request.io, request.grafcet});
     request.output.add_files(files, run.trace, write_vcd(run.trace, "listing"));
     return finish(files, done);
 }

@@ -61,7 +61,7 @@ int simulate_netlist(const Request& request, const LoadedGrafcet& loaded, const 
                              format_milliseconds(*result.unsettled_at),
                              oscillation_text(netlist, result.oscillating)));
     }
-    OutputFiles files;
+    OutputFiles files({request.path, request.stimuli, request.against});
     request.output.add_files(files, result.trace, result.waveform);
     return finish(files, result.unsettled_at ? answer_is_no : done);
 }

@@ -58,6 +58,14 @@ bool is_simple(std::string_view name) {
     return true;
 }
 
+bool is_unsafe(char c) {
+    return is_control_or_blank(c) || c == '`' || c == '"';
+}
+
+bool is_asterisk(char c) {
+    return c == '*';
+}
+
 }  // namespace
 
 bool is_verilog_keyword(std::string_view word) {
@@ -70,7 +78,14 @@ void spell_verilog(std::string& out, std::string_view name) {
         return;
     }
     out.push_back('\\');
-    append_percent_escaped(out, name, [](char c) { return is_control_or_blank(c) || c == '`'; });
+    // The preprocessor of Icarus does not know escaped identifiers: it takes quotation marks, `/*`
+    // and `(*` in them for the beginning of a text or a comment, and all up to the end of that,
+    // over many lines, for a part of it. A port named `*…` it takes for `.*`.
+    for (std::size_t at = 0; at < name.size(); ++at) {
+        const bool begins_comment =
+            name[at] == '*' && (at == 0 || name[at - 1] == '/' || name[at - 1] == '(');
+        append_percent_escaped(out, name.substr(at, 1), begins_comment ? is_asterisk : is_unsafe);
+    }
     out.push_back(' ');
 }
 
@@ -89,6 +104,19 @@ void append_verilog_text(std::string& out, std::string_view text) {
         if (c == '%') out.push_back('%');
         out.push_back(is_control_or_blank(c) ? ' ' : c);
     }
+}
+
+void append_verilog_comment(std::string& out, std::string_view text) {
+    constexpr std::string_view obeyed[] = {"ambit",     "cadence", "coverage",
+                                           "exemplar",  "pragma",  "synopsys",
+                                           "synthesis", "vcs",     "verilator"};
+    const std::string_view word = text.substr(std::min(text.find_first_not_of(" *"), text.size()));
+    out.append("// ");
+    for (const std::string_view tool : obeyed) {
+        if (word.starts_with(tool)) out.append("- ");
+    }
+    append_comment(out, text);
+    out.push_back('\n');
 }
 
 std::string verilog_helper_prefix(const Netlist& netlist) {

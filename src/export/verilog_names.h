@@ -9,7 +9,8 @@ namespace grafwire {
 
 /// A name as a Verilog identifier: as it stands where the language allows it, else escaped (`\H+ `,
 /// with its closing blank). White space, control characters and the backquote, which no escaped
-/// identifier can hold, are written `%20` and so on, `%` itself `%25`.
+/// identifier can hold, are written `%20` and so on, `%` itself `%25`; and what simulators stumble
+/// over, `"` and the asterisk of `/*`, `(*` and at the beginning, `%22` and `%2A`.
 void spell_verilog(std::string& out, std::string_view name);
 
 /// An identifier with something added to its name.
@@ -18,6 +19,10 @@ void append_verilog_with_suffix(std::string& out, std::string_view spelled,
 
 /// Writes `name` as the contents of a Verilog string for $display.
 void append_verilog_text(std::string& out, std::string_view text);
+
+/// Writes a comment to the end of the line. One that begins with the name of a tool has a dash
+/// before it: there are tools that obey comments such as `// synopsys translate_off`.
+void append_verilog_comment(std::string& out, std::string_view text);
 
 /// What begins the names of the helper modules: `grafwire_`, with further `_` where the GRAFCET
 /// itself is named so.

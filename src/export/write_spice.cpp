@@ -74,7 +74,9 @@ std::string DeckWriter::write() {
 }
 
 void DeckWriter::write_head() {
-    // The first line of a deck is its title.
+    // The first line of a deck is its title, but ngspice obeys it where it looks like a command;
+    // not behind an asterisk and a blank.
+    out_ += "* ";
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(),
            " cells, for ngspice 39 or later (ngspice -b FILE)\n");

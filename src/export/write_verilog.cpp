@@ -106,9 +106,9 @@ void VerilogWriter::reserve() {
 }
 
 void VerilogWriter::write_head() {
-    out_ += "// ";
-    append_comment(out_, netlist_.name);
-    append(out_, ": ", netlist_.cells.size(), " cells.\n");
+    std::string title = netlist_.name;
+    append(title, ": ", netlist_.cells.size(), " cells.");
+    append_verilog_comment(out_, title);
     write_changed_names();
     out_ += "`timescale 1ns/1ps\n";
     if (needs_verilog_start(netlist_)) append_verilog_start(out_);
@@ -178,9 +178,8 @@ void VerilogWriter::write_wires(const Module& module,
 }
 
 void VerilogWriter::write_cells(const Module& module) {
-    out_ += "\n  // ";
-    append_comment(out_, module.comment.empty() ? module.name : module.comment);
-    out_ += '\n';
+    out_ += "\n  ";
+    append_verilog_comment(out_, module.comment.empty() ? module.name : module.comment);
     for (const Cell& cell : cells_of(module)) cells_.write(cell);
 }
 

@@ -80,9 +80,8 @@ void BenchWriter::write_instance() {
     append(out_, "  reg [63:0] instant;\n  integer i, changes;\n\n  initial begin\n");
     append(out_, "    instant = 64'd", start_, ";\n    changes = 0;\n");
     for (std::size_t i = 0; i < values.size(); ++i) {
-        append(out_, "    in[", i, "] = ", values[i] ? '1' : '0', ";  // ");
-        append_comment(out_, netlist_.inputs[i].name);
-        out_ += '\n';
+        append(out_, "    in[", i, "] = ", values[i] ? '1' : '0', ";  ");
+        append_verilog_comment(out_, netlist_.inputs[i].name);
     }
     out_ += "  end\n\n  ";
     spell_verilog(out_, netlist_.name);

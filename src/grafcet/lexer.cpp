@@ -67,12 +67,12 @@ bool is_letter(char32_t c) {
     struct Range {
         char32_t first, last;
     };
-    constexpr Range not_letters[] = {{0xd7, 0xd7},       {0xf7, 0xf7},       {0x1680, 0x1680},
-                                     {0x2000, 0x206f},   {0x20a0, 0x20cf},   {0x2190, 0x245f},
-                                     {0x2500, 0x2bff},   {0x2e00, 0x2e7f},   {0x3000, 0x3004},
-                                     {0x3008, 0x3020},   {0xd800, 0xf8ff},   {0xfe10, 0xfe1f},
-                                     {0xfe30, 0xfe6f},   {0xfeff, 0xff0f},   {0xfff0, 0xffff},
-                                     {0x1f000, 0x1faff}, {0xe0000, 0x10ffff}};
+    constexpr Range not_letters[] = {{0xd7, 0xd7},     {0xf7, 0xf7},       {0x61c, 0x61c},
+                                     {0x1680, 0x1680}, {0x2000, 0x206f},   {0x20a0, 0x20cf},
+                                     {0x2190, 0x245f}, {0x2500, 0x2bff},   {0x2e00, 0x2e7f},
+                                     {0x3000, 0x3004}, {0x3008, 0x3020},   {0xd800, 0xf8ff},
+                                     {0xfe10, 0xfe1f}, {0xfe30, 0xfe6f},   {0xfeff, 0xff0f},
+                                     {0xfff0, 0xffff}, {0x1f000, 0x1faff}, {0xe0000, 0x10ffff}};
     return std::none_of(std::begin(not_letters), std::end(not_letters),
                         [c](const Range& range) { return range.first <= c && c <= range.last; });
 }
@@ -204,12 +204,22 @@ Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     if (!is_closed && diagnostics != nullptr)
         diagnostics->error(Code::unterminated_text, token.where,
                            "this quoted text has no end on its line; close it with '\"'");
+    report_control(text, diagnostics);
     token.kind = TokenKind::quoted;
     token.offset = static_cast<std::uint32_t>(start);
     token.length = static_cast<std::uint32_t>(text.size());
     column_ += static_cast<std::uint32_t>(count_code_points(text) + (is_closed ? 2 : 1));
     at_ = end + (is_closed ? 1 : 0);
     return token;
+}
+
+// Names and titles go into reports and programs, and from there to terminals and compilers.
+void Lexer::report_control(std::string_view text, Diagnostics* diagnostics) const {
+    const std::size_t at = find_control(text);
+    if (at == std::string_view::npos || diagnostics == nullptr) return;
+    const auto before = static_cast<std::uint32_t>(count_code_points(text.substr(0, at)));
+    diagnostics->error(Code::unexpected_character, {line_, column_ + 1 + before},
+                       control_in_name_message(text));
 }
 
 bool Lexer::symbol(Token& token) {
@@ -274,7 +284,7 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
     }
     if (diagnostics == nullptr) return;
     std::string shown = fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.value));
-    const bool is_visible = first.value > 0x20 && (first.value < 0x7f || first.value > 0xa0) &&
+    const bool is_visible = first.value != ' ' && first.value != 0xa0 && !is_control(first.value) &&
                             (first.value < 0x2000 || first.value > 0x206f) && first.value != 0xfeff;
     if (is_visible)
         shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "text/utf8.h"
+
 namespace grafwire {
 
 NetlistAssembly::NetlistAssembly(std::string name, Diagnostics& diagnostics)
@@ -15,8 +17,20 @@ NetlistAssembly::NetlistAssembly(std::string name, Diagnostics& diagnostics)
 NetId NetlistAssembly::net(std::string_view name, Location where) {
     const auto [found, is_new] =
         by_name_.try_emplace(std::string(name), static_cast<NetId>(nets_.size()));
-    if (is_new) nets_.push_back({found->first, no_net, where, no_net, false, false, {}});
+    if (is_new) {
+        check_name(name, where);
+        nets_.push_back({found->first, no_net, where, no_net, false, false, {}});
+    }
     return found->second;
+}
+
+void NetlistAssembly::check_name(std::string_view name, Location where) {
+    if (find_control(name) == std::string_view::npos) return;
+    diagnostics_.error(Code::unexpected_character, where, control_in_name_message(name));
+}
+
+void NetlistAssembly::check_port(std::string_view name, NetId net, Location where) {
+    if (name != name_of(net)) check_name(name, where);
 }
 
 NetId NetlistAssembly::inner_net(NetId owner) {
@@ -31,8 +45,9 @@ std::string_view NetlistAssembly::name_of(NetId net) const {
 void NetlistAssembly::drive(NetId id, Location where) {
     Net& net = nets_[index_of(id)];
     if (net.is_driven) {
-        Diagnostic& error = diagnostics_.error(
-            Code::bad_netlist, where, fmt::format("net '{}' has a second driver", net.name));
+        Diagnostic& error =
+            diagnostics_.error(Code::bad_netlist, where,
+                               fmt::format("net {} has a second driver", in_quotes(net.name)));
         if (net.driver.is_known()) error.notes.push_back({net.driver, "the first one is here"});
     }
     net.is_driven = true;
@@ -41,6 +56,7 @@ void NetlistAssembly::drive(NetId id, Location where) {
 
 void NetlistAssembly::add_input(std::string_view name, NetId net, Location where) {
     drive(net, where);
+    check_port(name, net, where);
     nets_[index_of(net)].is_input = true;
     netlist_.inputs.push_back({std::string(name), net});
 }
@@ -48,9 +64,10 @@ void NetlistAssembly::add_input(std::string_view name, NetId net, Location where
 void NetlistAssembly::add_output(std::string_view name, NetId net, Location where) {
     if (!output_names_.insert(std::string(name)).second) {
         diagnostics_.error(Code::bad_netlist, where,
-                           fmt::format("output '{}' is listed twice", name));
+                           fmt::format("output {} is listed twice", in_quotes(name)));
         return;
     }
+    check_port(name, net, where);
     netlist_.outputs.push_back({std::string(name), net});
 }
 

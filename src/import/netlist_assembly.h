@@ -51,6 +51,10 @@ class NetlistAssembly {
     void set_initial(NetId net, bool value);
     std::string_view name_of(NetId net) const;
 
+    /// Reports a name, of the netlist itself say, that no netlist may hold; those of nets and ports
+    /// are looked at as they come.
+    void check_name(std::string_view name, Location where);
+
     /// The netlist: one module, the clock found by the flip-flops. What keeps it from being one (a
     /// net without driver or with two, flip-flops on different clocks) is reported, and the result
     /// is empty then.
@@ -66,6 +70,7 @@ class NetlistAssembly {
         bool is_input = false;
         Location driver;
     };
+    void check_port(std::string_view name, NetId net, Location where);
     void drive(NetId net, Location where);
     void name_inner_nets();
     void check_drivers();

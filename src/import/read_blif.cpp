@@ -14,6 +14,7 @@
 #include "import/cover.h"
 #include "import/netlist_assembly.h"
 #include "text/time.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -105,7 +106,7 @@ void BlifReader::read_line(const Words& words) {
     if (model_count_ == 1) {
         if (first.starts_with('.')) return read_directive(words);
         if (in_names_) return read_row(words);
-        return refuse(words[0].where, fmt::format("'{}' is no BLIF command", first));
+        return refuse(words[0].where, fmt::format("{} is no BLIF command", in_quotes(first)));
     }
     const bool is_cell =
         first == ".names" || first == ".latch" || first == ".subckt" || first == ".gate";
@@ -117,7 +118,9 @@ void BlifReader::read_line(const Words& words) {
 
 void BlifReader::read_model(const Words& words) {
     close();
-    if (++model_count_ == 1) model_ = words.size() > 1 ? decoded_name(words[1].text) : "netlist";
+    if (++model_count_ != 1) return;
+    model_ = words.size() > 1 ? decoded_name(words[1].text) : "netlist";
+    assembly_.check_name(model_, words.back().where);
 }
 
 void BlifReader::close() {
@@ -148,15 +151,15 @@ void BlifReader::read_directive(const Words& words) {
         read_black_box(words);
     } else if (name == ".gate" || name == ".mlatch") {
         refuse(words[0].where,
-               fmt::format("library cell '{}': its function is not in the file; write the netlist "
+               fmt::format("library cell {}: its function is not in the file; write the netlist "
                            "with .names instead",
-                           words.size() > 1 ? words[1].text : ""));
+                           in_quotes(words.size() > 1 ? words[1].text : "")));
     } else if (name != ".end" && name != ".area" && name != ".delay" &&
                name.find("_load") == std::string_view::npos &&
                name.find("_drive") == std::string_view::npos &&
                name.find("_arrival") == std::string_view::npos &&
                name.find("_required") == std::string_view::npos) {
-        refuse(words[0].where, fmt::format("'{}' is not supported", name));
+        refuse(words[0].where, fmt::format("{} is not supported", in_quotes(name)));
     }
 }
 
@@ -209,11 +212,10 @@ void BlifReader::read_latch(const Words& words) {
 void BlifReader::add_latch(const Words& words, std::string_view kind, const BlifWord* control,
                            Logic initial) {
     if (kind != "re" && kind != "ah") {
-        return refuse(
-            words[3].where,
-            fmt::format("latch type '{}': only re (rising edge) and ah (transparent while "
-                        "high) are supported",
-                        kind));
+        return refuse(words[3].where,
+                      fmt::format("latch type {}: only re (rising edge) and ah (transparent while "
+                                  "high) are supported",
+                                  in_quotes(kind)));
     }
     NetId control_net = no_net;
     if (control != nullptr && control->text != "NIL") {
@@ -233,9 +235,9 @@ void BlifReader::read_black_box(const Words& words) {
     if (words.size() < 2) return refuse(words[0].where, ".subckt without a model");
     const std::optional<CellType> type = helper_type_named(words[1].text);
     if (!type) {
-        return refuse(
-            words[1].where,
-            fmt::format("subcircuit '{}' is not known; flatten the netlist first", words[1].text));
+        return refuse(words[1].where,
+                      fmt::format("subcircuit {} is not known; flatten the netlist first",
+                                  in_quotes(words[1].text)));
     }
     OpenBox box{
         *type, no_net, std::vector<NetId>(row_of(*type).min_pins, no_net), {}, words[0].where};
@@ -246,8 +248,9 @@ void BlifReader::read_black_box(const Words& words) {
         const auto pin = std::find(names.begin(), names.end(), formal);
         const bool is_output = formal == "q";
         if (equals == std::string_view::npos || (!is_output && pin == names.end())) {
-            return refuse(words[i].where, fmt::format("'{}' is no connection of a {}",
-                                                      words[i].text, row_of(*type).description));
+            return refuse(words[i].where,
+                          fmt::format("{} is no connection of a {}", in_quotes(words[i].text),
+                                      row_of(*type).description));
         }
         const NetId actual = net({words[i].text.substr(equals + 1), words[i].where});
         (is_output ? box.output : box.pins[static_cast<std::size_t>(pin - names.begin())]) = actual;

@@ -11,6 +11,7 @@
 #include "import/json_tree.h"
 #include "import/netlist_assembly.h"
 #include "import/yosys_cells.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -20,6 +21,10 @@ using Kind = JsonValue::Kind;
 
 bool is_set(const JsonValue* attribute) {
     return attribute != nullptr && attribute->text.find('1') != std::string::npos;
+}
+
+std::string description(const YosysCell& cell) {
+    return fmt::format("cell {} of type {}", in_quotes(cell.name), cell.type);
 }
 
 class YosysReader {
@@ -124,8 +129,8 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
     const JsonValue* bits = port.find("bits");
     const std::string& direction = port.find("direction")->text;
     if (bits == nullptr || bits->items.size() != 1) {
-        return refuse(fmt::format("port '{}' has {} bits; ports of one bit are supported", name,
-                                  bits == nullptr ? 0 : bits->items.size()));
+        return refuse(fmt::format("port {} has {} bits; ports of one bit are supported",
+                                  in_quotes(name), bits == nullptr ? 0 : bits->items.size()));
     }
     const JsonValue& bit = bits->items[0];
     const std::string port_name = decoded_name(name);
@@ -136,7 +141,8 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
         return assembly_.add_output(port_name, net, {});
     }
     if (direction == "input" || (bit.text != "0" && bit.text != "1")) {
-        return refuse(fmt::format("port '{}' is connected to '{}'", name, bit.text));
+        return refuse(
+            fmt::format("port {} is connected to {}", in_quotes(name), in_quotes(bit.text)));
     }
     const NetId net = assembly_.net(port_name, {});
     assembly_.add_cell(bit.text == "1" ? CellType::high : CellType::low, net, {}, {});
@@ -150,7 +156,7 @@ void YosysReader::read_ports(const JsonValue& ports, std::string_view direction)
             actual != nullptr && (actual->text == "input" || actual->text == "output");
         if (name.empty() || !is_known) {
             if (direction == "input") {
-                refuse(fmt::format("port '{}' is neither an input nor an output", name));
+                refuse(fmt::format("port {} is neither an input nor an output", in_quotes(name)));
             }
         } else if (actual->text == direction) {
             read_port(name, port);
@@ -169,8 +175,8 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
                 connection.bits.push_back(no_net);
                 connection.constants += bit.text;
             } else {
-                refuse(fmt::format("cell '{}' of type {}: port {} is connected to '{}'", cell.name,
-                                   cell.type, port, bit.text));
+                refuse(fmt::format("{}: port {} is connected to {}", description(cell), port,
+                                   in_quotes(bit.text)));
                 return false;
             }
         }
@@ -203,8 +209,7 @@ void YosysReader::add_cell(const YosysCell& cell, const JsonValue& connections) 
         }
     }
     const std::string fault = add_yosys_cell(assembly_, cell, initial);
-    if (!fault.empty())
-        refuse(fmt::format("cell '{}' of type {}: {}", cell.name, cell.type, fault));
+    if (!fault.empty()) refuse(fmt::format("{}: {}", description(cell), fault));
 }
 
 /// What is left of the initial values belongs to nets that gates drive.
@@ -233,7 +238,7 @@ void YosysReader::read_cells(const JsonValue& cells) {
         }
         const JsonValue* connections = value.find("connections");
         if (connections == nullptr) {
-            refuse(fmt::format("cell '{}' has no connections", name));
+            refuse(fmt::format("cell {} has no connections", in_quotes(name)));
             continue;
         }
         if (!read_connections(*connections, cell)) continue;
@@ -262,9 +267,11 @@ std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     read_initial_values(part("netnames"));
     read_cells(part("cells"));
     set_initial_values();
+    const std::string name = decoded_name(module->name);
+    assembly_.check_name(name, {});
     std::optional<Netlist> netlist = assembly_.finish();
     if (!netlist) return std::nullopt;
-    netlist->name = decoded_name(module->name);
+    netlist->name = name;
     if (!netlist->modules.empty()) netlist->modules.front().name = netlist->name;
     return netlist;
 }

@@ -96,7 +96,11 @@ class AssignmentReader {
                 return std::nullopt;
             }
             cursor.skip(end + 1);
-            return quoted ? rest.substr(1, end - 1) : rest.substr(0, end + 1);
+            const std::string_view name =
+                quoted ? rest.substr(1, end - 1) : rest.substr(0, end + 1);
+            if (find_control(name) == std::string_view::npos) return name;
+            error(Code::unexpected_character, where, control_in_name_message(name));
+            return std::nullopt;
         }
         const std::string_view name = cursor.take_word();
         if (name.empty()) {

@@ -25,7 +25,7 @@ namespace {
 void append_comment(std::string& comment, std::string_view text) {
     if (text.empty()) return;
     if (!comment.empty()) comment += ' ';
-    comment += text;
+    comment += visible(text);
 }
 
 class ListingReader {
@@ -97,7 +97,7 @@ class ListingReader {
     /// A line that is nothing but a comment belongs to what stands before it.
     void add_comment_line(std::string_view comment, Location where) {
         if (items_.empty()) {
-            listing_.head.emplace_back(comment);
+            listing_.head.push_back(visible(comment));
             return;
         }
         if (items_.back().is_network) {

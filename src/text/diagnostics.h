@@ -121,8 +121,8 @@ class Diagnostics {
 };
 
 /// The messages as shown to people: `file:line:column: error: message`, the source line, a caret
-/// under the column, then the notes in the same form. At most `limit` errors are shown, followed by
-/// a count of the rest; 0 shows all.
+/// under the column, then the notes in the same form. At most `limit` errors and as many warnings
+/// are shown, followed by counts of the rest; 0 shows all.
 std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile& source,
                                std::size_t limit = 0);
 

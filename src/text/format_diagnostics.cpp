@@ -15,21 +15,7 @@ namespace {
 
 constexpr std::size_t characters_before_caret = 100;
 constexpr std::size_t characters_after_caret = 60;
-
-// Appends text for a terminal: control characters and stray bytes become something visible.
-void append_visible(std::string& out, std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const CodePoint code_point = decode_utf8(text, at);
-        const std::size_t length = std::max<std::size_t>(code_point.length, 1);
-        const bool is_control =
-            code_point.value < 0x20 || (code_point.value >= 0x7f && code_point.value < 0xa0);
-        if (code_point.length == 0 || (is_control && code_point.value != '\t'))
-            out += "\xef\xbf\xbd";
-        else
-            out += text.substr(at, length);
-        at += length;
-    }
-}
+constexpr std::size_t most_of_message = 1000;  // names and lists of them may be as long as the file
 
 class SourceLines {
   public:
@@ -50,9 +36,9 @@ class SourceLines {
         const std::size_t last = step_on(line, caret, characters_after_caret);
         std::string head;
         if (first != 0) head = "…";
-        append_visible(head, line.substr(first, caret - first));
+        head += visible(line.substr(first, caret - first));
         out += head;
-        append_visible(out, line.substr(caret, last - caret));
+        out += visible(line.substr(caret, last - caret));
         if (last != line.size()) out += "…";
         out += '\n';
         for (std::size_t at = 0; at < head.size();) {
@@ -112,10 +98,10 @@ class SourceLines {
 
 void append_message(std::string& out, SourceLines& lines, std::string_view file, Location where,
                     std::string_view kind, std::string_view message) {
-    append_visible(out, file);
+    out += visible(file);
     if (where.is_known()) out += fmt::format(":{}:{}", where.line, where.column);
     out += fmt::format(": {}: ", kind);
-    append_visible(out, message);
+    out += visible(shortened(message, most_of_message));
     out += '\n';
     if (lines.has(where)) lines.append(out, where);
 }
@@ -130,18 +116,23 @@ std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile&
     SourceLines note_lines(lines);
     const std::string_view file = source.name == "-" ? "<stdin>" : std::string_view(source.name);
     std::size_t errors = 0;
+    std::size_t warnings = 0;
     for (const Diagnostic& item : diagnostics.items()) {
         const bool is_error = item.severity == Severity::error;
-        if (is_error && limit != 0 && ++errors > limit) continue;
+        std::size_t& count = is_error ? errors : warnings;
+        if (++count > limit && limit != 0) continue;
         append_message(out, lines, file, item.where, is_error ? "error" : "warning", item.message);
         for (const Diagnostic::Note& note : item.notes)
             append_message(out, note_lines, file, note.where, "note", note.message);
     }
-    if (errors > limit) {
-        const std::size_t rest = errors - limit;
-        append_visible(out, file);
-        out += fmt::format(": {} more error{} not shown\n", rest, rest == 1 ? "" : "s");
-    }
+    const auto tell_of_rest = [&](std::size_t count, std::string_view kind) {
+        if (limit == 0 || count <= limit) return;
+        const std::size_t rest = count - limit;
+        out += visible(file);
+        out += fmt::format(": {} more {}{} not shown\n", rest, kind, rest == 1 ? "" : "s");
+    };
+    tell_of_rest(errors, "error");
+    tell_of_rest(warnings, "warning");
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 
@@ -68,14 +69,51 @@ std::size_t byte_order_mark_size(std::string_view text) {
     return text.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
 }
 
-std::string in_quotes(std::string_view name) {
-    constexpr std::size_t most_shown = 60;
-    std::size_t count = 0;
-    for (std::size_t at = 0; at < name.size(); ++at) {
-        if (is_continuation(name[at]) || ++count <= most_shown) continue;
-        return fmt::format("'{}…'", name.substr(0, at));
+bool is_control(char32_t c) {
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x61c || c == 0x200e || c == 0x200f ||
+           (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+std::size_t find_control(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint code_point = decode_utf8(text, at);
+        if (is_control(code_point.value)) return at;
+        at += std::max<std::size_t>(code_point.length, 1);
     }
-    return fmt::format("'{}'", name);
+    return std::string_view::npos;
+}
+
+std::string visible(std::string_view text, std::string_view kept) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint code_point = decode_utf8(text, at);
+        const std::size_t length = std::max<std::size_t>(code_point.length, 1);
+        const bool is_shown = code_point.length != 0 &&
+                              (!is_control(code_point.value) || kept.find(text[at]) != kept.npos);
+        out += is_shown ? text.substr(at, length) : "\xef\xbf\xbd";
+        at += length;
+    }
+    return out;
+}
+
+std::string control_in_name_message(std::string_view name) {
+    const char32_t c = decode_utf8(name, find_control(name)).value;
+    return fmt::format(
+        "{} holds the control character U+{:04X}, which no name or title may hold; remove it",
+        in_quotes(visible(name, {})), static_cast<std::uint32_t>(c));
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (is_continuation(text[at]) || ++count <= most) continue;
+        return std::string(text.substr(0, at)) + "…";
+    }
+    return std::string(text);
+}
+
+std::string in_quotes(std::string_view name) {
+    return fmt::format("'{}'", shortened(name, 60));
 }
 
 bool check_utf8(std::string_view text, Diagnostics& diagnostics) {

@@ -22,6 +22,25 @@ std::size_t count_code_points(std::string_view text);
 /// The bytes of a byte-order mark at the beginning of the text: 0 or 3.
 std::size_t byte_order_mark_size(std::string_view text);
 
+/// Whether a character is not seen itself but acts on what is shown around it: the control
+/// characters (of ASCII with tab and line feed, of Latin-1), the separators of lines and
+/// paragraphs, and the marks that turn the direction of writing. A terminal obeys the first, and
+/// the last make one text look like another; no name may hold them.
+bool is_control(char32_t c);
+
+/// Where the first of them begins; npos where there is none.
+std::size_t find_control(std::string_view text);
+
+/// A text of unknown origin, for people to read: control characters and stray bytes are replaced by
+/// U+FFFD. Those in `kept` stay.
+std::string visible(std::string_view text, std::string_view kept = "\t");
+
+/// What is said of a name that holds a control character: which one, and that it cannot stay.
+std::string control_in_name_message(std::string_view name);
+
+/// The text, cut short with an ellipsis where it has more than `most` characters.
+std::string shortened(std::string_view text, std::size_t most);
+
 /// A name as it is quoted in a message: `'name'`, a long one cut short with an ellipsis.
 std::string in_quotes(std::string_view name);
 

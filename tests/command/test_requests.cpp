@@ -68,6 +68,54 @@ TEST_CASE("an unknown command is refused with the nearest one and all of them") 
     CHECK(contains(refusal({}), "--help"));
 }
 
+TEST_CASE("no input makes messages without end") {
+    constexpr std::size_t most = 100'000;
+    const ScratchFolder folder;
+    std::string inputs = "input i";
+    std::string table;
+    std::string ring = "input a\ngraph G { initial s0\n";
+    for (int i = 0; i < 3'000; ++i) {
+        const std::string number = std::to_string(i);
+        inputs += ", some_name_of_an_input_" + number;
+        table += "E" + number + ".9 = x\n";
+        ring += "step s" + std::to_string(i + 1) + " s" + number + " -> s" + std::to_string(i + 1) +
+                " : 1\n";
+    }
+    inputs += "\ngraph G { initial 0 step 1 0 -> 1 : i 1 -> 0 : /i }\n";
+    ring += "s3000 -> s0 : 1 }\n";
+    const std::string word(1'000'000, 'n');
+    const std::string chart = example("rule-5.grafcet");
+    const std::string stim = folder.file("a.stim", "0ms: a=1\n");
+    for (const std::vector<std::string>& request : std::vector<std::vector<std::string>>{
+             {"info", folder.file("inputs.grafcet", inputs)},
+             {"plc", folder.path("inputs.grafcet"), "--to", "s7-200"},
+             {"plc", chart, "--to", "s7-200", "--io", folder.file("a.io", table)},
+             {"run", folder.file("ring.grafcet", ring), stim},
+             {"check", chart, "--assume", std::string(100'000, '%')},
+             {"check", chart, "--against", folder.file("a.blif", ".model m\n.names " + word)},
+             {"check", chart, "--against", folder.file("b.blif", ".model m\n" + word)}}) {
+        INFO("command: " << request[0] << ' ' << request[1]);
+        const Ran ran = grafwire_with(request);
+        CHECK(!ran.err.empty());
+        CHECK(ran.err.size() < most);
+    }
+}
+
+TEST_CASE("a bound is a whole number that can be one") {
+    for (const std::string bound : {"-1", "18446744073709551616", "1.5", "+1", "1e3", "many", ""}) {
+        INFO("bound: " << bound);
+        CHECK(contains(
+            refusal({"check", example("rule-5.grafcet"), "--style", "nand", "--max-cases", bound}),
+            "is no whole number from 0"));
+    }
+    for (const std::string bound : {"0", "18446744073709551615"}) {
+        const Ran ran = grafwire_with(
+            {"check", example("rule-5.grafcet"), "--style", "nand", "--max-cases", bound});
+        CHECK(ran.status == 0);
+    }
+    CHECK(contains(grafwire_with({"check", "--help"}).out, "(0: never)"));
+}
+
 TEST_CASE("an unknown option is refused with the nearest one") {
     CHECK(refusal({"check", example("rule-5.grafcet"), "--stile", "nand"}) ==
           "grafwire: error: there is no option '--stile'; did you mean '--style'?\n"

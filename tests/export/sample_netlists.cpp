@@ -182,7 +182,7 @@ const std::vector<std::string>& odd_input_names() {
                                                 "$a",
                                                 "a$g",
                                                 "a//b",
-                                                "a\tb",
+                                                "a(*b",
                                                 "null",
                                                 "gnd",
                                                 "0",

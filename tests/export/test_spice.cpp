@@ -136,6 +136,24 @@ TEST_CASE("odd names in ngspice") {
     CHECK(rows == Rows{expected});
 }
 
+TEST_CASE("ngspice does not obey the name of a netlist") {
+    for (const std::string name :
+         {".include evil.cir ", ".inc evil.cir ", ".lib evil.cir ", ".control", "*ng_script", "@x",
+          "*#echo pwned", "#echo pwned", "+ r 1 2", ".end"}) {
+        INFO("name: " << name);
+        NetlistMaker maker(name);
+        maker.input(name).output("y").module(name).cell(CellType::inverter, "y", {name});
+        ToolRunner tools;
+        tools.write("evil.cir", ".control\nshell touch pwned\n.endc\n");
+        tools.write("deck.cir", write_spice(maker.make(), bench_of({{0, {{0, true}}}}, {0})));
+        const auto result = tools.run("ngspice -b deck.cir");
+        CHECK(result.status == 0);
+        CHECK(result.output.find("Time or Step") != std::string::npos);
+        CHECK(result.output.find("\npwned") == std::string::npos);
+        CHECK(tools.run("test -e pwned").status != 0);
+    }
+}
+
 TEST_CASE("nodes keep their names where SPICE can tell them apart") {
     NetlistMaker maker("names");
     for (const char* name : {"X7", "x7", "H+", "H-", "null", "7", "_a"}) maker.input(name);

@@ -50,6 +50,10 @@ TEST_CASE("identifiers keep their spelling where Verilog can hold it") {
     CHECK(spelled("a b") == "\\a%20b ");
     CHECK(spelled("a%20b") == "\\a%2520b ");
     CHECK(spelled("a`b") == "\\a%60b ");
+    CHECK(spelled("*a\"") == "\\%2Aa%22 ");
+    CHECK(spelled("a*b*") == "\\a*b* ");
+    CHECK(spelled("/*(*//**") == "\\/%2A(%2A//%2A* ");
+    CHECK(spelled("/%2A") == "\\/%252A ");
 }
 
 TEST_CASE("the sequencer in Icarus Verilog") {
@@ -191,6 +195,36 @@ TEST_CASE("odd names pass through Icarus Verilog and Yosys") {
               .run("yosys -q -p 'read_verilog netlist.v; hierarchy -check -auto-top; proc; check "
                    "-assert'")
               .status == 0);
+}
+
+TEST_CASE("names do not begin comments for the preprocessor of Icarus Verilog") {
+    // The directives that follow are lost in such a comment.
+    for (const std::string name : {"a/*b", "(*", "/*(*", "a//b", "\"", "*/"}) {
+        INFO("name: " << name);
+        NetlistMaker maker(name);
+        maker.input(name).input("reset").output("kept");
+        maker.module("m").cell(CellType::latch, "kept", {name, "reset"}, Logic::zero);
+        const std::string output =
+            simulated(maker.make(), bench_of({{0, {{0, true}}}, {ms, {{0, false}}}}, {0, ms}));
+        CHECK(output == "time_ms,kept\n0,1\n1,1\n");
+    }
+}
+
+TEST_CASE("names are no comments that Yosys obeys") {
+    for (const std::string name : {"synopsys translate_off", " synthesis translate_off",
+                                   "* synopsys translate_off", "synthesis full_case"}) {
+        INFO("name: " << name);
+        NetlistMaker maker(name);
+        maker.input("a").output("b").module(name).cell(CellType::inverter, "b", {"a"});
+        maker.module("m", name + " = b").cell(CellType::inverter, "c", {"b"});
+        ToolRunner tools;
+        tools.write("netlist.v", write_verilog(maker.make()));
+        const auto result = tools.run(
+            "yosys -q -p 'read_verilog netlist.v; hierarchy -check -auto-top; "
+            "select -assert-count 2 t:*'");
+        INFO(result.output);
+        CHECK(result.status == 0);
+    }
 }
 
 TEST_CASE("a netlist that does not settle ends the run") {

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "command/run_program.h"
+#include "evolution/run.h"
 #include "plc/compile.h"
 #include "plc/run_language.h"
+#include "random/read_text.h"
 
 namespace grafwire::testing {
 
@@ -23,6 +25,25 @@ std::vector<std::string> run_python(const ScanProgram& program,
 
 TEST_CASE("a program in Python is the reference") {
     check_language(run_python, 950'000, 200);
+}
+
+TEST_CASE("no name of a chart is the encoding of its program in Python") {
+    for (const std::string name :
+         {"x coding: nosuch", R"(coding: raw_unicode_escape \u000aimport os\u000a#)",
+          "-*- coding: utf-16 -*-", "vim: set fileencoding=nosuch :"}) {
+        INFO("name: " << name);
+        const auto grafcet = read_grafcet("grafcet \"" + name + "\" \"" + name +
+                                          "\"\ninput a\ngraph G { initial 0 step 1 "
+                                          "0 -> 1 : a 1 -> 0 : /a }\n");
+        REQUIRE(grafcet);
+        const auto stimuli = read_stimuli("0ms:\n10ms: a=1\n20ms: end\n", *grafcet);
+        REQUIRE(stimuli);
+        const std::string expected =
+            write_csv(run_scans(*grafcet, *stimuli, 10 * millisecond).trace);
+        CHECK(run_python(program_from(*grafcet, {}), {expected}).front() == expected);
+        CHECK(written("python", program_from(*grafcet, {}))
+                  .starts_with("# -*- coding: utf-8 -*-\n#\n"));
+    }
 }
 
 }  // namespace grafwire::testing

@@ -53,7 +53,7 @@ TEST_CASE("of a long line a part around the place is shown") {
               std::string(101, ' ') + "^\n");
 }
 
-TEST_CASE("errors beyond the limit are counted; warnings are always shown") {
+TEST_CASE("errors and warnings beyond the limit are counted") {
     const SourceFile source{"f", ""};
     Diagnostics diagnostics;
     for (const char* text : {"one", "two", "three", "four"})
@@ -66,6 +66,22 @@ TEST_CASE("errors beyond the limit are counted; warnings are always shown") {
           std::string::npos);
     CHECK(format_diagnostics(diagnostics, source, 4).find("not shown") == std::string::npos);
     CHECK(format_diagnostics(diagnostics, source, 0).find("four") != std::string::npos);
+    diagnostics.warning(Code::unused_name, {}, "six");
+    diagnostics.warning(Code::unused_name, {}, "seven");
+    CHECK(format_diagnostics(diagnostics, source, 1) ==
+          "f: error: one\nf: warning: five\nf: 3 more errors not shown\n"
+          "f: 2 more warnings not shown\n");
+}
+
+TEST_CASE("a message without end is cut") {
+    const SourceFile source{"f", ""};
+    Diagnostics diagnostics;
+    std::string long_message;
+    for (int i = 0; i < 1000; ++i) long_message += "é";
+    diagnostics.error(Code::unexpected_token, {}, long_message);
+    diagnostics.error(Code::unexpected_token, {}, long_message + "é");
+    CHECK(format_diagnostics(diagnostics, source) ==
+          "f: error: " + long_message + "\nf: error: " + long_message + "…\n");
 }
 
 TEST_CASE("sorting goes by place and keeps the order of what stands in one place") {

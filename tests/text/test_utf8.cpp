@@ -48,6 +48,24 @@ TEST_CASE("code points are counted, not bytes") {
     CHECK(decode_utf8("↑", 1).length == 0);
 }
 
+TEST_CASE("control characters are found, and made visible") {
+    for (const std::string text :
+         {"\x01", "\t", "\n", "\x7f", "\u0085", "\u009f", "\u061c", "\u200e", "\u200f", "\u2028",
+          "\u2029", "\u202a", "\u202e", "\u2066", "\u2069"}) {
+        CHECK(find_control("é" + text) == 2);
+        CHECK(visible("é" + text + "a", {}) == "é\ufffda");
+    }
+    for (const std::string text : {" ", "~", "\u00a0", "\u061b", "\u061d", "\u200d", "\u2010",
+                                   "\u2027", "\u202f", "\u2065", "\u206a", "é𝄞"}) {
+        CHECK(find_control(text) == std::string::npos);
+        CHECK(visible(text) == text);
+    }
+    CHECK(visible("a\tb\nc\xff") == "a\tb\ufffdc\ufffd");
+    CHECK(visible("a\tb\nc", "\t\n") == "a\tb\nc");
+    CHECK(control_in_name_message("a\x1b").starts_with(
+        "'a\ufffd' holds the control character U+001B, "));
+}
+
 TEST_CASE("long names are cut in messages") {
     CHECK(in_quotes("lamp") == "'lamp'");
     std::string sixty;

@@ -39,6 +39,11 @@ Location PlcopenSource::place_of(pugi::xml_node node) const {
     return place_at(static_cast<std::size_t>(offset) - 1);  // at the `<` before the name
 }
 
+void PlcopenSource::check_name(std::string_view name, pugi::xml_node node) const {
+    if (find_control(name) == std::string_view::npos) return;
+    diagnostics_.error(Code::unexpected_character, place_of(node), control_in_name_message(name));
+}
+
 std::string_view local_name(pugi::xml_node node) {
     const std::string_view name = node.name();
     const std::size_t colon = name.find(':');
@@ -73,7 +78,7 @@ std::string text_of(pugi::xml_node node) {
         }
     }
     if (!folded.empty() && folded.back() == ' ') folded.pop_back();
-    return folded;
+    return visible(folded);
 }
 
 }  // namespace grafwire::ladder

@@ -27,6 +27,9 @@ class PlcopenSource {
         diagnostics_.error(Code::bad_ladder, where, std::move(message));
     }
 
+    /// Reports a name that holds a control character.
+    void check_name(std::string_view name, pugi::xml_node node) const;
+
   private:
     Location place_at(std::size_t byte) const;
 
@@ -42,7 +45,7 @@ std::string_view local_name(pugi::xml_node node);
 /// The first child of that local name; null where there is none.
 pugi::xml_node child_named(pugi::xml_node parent, std::string_view name);
 /// All the text in an element and below it, blanks at the ends removed and those between lines
-/// folded.
+/// folded, control characters replaced.
 std::string text_of(pugi::xml_node node);
 
 }  // namespace grafwire::ladder

@@ -59,6 +59,7 @@ void PlcopenVariables::read_list(pugi::xml_node list, Role role) {
 void PlcopenVariables::read_variable(pugi::xml_node node, Role role) {
     Variable variable;
     variable.name = node.attribute("name").as_string();
+    source_.check_name(variable.name, node);
     variable.role = role;
     variable.comment = text_of(child_named(node, "documentation"));
     const std::string key = iec::capitals(variable.name);

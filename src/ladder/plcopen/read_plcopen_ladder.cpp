@@ -89,6 +89,7 @@ std::optional<Ladder> read_plcopen_ladder(const SourceFile& file, Diagnostics& d
     if (!pou) return std::nullopt;
     Ladder ladder;
     ladder.name = pou.attribute("name").as_string();
+    source.check_name(ladder.name, pou);
     PlcopenVariables variables(source, ladder);
     variables.read(source.root(), pou);
     const PlcopenElements elements(source, child_named(child_named(pou, "body"), "LD"));

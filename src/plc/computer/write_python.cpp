@@ -28,6 +28,10 @@ std::string python_string(std::string_view text) {
 }  // namespace
 
 std::string PythonProgram::write() {
+    // Python reads `coding: …` in the first two lines of a file as its encoding, in a comment too
+    // (PEP 263): no name of the chart may stand there.
+    out_.comment("-*- coding: utf-8 -*-");
+    out_.comment({});
     write_title(out_, program_, "a program in Python 3");
     out_.comment({});
     out_.comment("To use it:");

@@ -12,11 +12,6 @@ bool is_word_sign(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Signs that turn the direction of writing, and so make a program look like another one.
-bool turns_direction(char32_t sign) {
-    return (sign >= 0x202A && sign <= 0x202E) || (sign >= 0x2066 && sign <= 0x2069);
-}
-
 /// Where to break a line so that the first part has at most `room` bytes: in its second half, at
 /// the last blank of those within the fewest parentheses, `least_depth` at least; npos where there
 /// is none. `depth` counts the parentheses that are open, at the beginning and then at the break.
@@ -67,7 +62,7 @@ std::string comment_text(std::string_view text) {
         const std::size_t length = point.length == 0 ? 1 : point.length;
         if (point.value < 0x20 || point.value == 0x7F) {
             result += ' ';
-        } else if (turns_direction(point.value)) {
+        } else if (is_control(point.value)) {
             result += fmt::format("<{:04X}>", static_cast<std::uint32_t>(point.value));
         } else {
             result += text.substr(at, length);

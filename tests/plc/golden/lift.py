@@ -1,3 +1,5 @@
+# -*- coding: utf-8 -*-
+#
 # lift: Monte-charge
 #
 # A GRAFCET (IEC 60848) as a program in Python 3, written by grafwire. A scan is one

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <csignal>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/place.h"
+
+namespace grafwire {
+
+/// Holds back the signals that end the program while the object lives.
+class HeldSignals {
+  public:
+    HeldSignals();
+    ~HeldSignals();
+    HeldSignals(const HeldSignals&) = delete;
+    HeldSignals& operator=(const HeldSignals&) = delete;
+
+  private:
+    sigset_t before_;
+};
+
+/// A file that is written beside its place, under a name that nobody can foresee, and then put
+/// there. Until then it goes with the object, or with the signal that ends the program.
+class NewFile {
+  public:
+    NewFile() = default;
+    ~NewFile();
+    NewFile(NewFile&& other) noexcept;
+    NewFile& operator=(NewFile&&) = delete;
+
+    /// Makes the file, whole, with the rights and the owner of the one that it is to replace;
+    /// returns what went wrong, or nothing.
+    std::optional<std::string> write(const Place& place, const std::string& text);
+    /// Puts the file in its place; false, with errno set, where that cannot be.
+    bool put_in_place();
+
+  private:
+    std::optional<std::string> open(const Place& place, int& file);
+
+    std::string name_;  ///< empty: there is none (any more)
+    std::string place_;
+};
+
+/// Folders that are made for results: they go with the object unless kept.
+class NewFolders {
+  public:
+    NewFolders() = default;
+    ~NewFolders();
+    NewFolders(const NewFolders&) = delete;
+    NewFolders& operator=(const NewFolders&) = delete;
+
+    /// Makes a folder and those above it where they are missing; returns what went wrong, or
+    /// nothing.
+    std::optional<std::string> make(const std::string& path);
+    void keep();
+
+  private:
+    std::vector<std::string> made_;
+};
+
+/// Writes all of it to an open file; false, with errno set, on an error.
+bool write_fully(int file, const std::string& text);
+
+}  // namespace grafwire
