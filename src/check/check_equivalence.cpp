@@ -31,7 +31,8 @@ Passing passing_with_lengths(const Netlist& netlist) {
 }
 
 /// Periods worth a look of their own: from one that lets the longest delay end within some scans
-/// down to one that divides all lengths.
+/// down to one that divides all lengths, and half of it, so that a delay can begin between the
+/// scans of another.
 std::vector<Time> telling_periods(const Grafcet& grafcet, const Netlist& netlist) {
     Time longest = 0;
     for (const ExprId id : grafcet.expressions.time_conditions()) {
@@ -43,7 +44,9 @@ std::vector<Time> telling_periods(const Grafcet& grafcet, const Netlist& netlist
     for (Time period = longest / 10; period > grain && periods.size() < 4; period /= 10) {
         periods.push_back(period);
     }
-    if (grain > longest / 100'000) periods.push_back(grain);
+    for (const Time period : {grain, grain / 2}) {
+        if (period > longest / 100'000) periods.push_back(period);
+    }
     return periods;
 }
 

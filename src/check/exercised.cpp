@@ -1,5 +1,7 @@
 #include "check/exercised.h"
 
+#include <algorithm>
+
 #include "check/reference_case.h"
 
 namespace grafwire {
@@ -11,6 +13,13 @@ void add(BitTable& all, const BitTable& more) {
 }
 
 }  // namespace
+
+bool can_ever_act(const Grafcet& grafcet) {
+    return std::any_of(grafcet.steps.begin(), grafcet.steps.end(),
+                       [](const Step& step) { return step.initial; }) ||
+           std::any_of(grafcet.transitions.begin(), grafcet.transitions.end(),
+                       [](const Transition& t) { return t.preceding_count == 0; });
+}
 
 Exercised::Exercised(const Grafcet& grafcet, bool has_modes)
     : grafcet_(grafcet),

@@ -14,13 +14,17 @@ struct ReferenceOutcome;
 /// The parts of a GRAFCET that no case of an exploration exercised, each in table order. What a
 /// verdict says of them is little.
 struct NeverExercised {
-    std::vector<StepId> steps;                ///< never active
-    std::vector<TransitionId> transitions;    ///< never cleared
-    std::vector<std::uint32_t> inputs;        ///< never both 0 and 1; numbered as in Stimuli
-    std::vector<OutputId> outputs;            ///< never 1
+    std::vector<StepId> steps;              ///< never active
+    std::vector<TransitionId> transitions;  ///< never cleared
+    std::vector<std::uint32_t> inputs;      ///< never both 0 and 1; numbered as in Stimuli
+    std::vector<OutputId> outputs;          ///< never 1
     bool none() const { return *this == NeverExercised(); }
     bool operator==(const NeverExercised&) const = default;
 };
+
+/// Whether anything can ever happen in a GRAFCET: some step is initial, or some transition without
+/// preceding steps activates one. Where not, a check would have nothing to say.
+bool can_ever_act(const Grafcet& grafcet);
 
 /// Notes what the cases of an exploration exercise.
 class Exercised {

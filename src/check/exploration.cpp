@@ -65,7 +65,9 @@ struct Departure {
     const EvolutionState* reference() const {
         return node == nullptr ? nullptr : &node->pair.reference;
     }
-    const SimulatorState* netlist() const { return node == nullptr ? nullptr : &node->pair.netlist; }
+    const SimulatorState* netlist() const {
+        return node == nullptr ? nullptr : &node->pair.netlist;
+    }
 };
 
 class Exploration {

@@ -1,7 +1,7 @@
 // A netlist in one case after the other.
 //
-// What a settled netlist remembers is little beside what it has of nets: the outputs of cells with a
-// memory, the nets on loops of gates (netlist/loops.h), and the operands of timers, since a delay
+// What a settled netlist remembers is little beside what it has of nets: the outputs of cells with
+// a memory, the nets on loops of gates (netlist/loops.h), and the operands of timers, since a delay
 // that runs knows where to. Every other net follows from these and the inputs. And of these again
 // only those count on which an X or an output can ever depend: a counter that nothing reads is
 // simulated with the rest, but two states that differ in nothing else are one.
@@ -234,8 +234,8 @@ NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues&
     if (!unknown.empty()) {
         outcome = blame(unknown, step);
         if (outcome.kind == NetlistOutcome::Kind::open) return outcome;
-        const bool is_visible = std::find(compared_.begin(), compared_.end(), unknown.front()) !=
-                                compared_.end();
+        const bool is_visible =
+            std::find(compared_.begin(), compared_.end(), unknown.front()) != compared_.end();
         if (is_visible) return outcome;
     }
     outcome.kind =
@@ -252,8 +252,8 @@ NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInput
     } else {
         leave(*start, left, step);
     }
-    settling = netlist_.is_clocked() ? simulator_.clock_cycle()
-                                     : delay_ends_.settle(simulator_, instant_);
+    settling =
+        netlist_.is_clocked() ? simulator_.clock_cycle() : delay_ends_.settle(simulator_, instant_);
     if (!settling.settled) return not_settled(settling, step);
     NetlistOutcome outcome = look(expected.state.situation, expected.outputs, step);
     if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();

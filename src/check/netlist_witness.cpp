@@ -3,8 +3,8 @@
 // moments and real lengths of delays, and the first moment at which the two differ is the witness.
 //
 // A value that comes out unknown is no difference yet: three-valued simulation is pessimistic. It
-// comes from memories whose value at power-up is not known, so such values are tried until one leads
-// to a wrong value that is known.
+// comes from memories whose value at power-up is not known, so such values are tried until one
+// leads to a wrong value that is known.
 
 #include "check/netlist_witness.h"
 

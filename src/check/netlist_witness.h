@@ -12,8 +12,8 @@
 
 namespace grafwire {
 
-/// Runs reference and netlist over stimuli, from power-up, and reports the first difference; nothing
-/// where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
+/// Runs reference and netlist over stimuli, from power-up, and reports the first difference;
+/// nothing where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli, Time period);
 

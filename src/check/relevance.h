@@ -10,8 +10,8 @@
 namespace grafwire {
 
 /// What of a state of the reference an X or an output can ever depend on. The rest (a counter that
-/// nothing reads, a delay that only such a counter waits for) is carried along by the evolution, but
-/// two states that differ in nothing else are the same to a check.
+/// nothing reads, a delay that only such a counter waits for) is carried along by the evolution,
+/// but two states that differ in nothing else are the same to a check.
 class Relevance {
   public:
     explicit Relevance(const Grafcet& grafcet);

@@ -1,8 +1,8 @@
 // The exploration finds a way with as few instants as possible, but not one with as few changes:
 // inputs that nobody read were given some value, and where many change together not all need to. So
 // changes are left out one by one, from the last to the first, as long as what is left still shows
-// a difference from power-up (delta debugging: A. Zeller, R. Hildebrandt, "Simplifying and isolating
-// failure-inducing input", IEEE Trans. Softw. Eng. 28, 2002; with pieces of one).
+// a difference from power-up (delta debugging: A. Zeller, R. Hildebrandt, "Simplifying and
+// isolating failure-inducing input", IEEE Trans. Softw. Eng. 28, 2002; with pieces of one).
 
 #include "check/smallest_witness.h"
 
@@ -61,8 +61,7 @@ class Reduction {
             for (const Stimuli::Assignment& set : change.assignments) {
                 values[set.input] = set.value ? 1 : 0;
             }
-            holds_ = holds_ &&
-                     broken_assumption(grafcet_, values) == grafcet_.assumptions.size();
+            holds_ = holds_ && broken_assumption(grafcet_, values) == grafcet_.assumptions.size();
             const bool is_dropped = !is_first && !was_empty && change.assignments.empty();
             is_first = false;
             return is_dropped;
@@ -93,10 +92,9 @@ Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const C
                          Witness witness, Changes changes) {
     // Leaving a change out moves the ends of delays, which must not come together with the change
     // of an input where one thing happens at a time.
-    const bool has_delays =
-        !grafcet.expressions.time_conditions().empty() ||
-        std::any_of(netlist.cells.begin(), netlist.cells.end(),
-                    [](const Cell& cell) { return is_timer(cell.type); });
+    const bool has_delays = !grafcet.expressions.time_conditions().empty() ||
+                            std::any_of(netlist.cells.begin(), netlist.cells.end(),
+                                        [](const Cell& cell) { return is_timer(cell.type); });
     if (has_delays && changes == Changes::one && !netlist.is_clocked()) return witness;
     return Reduction(grafcet, netlist, delays, std::move(witness)).make();
 }

@@ -30,9 +30,9 @@ const Stimuli::Change* decisive_line(const Stimuli& stimuli) {
 
 ExprId variable_of(Grafcet& grafcet, std::uint32_t input) {
     const auto declared = static_cast<std::uint32_t>(grafcet.inputs.size());
-    return grafcet.expressions.variable(
-        input < declared ? Variable{VariableKind::input, input}
-                         : Variable{VariableKind::control, input - declared});
+    return grafcet.expressions.variable(input < declared
+                                            ? Variable{VariableKind::input, input}
+                                            : Variable{VariableKind::control, input - declared});
 }
 
 /// "Not all of these together", as an expression of the GRAFCET.
@@ -81,8 +81,8 @@ Together look_at_many(const Grafcet& grafcet, const Netlist& netlist, const Cell
     std::sort(together.inputs.begin(), together.inputs.end());
     together.with_delay = line->assignments.size() == 1;
     if (line->assignments.size() > 1) {
-        together.assumption = assumption_against(grafcet, netlist, delays, options, unexercised,
-                                                 line->assignments);
+        together.assumption =
+            assumption_against(grafcet, netlist, delays, options, unexercised, line->assignments);
     }
     return together;
 }

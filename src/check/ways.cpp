@@ -44,7 +44,8 @@ std::vector<PathStep> Ways::path(std::uint32_t parent, PathStep last) const {
         PartialInputs reached = merged(step.inputs, wanted);
         const bool can_be = assumptions_.can_hold(reached);
         if (!can_be) reached = step.inputs;
-        if (inserts_ && (!can_be || !agree(reached, wanted))) path.push_back({reached, wanted, {}, {}});
+        if (inserts_ && (!can_be || !agree(reached, wanted)))
+            path.push_back({reached, wanted, {}, {}});
         step.inputs = reached;
         if (steps_[at].parent == start) step.before = step.inputs;
         from_end[at] = path.size();

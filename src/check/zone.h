@@ -29,8 +29,8 @@ class Zone {
     /// The zone exactly so many grains later; delays may be overdue there.
     Zone after(std::int64_t grains) const;
 
-    /// Keeps the moments at which a delay ends or is overdue. False where there is none; the zone is
-    /// of no use then.
+    /// Keeps the moments at which a delay ends or is overdue. False where there is none; the zone
+    /// is of no use then.
     bool let_end(std::size_t delay) { return tighten(delay + 1, 0, weak(0)); }
     /// Keeps the moments at which some of the delay's time is left. False where there is none.
     bool let_run_on(std::size_t delay) { return tighten(0, delay + 1, strict(0)); }

@@ -42,6 +42,7 @@ std::optional<Netlist> netlist_to_compare(const CheckRequest& request, const Loa
     }
     if (!ports.can_compare()) return std::nullopt;
     adopt_ports(loaded.grafcet, *netlist);
+    netlist->starts_initially = request.power_up == "initial";
     return netlist;
 }
 
@@ -98,9 +99,18 @@ void declare_options(const CommandLine& line, CheckRequest& request) {
              "ladder diagrams: which program of the project, where it holds several");
     line.add("--io", request.io,
              "listings: table of assignment, which address stands for which name");
+    line.add("--changes", request.changes,
+             "asynchronous netlists: what changes in one instant: one input, or delays end, and "
+             "the netlist settles before the next (the default); or many")
+        .one_of({"one", "many"});
+    line.add("--power-up", request.power_up,
+             "netlists from elsewhere without Init: how their steps start: unknown (the default), "
+             "or initial, taken as given")
+        .one_of({"unknown", "initial"});
     line.add("--scan", request.scan,
-             "listings and ladder diagrams: the time from one scan to the next (default: one "
-             "that divides all delays)");
+             "clocked netlists: the only time from one scan to the next that the verdict is for "
+             "(default: every one); listings and ladder diagrams: that time (default: one that "
+             "divides all delays)");
     line.add("--cpu", request.cpu, "listings: the controller, 212 or 214")
         .one_of({"212", "214"})
         .shows_default();
@@ -116,6 +126,8 @@ void declare_options(const CommandLine& line, CheckRequest& request) {
              "is never 0");
     line.add("--max-cases", request.max_cases, "give up after so many cases (0: never)");
     line.add("--max-seconds", request.max_seconds, "give up after so much time (0: never)");
+    line.add("--max-memory", request.max_memory,
+             "give up once so much memory is held, such as 500M or 2G");
 }
 
 }  // namespace
@@ -126,7 +138,8 @@ std::function<int()> declare_check(const CommandLine& line, const Language& lang
     return [request, &language] {
         // Read the GRAFCET, and what the plant never does.
         auto loaded = load_grafcet(request->path);
-        if (!loaded || !add_assumptions(request->assumptions, loaded->grafcet)) {
+        if (!loaded || !add_assumptions(request->assumptions, loaded->grafcet) ||
+            (!request->max_memory.empty() && !parse_memory(request->max_memory))) {
             return static_cast<int>(bad_request);
         }
         if (is_listing(request->against)) return check_listing_file(*request, *loaded, language);
@@ -135,14 +148,21 @@ std::function<int()> declare_check(const CommandLine& line, const Language& lang
         }
         // Make the netlist, or read the one to compare with.
         const auto netlist = netlist_to_compare(*request, *loaded, language);
-        if (!netlist) return static_cast<int>(bad_request);
+        if (!netlist || !can_check(*request, loaded->grafcet, netlist->is_clocked(),
+                                   !request->against.empty(), netlist->has_modes)) {
+            return static_cast<int>(bad_request);
+        }
         const CellDelays delays = unit_delays(*netlist);
         // Compare it with the reference in every reachable case.
         CheckResult result;
         {
-            Progress progress(request->max_seconds);
-            result = check_equivalence(loaded->grafcet, *netlist, delays,
-                                       check_options(*request, progress));
+            Progress progress(request->max_seconds, memory_of(*request));
+            CheckOptions options = check_options(*request, progress);
+            if (!request->scan.empty()) {
+                options.scan_period = parse_period(request->scan);
+                if (!options.scan_period) return static_cast<int>(bad_request);
+            }
+            result = check_equivalence(loaded->grafcet, *netlist, delays, options);
         }
         // Report.
         return report(*request, *loaded, *netlist, delays, result, language);

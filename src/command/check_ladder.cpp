@@ -53,7 +53,8 @@ int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, 
     // Compare it with the reference after every scan, in every reachable state.
     const LadderDevice device(grafcet, *ladder, names);
     const auto period = scan_period(request, grafcet, device);
-    if (!period) return bad_request;
+    if (!period || !can_check(request, grafcet, true, false, device.has_modes()))
+        return bad_request;
     const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Report, with the networks that a difference comes from.
     std::string story;

@@ -49,7 +49,8 @@ int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
     // Compare it with the reference after every scan, in every reachable state.
     const ListingDevice device(*listing, cpu_named(request.cpu), *binding);
     const auto period = scan_period(request, grafcet, device);
-    if (!period) return bad_request;
+    if (!period || !can_check(request, grafcet, true, false, device.has_modes()))
+        return bad_request;
     const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Find the network that a difference comes from, and report.
     std::string story;

@@ -4,12 +4,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
+#include "check/exercised.h"
+#include "check/partial_inputs.h"
 #include "check/scan_check.h"
 #include "command/exit_status.h"
 #include "evolution/run.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -49,27 +55,110 @@ std::vector<std::string> add_witness(OutputFiles& files, const std::string& fold
 
 }  // namespace
 
-Progress::Progress(double max_seconds)
-    : max_seconds_(max_seconds), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+namespace {
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void note_interrupt(int) {
+    is_interrupted = 1;
+}
+
+/// What the program holds in memory, in bytes; 0 where the system does not tell.
+std::uint64_t memory_held() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t whole = 0;
+    std::uint64_t held = 0;
+    file >> whole >> held;
+    return held * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+Progress::Progress(double max_seconds, std::uint64_t max_memory)
+    : max_seconds_(max_seconds), max_memory_(max_memory), is_terminal_(isatty(STDERR_FILENO) == 1) {
+    is_interrupted = 0;
+    struct sigaction once {};
+    once.sa_handler = note_interrupt;
+    once.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &once, nullptr);
+}
 
 Progress::~Progress() {
+    std::signal(SIGINT, SIG_DFL);
     if (shown_) fmt::print(stderr, "\r\033[K");
 }
 
 bool Progress::goes_on(const Coverage& coverage) {
     const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    is_over_ = is_over_ || is_interrupted != 0 || (max_seconds_ != 0 && elapsed >= max_seconds_);
+    if (max_memory_ != 0 && elapsed >= next_look_at_memory_) {
+        is_over_ = is_over_ || memory_held() >= max_memory_;
+        next_look_at_memory_ = elapsed + 0.05;
+    }
     if (is_terminal_ && elapsed > next_) {
         fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
                    coverage.situations, coverage.waiting);
         shown_ = true;
         next_ = elapsed + 0.5;
     }
-    return max_seconds_ == 0 || elapsed < max_seconds_;
+    return !is_over_;
+}
+
+std::optional<std::uint64_t> parse_memory(const std::string& text) {
+    std::uint64_t amount = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), amount);
+    const std::string unit(end, text.data() + text.size());
+    const int shift = unit == "k" ? 10 : unit == "M" || unit.empty() ? 20 : unit == "G" ? 30 : 0;
+    if (error != std::errc() || shift == 0 || amount == 0 || amount > (UINT64_MAX >> shift)) {
+        complain(fmt::format("'{}' is no amount of memory: write 500M or 2G", visible(text)));
+        return std::nullopt;
+    }
+    return amount << shift;
+}
+
+namespace {
+
+/// An option that would have no effect is refused rather than ignored.
+bool refuse(bool is_given, std::string_view option, std::string_view why) {
+    if (is_given) complain(fmt::format("{} has no effect here: {}", option, why));
+    return is_given;
+}
+
+}  // namespace
+
+bool can_check(const CheckRequest& request, const Grafcet& grafcet, bool is_scanned,
+               bool is_from_elsewhere, bool has_modes) {
+    if (refuse(is_scanned && !request.changes.empty(), "--changes",
+               "inputs are sampled, and any of them change between two scans")) {
+        return false;
+    }
+    if (refuse(!is_scanned && !request.scan.empty(), "--scan", "nothing is scanned")) return false;
+    if (refuse(!(is_from_elsewhere && !has_modes) && !request.power_up.empty(), "--power-up",
+               "it is for a netlist from elsewhere without an input Init")) {
+        return false;
+    }
+    if (!can_ever_act(grafcet)) {
+        complain(
+            fmt::format("{}: no step is initial and no source transition activates any, so nothing "
+                        "ever happens in this GRAFCET: make a step initial",
+                        visible(request.path)));
+        return false;
+    }
+    if (!Assumptions(grafcet).can_hold(open_inputs(grafcet, has_modes))) {
+        complain("the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0");
+        return false;
+    }
+    return true;
+}
+
+std::uint64_t memory_of(const CheckRequest& request) {
+    return request.max_memory.empty() ? 0 : parse_memory(request.max_memory).value_or(0);
 }
 
 CheckOptions check_options(const CheckRequest& request, Progress& progress) {
     CheckOptions options;
     options.max_cases = request.max_cases;
+    options.changes = request.changes == "many" ? Changes::many : Changes::one;
     options.keep_going = [&progress](const Coverage& coverage) {
         return progress.goes_on(coverage);
     };
@@ -101,7 +190,7 @@ int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubje
 
 CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,
                           const ScannedDevice& device, Time period) {
-    Progress progress(request.max_seconds);
+    Progress progress(request.max_seconds, memory_of(request));
     return check_scans(grafcet, device, period, check_options(request, progress));
 }
 

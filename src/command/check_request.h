@@ -21,19 +21,24 @@ struct CheckRequest {
     std::string cpu = "214";
     std::string scan;
     std::string delay = "unit";
+    std::string changes;   ///< empty: one
+    std::string power_up;  ///< empty: unknown
     std::string format = "text";
     std::string witness;
     std::vector<std::string> assumptions;
     std::uint64_t max_cases = 0;
     double max_seconds = 0;
+    std::string max_memory;  ///< empty: no bound
     std::string output;
 };
 
 /// Shows how far the exploration is, on a terminal, once it takes more than a moment; and ends it
-/// when its time is up.
+/// when its time or its memory is used up, or when the user wants it to end (Ctrl-C, once; the
+/// second time ends the program).
 class Progress {
   public:
-    explicit Progress(double max_seconds);
+    /// `max_memory` in bytes; 0 stands for no bound, likewise for the seconds.
+    Progress(double max_seconds, std::uint64_t max_memory);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -44,7 +49,10 @@ class Progress {
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
     double max_seconds_;
+    std::uint64_t max_memory_;
     double next_ = 1.0;
+    double next_look_at_memory_ = 0;
+    bool is_over_ = false;
     bool is_terminal_;
     bool shown_ = false;
 };
@@ -65,8 +73,18 @@ int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubje
                  const CheckResult& result, const std::string& story,
                  const std::vector<WitnessFile>& witness_files, Language language);
 
+/// Whether the request makes sense for what is compared, and the GRAFCET gives a check something to
+/// say; shows why not. A clocked netlist and a program are scanned; a netlist from elsewhere is one
+/// that was not generated.
+bool can_check(const CheckRequest& request, const Grafcet& grafcet, bool is_scanned,
+               bool is_from_elsewhere, bool has_modes);
+
 /// The bounds of an exploration, as asked for.
 CheckOptions check_options(const CheckRequest& request, Progress& progress);
+/// In bytes; 0: no bound. The request must hold an amount or nothing.
+std::uint64_t memory_of(const CheckRequest& request);
+/// `500M`, `2G`, a number of MiB without a unit; in bytes. Empty (and shown) if it is none.
+std::optional<std::uint64_t> parse_memory(const std::string& text);
 
 /// The period of a comparison scan by scan: the one asked for, or the device's natural one; empty
 /// (and shown) if it is wrong.

@@ -1,5 +1,5 @@
-// Every node of an expression gets a variable that is true where the node is (G. S. Tseitin, "On the
-// complexity of derivation in propositional calculus", 1968), so that the clauses grow with the
+// Every node of an expression gets a variable that is true where the node is (G. S. Tseitin, "On
+// the complexity of derivation in propositional calculus", 1968), so that the clauses grow with the
 // expressions and not with their normal forms. Which assumptions exclude each other is what the
 // solver needed to find that out, less what it turns out not to need.
 

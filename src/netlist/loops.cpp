@@ -15,9 +15,9 @@ std::vector<std::uint8_t> cells_on_loops(const Netlist& netlist) {
     const NetlistGraph graph(netlist, NetlistGraph::Edges::at_once);
     std::vector<std::uint32_t> component(graph.cell_count());
     const auto index = get(boost::vertex_index_t{}, graph);
-    const auto count = boost::strong_components(
-        graph, boost::make_iterator_property_map(component.begin(), index),
-        boost::vertex_index_map(index));
+    const auto count =
+        boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
+                                 boost::vertex_index_map(index));
     std::vector<std::uint32_t> size(count);
     for (const std::uint32_t c : component) ++size[c];
 

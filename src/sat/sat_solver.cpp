@@ -27,7 +27,8 @@ void SatSolver::add_clause(std::span<const int> literals) {
 
 bool SatSolver::can_hold(std::span<const int> literals) {
     for (const int literal : literals) solver_->cadical.assume(literal);
-    return solver_->cadical.solve() == 10;  // the number that SAT competitions use for "satisfiable"
+    return solver_->cadical.solve() ==
+           10;  // the number that SAT competitions use for "satisfiable"
 }
 
 bool SatSolver::value(int variable) const {

@@ -1,9 +1,9 @@
-// At the moment at which a delay ends, inputs may change as well. The reference reads the operand of
-// the time condition under the new inputs, on the situation as it was, and lets the delay end or not;
-// only then does it evolve. Gates have no such order: an input that falls at that moment makes its
-// way to the timer in a few nanoseconds. So the operand is worked out here, beside the simulation:
-// from the inputs as they are now and the memories as they are, through the logic in between. A
-// memory is a cell that has one, or a net on a loop of gates (loops.h), which is one.
+// At the moment at which a delay ends, inputs may change as well. The reference reads the operand
+// of the time condition under the new inputs, on the situation as it was, and lets the delay end or
+// not; only then does it evolve. Gates have no such order: an input that falls at that moment makes
+// its way to the timer in a few nanoseconds. So the operand is worked out here, beside the
+// simulation: from the inputs as they are now and the memories as they are, through the logic in
+// between. A memory is a cell that has one, or a net on a loop of gates (loops.h), which is one.
 //
 // A clocked netlist works the operand out on the situation to come, which the registers take at the
 // rise of the clock. At the beginning of an instant that is the situation they hold.
@@ -31,7 +31,7 @@ DelayEnds::DelayEnds(const Netlist& netlist) : netlist_(netlist) {
     }
     if (timers_.empty()) return;
     drivers_ = drivers_of(netlist);
-    on_loop_ = cells_on_loops(netlist);
+    is_held_ = cells_on_loops(netlist);
     values_.resize(netlist.net_count(), unread);
     register_of_.resize(netlist.net_count(), no_net);
     if (netlist.is_clocked()) find_registers();
@@ -54,6 +54,23 @@ void DelayEnds::find_registers() {
     for (const Cell& cell : netlist_.cells) {
         if (cell.type != CellType::flip_flop || is_shown[index_of(cell.output)] == 0) continue;
         register_of_[index_of(netlist_.pins_of(cell)[0])] = cell.output;
+    }
+    hold_edges();
+}
+
+/// Edges are worked out in the scans of an instant. At its beginning there are none, as in the
+/// reference: the logic that compares an operand with its memory is held.
+void DelayEnds::hold_edges() {
+    const auto is_edge = [&](CellId cell) {
+        return netlist_.origin_of(netlist_.cells[cell]).kind == Origin::Kind::edge;
+    };
+    for (std::size_t i = 0; i < netlist_.cells.size(); ++i) {
+        if (!is_edge(netlist_.cells.id_at(i))) continue;
+        for (const NetId pin : netlist_.pins_of(netlist_.cells.items()[i])) {
+            const CellId driver = drivers_[pin];
+            if (driver == no_cell || !is_edge(driver)) continue;
+            if (netlist_.cells[driver].type == CellType::flip_flop) is_held_[i] = 1;
+        }
     }
 }
 
@@ -87,10 +104,10 @@ void DelayEnds::add_timers_before(NetId net, std::vector<std::uint8_t>& seen) {
     }
 }
 
-bool DelayEnds::is_held(CellId cell) const {
+bool DelayEnds::keeps_value(CellId cell) const {
     const CellType type = netlist_.cells[cell].type;
     const bool is_logic = is_gate(type) || type == CellType::xor_gate;
-    return !is_logic || on_loop_[index_of(cell)] != 0;
+    return !is_logic || is_held_[index_of(cell)] != 0;
 }
 
 /// Of a gate all of whose pins have been worked out.
@@ -113,7 +130,7 @@ Logic DelayEnds::read(const Simulator& simulator, NetId net) {
         if (value == unread && register_of_[index_of(next)] != no_net && driver != no_cell) {
             value = static_cast<std::uint8_t>(simulator.value(register_of_[index_of(next)]));
             worked_out_.push_back(next);
-        } else if (value == unread && driver != no_cell && !is_held(driver)) {
+        } else if (value == unread && driver != no_cell && !keeps_value(driver)) {
             const std::size_t before = waiting_.size();
             for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) {
                 if (values_[index_of(pin)] == unread) waiting_.push_back(pin);

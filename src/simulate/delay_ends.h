@@ -21,20 +21,21 @@ class DelayEnds {
     /// Whether any did.
     bool take_effect(Simulator& simulator, Time now);
 
-    /// Lets the netlist settle at an instant. A delay that is due and whose operand asks for it once
-    /// all is settled ends then.
+    /// Lets the netlist settle at an instant. A delay that is due and whose operand asks for it
+    /// once all is settled ends then.
     Settling settle(Simulator& simulator, Time now);
 
   private:
     Logic read(const Simulator& simulator, NetId net);
     Logic gate_output(const Cell& cell) const;
-    bool is_held(CellId cell) const;
+    bool keeps_value(CellId cell) const;
     void find_registers();
+    void hold_edges();
     void add_timers_before(NetId net, std::vector<std::uint8_t>& seen);
 
     const Netlist& netlist_;
     Table<NetId, CellId> drivers_;
-    std::vector<std::uint8_t> on_loop_;           ///< per cell
+    std::vector<std::uint8_t> is_held_;  ///< per cell, 1 where its output is held
     /// Per net: the register that takes it at the rise of the clock, where that holds an X, an
     /// output, a var or a counter; else no_net.
     std::vector<NetId> register_of_;
