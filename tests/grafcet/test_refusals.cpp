@@ -429,6 +429,46 @@ graph G { initial 1 : set l 1 -> 1 : b . [c = 1] do set v }
 )");
 }
 
+TEST_CASE("assumptions that exclude each other, those that do") {
+    const std::string head = "input a, b, c, d\nassume /(c . d)\n";
+    const std::string tail = "\ngraph G { initial 1 1 -> 1 : a.b.c.d }\n";
+    CHECK(messages_of(head + "assume a ⊕ b\nassume b ⊕ c\nassume a ⊕ c" + tail) ==
+          R"(5:8 error: this assumption contradicts 2 others together, so that no input is left
+  3:8 note: the other: assume a ⊕ b
+  4:8 note: the other: assume b ⊕ c
+)");
+    CHECK(messages_of(head + "assume c.d + Init . /Init . a" + tail) ==
+          R"(3:8 error: this assumption contradicts another, so that no input is left
+  2:8 note: the other: assume /(c.d)
+)");
+    CHECK(messages_of(head + "assume a . /a" + tail) ==
+          "3:8 error: this assumption is never 1, so that no input is left\n");
+    CHECK(messages_of(head + "assume 1 . 0" + tail) ==
+          "3:8 error: this assumption is never 1, so that no input is left\n");
+    CHECK(messages_of(head + "assume a ⊕ b\nassume b ⊕ c\nassume /(a ⊕ c)" + tail).empty());
+}
+
+TEST_CASE("many inputs tied in parity are decided at once") {
+    std::string parity = "i0";
+    std::string inputs = "input i0";
+    for (int i = 1; i < 40; ++i) {
+        parity += " ⊕ i" + std::to_string(i);
+        inputs += ", i" + std::to_string(i);
+    }
+    const std::string tail = "\ngraph G { initial 1 1 -> 1 : " + parity + " }\n";
+    CHECK(messages_of(inputs + "\nassume " + parity + tail).empty());
+    CHECK(messages_of(inputs + "\nassume " + parity + "\nassume /(" + parity + ")" + tail)
+              .find("3:8 error: this assumption contradicts another") == 0);
+}
+
+TEST_CASE("a file without steps") {
+    const std::string why =
+        " error: there is no step, and a GRAFCET needs one at least: graph G { initial 0 }\n";
+    CHECK(messages_of("") == "1:1" + why);
+    CHECK(messages_of("input a # nothing else\ngraph G {}").find("2:7" + why) !=
+          std::string::npos);
+}
+
 TEST_CASE("durations and numbers out of range") {
     CHECK(messages_of(R"(
 input a
