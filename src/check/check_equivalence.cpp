@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "check/beside.h"
 #include "check/exploration.h"
 #include "check/smallest_witness.h"
 #include "check/together.h"
@@ -100,6 +101,10 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
 CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const CheckOptions& options) {
     CheckResult result = check_changes(grafcet, netlist, delays, options);
+    if (result.verdict == Verdict::equivalent) {
+        result.witness = oscillation_beside(grafcet, netlist, delays, options);
+        if (result.witness) result.verdict = Verdict::different;
+    }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&
         result.verdict == Verdict::equivalent) {
         result.together = look_at_many(grafcet, netlist, delays,

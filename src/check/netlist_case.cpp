@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "check/beside.h"
 #include "check/running_delays.h"
 #include "netlist/loops.h"
 
@@ -26,33 +27,15 @@ NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const
       delay_ends_(netlist),
       ports_(map_ports(grafcet, netlist)),
       drivers_(drivers_of(netlist)),
-      input_of_net_(netlist.net_count(), none),
-      is_relevant_(netlist.net_count()) {
+      input_of_net_(netlist.net_count(), none) {
     simulator_.ask(keep_going);
     for (std::uint32_t i = 0; i < ports_.inputs.size(); ++i) {
         if (ports_.inputs[i] != no_net) input_of_net_[index_of(ports_.inputs[i])] = i;
     }
     compared_ = ports_.steps;
     compared_.insert(compared_.end(), ports_.outputs.begin(), ports_.outputs.end());
-    find_relevant_nets();
+    is_relevant_ = relevant_nets(netlist, compared_);
     find_remembered_nets();
-}
-
-/// Backwards from what is compared, through all cells.
-void NetlistCases::find_relevant_nets() {
-    std::vector<NetId> waiting;
-    const auto add = [&](NetId net) {
-        if (is_relevant_[index_of(net)] != 0) return;
-        is_relevant_[index_of(net)] = 1;
-        waiting.push_back(net);
-    };
-    for (const NetId net : compared_) add(net);
-    while (!waiting.empty()) {
-        const CellId driver = drivers_[waiting.back()];
-        waiting.pop_back();
-        if (driver == no_cell) continue;
-        for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) add(pin);
-    }
 }
 
 void NetlistCases::find_remembered_nets() {

@@ -69,7 +69,6 @@ class NetlistCases {
     NetlistOutcome blame(const std::vector<NetId>& nets, const PathStep& step) const;
     bool open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
                            std::uint32_t& input) const;
-    void find_relevant_nets();
     void find_remembered_nets();
 
     const Grafcet& grafcet_;

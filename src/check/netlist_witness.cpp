@@ -18,34 +18,6 @@ namespace {
 
 constexpr int most_power_ups = 64;
 
-/// Gives every memory that nothing is known of a value at power-up, the next of a sequence that
-/// begins with all 0 and all 1. False where there is none.
-bool choose_power_up(Netlist& netlist, int number) {
-    std::uint64_t random = 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(number + 1);
-    const auto next_value = [&] {
-        if (number < 2) return number == 1;
-        random = random * 6364136223846793005U + 1442695040888963407U;
-        return (random >> 63U) != 0;
-    };
-    bool any = false;
-    std::vector<std::uint8_t> is_known(netlist.net_count());
-    for (const Netlist::InitialValue& initial : netlist.initial_values) {
-        is_known[index_of(initial.net)] = 1;
-    }
-    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
-    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
-        Cell& cell = netlist.cells.items()[i];
-        if (row_of(cell.type).has_memory && cell.initial == Logic::unknown) {
-            cell.initial = next_value() ? Logic::one : Logic::zero;
-            any = true;
-        } else if (on_loop[i] != 0 && is_known[index_of(cell.output)] == 0) {
-            netlist.initial_values.push_back({cell.output, next_value()});
-            any = true;
-        }
-    }
-    return any;
-}
-
 /// Whether a value that comes out unknown is really left open: some power-up of the memories that
 /// nothing is known of leads to a difference between known values, or to no rest at all.
 bool is_left_open(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
@@ -53,8 +25,9 @@ bool is_left_open(const Grafcet& grafcet, const Netlist& netlist, const CellDela
     SimulateOptions options;
     options.scan_period = period;
     for (int number = 0; number < most_power_ups; ++number) {
-        Netlist powered = netlist;
-        if (!choose_power_up(powered, number)) return false;
+        const std::vector<Netlist::InitialValue> values = power_up_values(netlist, number);
+        if (values.empty()) return false;
+        const Netlist powered = with_power_up(netlist, values);
         const SimulateResult got = simulate(grafcet, powered, delays, stimuli, options);
         const auto witness =
             first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at);
@@ -64,6 +37,43 @@ bool is_left_open(const Grafcet& grafcet, const Netlist& netlist, const CellDela
 }
 
 }  // namespace
+
+std::vector<Netlist::InitialValue> power_up_values(const Netlist& netlist, int number) {
+    std::uint64_t random = 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(number + 1);
+    const auto next_value = [&] {
+        if (number < 2) return number == 1;
+        random = random * 6364136223846793005U + 1442695040888963407U;
+        return (random >> 63U) != 0;
+    };
+    std::vector<std::uint8_t> is_known(netlist.net_count());
+    for (const Netlist::InitialValue& initial : netlist.initial_values) {
+        is_known[index_of(initial.net)] = 1;
+    }
+    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
+    std::vector<Netlist::InitialValue> values;
+    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
+        const Cell& cell = netlist.cells.items()[i];
+        const bool is_open = row_of(cell.type).has_memory
+                                 ? cell.initial == Logic::unknown
+                                 : on_loop[i] != 0 && is_known[index_of(cell.output)] == 0;
+        if (is_open) values.push_back({cell.output, next_value()});
+    }
+    return values;
+}
+
+Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::InitialValue>& values) {
+    Netlist powered = netlist;
+    const Table<NetId, CellId> drivers = drivers_of(netlist);
+    for (const Netlist::InitialValue& value : values) {
+        Cell& cell = powered.cells[drivers[value.net]];
+        if (row_of(cell.type).has_memory) {
+            cell.initial = value.value ? Logic::one : Logic::zero;
+        } else {
+            powered.initial_values.push_back(value);
+        }
+    }
+    return powered;
+}
 
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli, Time period) {

@@ -12,6 +12,12 @@
 
 namespace grafwire {
 
+/// A choice of values for every memory (a cell, or a net on a loop of gates) of which nothing is
+/// known at power-up: number 0 is all 0, 1 all 1, the others are at random, the same every time.
+std::vector<Netlist::InitialValue> power_up_values(const Netlist& netlist, int number);
+/// The netlist with these values at power-up.
+Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::InitialValue>& values);
+
 /// Runs reference and netlist over stimuli, from power-up, and reports the first difference;
 /// nothing where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,

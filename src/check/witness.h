@@ -6,7 +6,7 @@
 
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
-#include "netlist/cell_types.h"
+#include "netlist/netlist.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
 #include "trace/trace.h"
@@ -28,6 +28,8 @@ struct Witness {
     /// Not 0: the difference shows in a scan-by-scan run with this period, not at the end of an
     /// instant.
     Time scan_period = 0;
+    /// What memories that nothing is known of hold at power-up, where that matters.
+    std::vector<Netlist::InitialValue> power_up;
     struct Value {
         std::string name;
         Logic expected = Logic::unknown;
