@@ -86,7 +86,8 @@ void try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& 
         case Verdict::different:
             ++counts.different;
             REQUIRE(result.witness);
-            CHECK(replay(grafcet, wrong, unit_delays(wrong), result.witness->stimuli,
+            CHECK(replay(grafcet, with_power_up(wrong, result.witness->power_up),
+                         unit_delays(wrong), result.witness->stimuli,
                          result.witness->scan_period));
             break;
         case Verdict::equivalent:
