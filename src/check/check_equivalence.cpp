@@ -132,7 +132,7 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
     }
     if (result.witness && result.witness->power_up.empty()) {
         result.witness =
-            smallest_witness(grafcet, netlist, delays, *result.witness, options.changes);
+            smallest_witness(grafcet, netlist, delays, *result.witness, options);
     }
     return std::move(result);
 }
