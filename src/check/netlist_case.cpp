@@ -109,7 +109,6 @@ void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
     begin_instant();
     for (const std::uint32_t timer : step.ended.timers) simulator_.end_delay(timer);
     set_inputs(step.inputs);
-    simulator_.doubt_unknown_pulses();
 }
 
 void NetlistCases::begin_instant() {

@@ -31,20 +31,19 @@ void Simulator::Kernel::power_up() {
         if ((words_[net] & undriven_flag) == 0) touch(net);
     }
     std::fill(due_.begin(), due_.end(), never);
+    std::fill(towards_.begin(), towards_.end(), Logic::zero);
     look_at_pins();
 }
 
-/// Cells with pins of meaning take what they see for what has always been, and no pulse is running.
+/// Cells with pins of meaning take what they see for what has always been, and no pulse is running
+/// but those of which nothing is known.
 void Simulator::Kernel::look_at_pins() {
     for (MemoryCell& cell : memories_) {
         if (!(pulses_held_ && pulses_remember_)) cell.data_seen = values_[cell.data];
         cell.control_seen = values_[cell.control];
         cell.held_seen = values_[cell.held];
     }
-    for (Pulse& pulse : pulses_) {
-        pulse.certain_from = pulse.certain_to = tick_;
-        pulse.possible_from = pulse.possible_to = tick_;
-    }
+    for (Pulse& pulse : pulses_) look_at_pulse_input(pulse);
 }
 
 void Simulator::Kernel::begin_instant(Time at) {
@@ -155,9 +154,6 @@ void Simulator::hold_pulses(bool on) {
 }
 void Simulator::remember_pulse_inputs() {
     kernel_->remember_pulse_inputs();
-}
-void Simulator::doubt_unknown_pulses() {
-    kernel_->doubt_unknown_pulses();
 }
 void Simulator::force(NetId net, Logic value) {
     kernel_->force(static_cast<std::uint32_t>(net), value);

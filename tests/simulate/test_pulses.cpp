@@ -135,14 +135,12 @@ TEST_CASE("what a pulse cell is told to remember outlives the time it is held") 
 TEST_CASE("a pulse cell with an unknown input can be put in doubt") {
     PulseBench doubt;
     doubt.bench->record("up");
-    doubt.bench->simulator.doubt_unknown_pulses();
     doubt.bench->simulator.settle();
     CHECK(doubt.bench->changes == "");
     doubt.bench->simulator.hold_pulses(true);
     doubt.bench->step("a", unknown);
     doubt.bench->simulator.hold_pulses(false);
     doubt.bench->record("down");
-    doubt.bench->simulator.doubt_unknown_pulses();
     CHECK(doubt.bench->simulator.settle().settled);
     CHECK(doubt.bench->changes == "x@1 0@11");
 }
