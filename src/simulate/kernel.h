@@ -149,6 +149,7 @@ class Simulator::Kernel {
     // pulse_cells.cpp
     void evaluate_pulse(MemoryCell& cell);
     void look_at_pulse_input(Pulse& pulse);
+    void rest_pulses();
     void aim_pulse(Pulse& pulse);
     static Logic pulse_value(const Pulse& pulse, Tick tick);
     static void append_coming(const Pulse& pulse, std::uint32_t net, Tick now,

@@ -187,7 +187,7 @@ std::uint8_t Simulator::Kernel::evaluate_scan_timer_next(MemoryCell& cell) {
     const Logic clock = values_[cell.control];
     // After a rise that may or may not have been, only what it leaves at rest is known.
     const auto count_perhaps = [&](Logic operand, Logic shown) {
-        const bool rested = due_[timer] == never;
+        const bool rested = due_[timer] == never && !is_lost(timer);
         count_ahead(timer, operand, shown);
         if (!rested || due_[timer] != never) lose_delay(timer);
     };

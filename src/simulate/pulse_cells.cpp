@@ -91,6 +91,15 @@ void Simulator::Kernel::aim_pulse(Pulse& pulse) {
     wheel_.add_far(pulse.due, net);
 }
 
+/// Once all has settled, any time may pass without a tick.
+void Simulator::Kernel::rest_pulses() {
+    for (Pulse& pulse : pulses_) {
+        if (pulse.open_from == no_tick) continue;
+        pulse.possible.clear();
+        pulse.open_from = std::min(pulse.open_from, tick_);
+    }
+}
+
 /// Takes the input for what it has been since always.
 void Simulator::Kernel::look_at_pulse_input(Pulse& pulse) {
     const MemoryCell& cell = memories_[pulse.memory];

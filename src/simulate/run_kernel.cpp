@@ -233,8 +233,10 @@ Settling Simulator::Kernel::run() {
         }
         next_moment<uniform, observed, false>(nullptr);
     }
-    // Entries whose changes were cancelled may be left over.
-    if (!is_live()) wheel_.clear();
+    if (!is_live()) {
+        wheel_.clear();  // entries whose changes were cancelled may be left over
+        rest_pulses();
+    }
     settling.events = changes_ - changes_told_;
     changes_told_ = changes_;
     return settling;

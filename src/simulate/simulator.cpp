@@ -111,9 +111,10 @@ void Simulator::Kernel::end_delay(std::size_t timer) {
     if (!is_running(timer)) return;
     const std::uint32_t net = timer_nodes_[timer];
     due_[timer] = never;
+    touch(net);
+    if (types_[net] == CellType::scan_timer_next) return;  // shows what its timer does
     drop_pending(net);
     change_now(net, towards_[timer]);
-    touch(net);
 }
 
 void Simulator::Kernel::restore(const SimulatorState& state) {
