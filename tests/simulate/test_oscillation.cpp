@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "small_netlist.h"
 
 using namespace grafwire;
@@ -42,6 +44,60 @@ TEST_CASE("a ring of three inverters oscillates, and its nets are named") {
     bench.set("go", zero);
     CHECK(bench.simulator.settle().settled);
     CHECK(bench.get("r3") == one);
+}
+
+TEST_CASE("of a long ring all nets are named, and none that has changed but once") {
+    // Some oscillate for longer than others before the state comes back.
+    for (const int length : {31, 33, 63, 65, 101, 255}) {
+        CAPTURE(length);
+        SmallNetlist small;
+        small.input("go");
+        std::string last = "r" + std::to_string(length - 1);
+        for (int i = 0; i < length; ++i) {
+            const std::string name = "r" + std::to_string(i);
+            small.net(name);
+            if (i == 0) small.cell(CellType::nand_gate, name, {"go", last});
+            if (i > 0) small.cell(CellType::inverter, name, {"r" + std::to_string(i - 1)});
+        }
+        // An edge that runs along a line while the ring has begun.
+        last = "go";
+        for (int i = 0; i < 200; ++i) {
+            const std::string name = "line" + std::to_string(i);
+            small.cell(CellType::buffer, name, {last});
+            last = name;
+        }
+        Bench bench(small);
+        bench.step("go", zero);
+        bench.set("go", one);
+        const Settling settling = bench.simulator.settle();
+        CHECK_FALSE(settling.settled);
+        std::vector<NetId> ring;
+        for (int i = 0; i < length; ++i) ring.push_back(small.net("r" + std::to_string(i)));
+        std::sort(ring.begin(), ring.end());
+        CHECK(names(small, settling.oscillating) == names(small, ring));
+    }
+}
+
+TEST_CASE("a clock cycle does not settle if any part of it does not") {
+    // A ring that runs before the rise of the clock, or between rise and fall, and then stops.
+    for (const bool before_rise : {true, false}) {
+        SmallNetlist small;
+        small.clock("clk");
+        small.input("a");
+        small.cell(CellType::flip_flop, "q", {"a", "clk"}, zero);
+        small.cell(CellType::inverter, "n", {"q"});
+        if (before_rise) small.cell(CellType::and_gate, "go", {"a", "n"});
+        if (!before_rise) small.cell(CellType::and_gate, "go", {"a", "clk"});
+        add_ring(small, "r");
+        Bench bench(small);
+        bench.set("clk", zero);
+        bench.step("a", zero);
+        CHECK(bench.simulator.clock_cycle().settled);
+        bench.set("a", one);
+        const Settling cycle = bench.simulator.clock_cycle();
+        CHECK_FALSE(cycle.settled);
+        CHECK(names(small, cycle.oscillating) == "r1 r3 r2");
+    }
 }
 
 TEST_CASE("a ring of inverters at power-up without a known value stays unknown, and settles") {
