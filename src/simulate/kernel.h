@@ -122,7 +122,7 @@ class Simulator::Kernel {
     void aim(std::uint32_t net, Logic target);
     Logic aimed_value(std::uint32_t net) const;
     template <bool observed, bool watched>
-    void apply_due(std::uint32_t net, RecurrenceWatch* watch);
+    bool apply_due(std::uint32_t net, RecurrenceWatch* watch);
     Logic take_due(std::uint32_t net);
     void touch(std::uint32_t net);
     void change_unseen(std::uint32_t net, Logic value);

@@ -1,9 +1,12 @@
 #include "simulate/kernel.h"
 
-// The cells that are more than a gate: latches, flip-flops, pulse cells, timers.
+// The cells that are more than a gate: latches, flip-flops, timers; pulse cells have a file of
+// their own.
 //
 // Clocked cells take their data as it was when they were last evaluated before the clock's rise:
-// any change of the data pin evaluates them, so that is the value of the moment before.
+// any change of the data pin evaluates them, so that is the value of the moment before. While the
+// clock is unknown it may rise at any moment, and take the data as it was until now or as it is
+// from now on.
 //
 // A timer whose operand is unknown is taken to have begun its delay, but towards unknown: before it
 // ends the output cannot have changed, from then on it may have. Where the operand becomes known
@@ -58,8 +61,6 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
     return is_forced ? no_change : target;
 }
 
-/// While the clock is unknown, it may rise at any moment: what the data was until now counts, and
-/// what it is from now on.
 std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
     const Logic clock = values_[cell.control];
     Logic taken = aimed_value(cell.node);
@@ -119,14 +120,13 @@ std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
     const Logic clock = values_[cell.control];
     const Edge rise = rise_between(cell.control_seen, clock);
     if (rise == Edge::certain) return count_scan(cell.detail, cell.data_seen, aimed);
-    // A rise that may have been, or may come, changes nothing if the timer is at rest.
-    const auto is_at_rest = [&](Logic operand) { return operand == aimed; };
+    // A rise that may have been, or may come, changes nothing where the timer is at rest.
+    const bool may_have_risen = rise == Edge::possible;
+    const bool may_rise = clock == Logic::unknown;
+    if (!may_have_risen && !may_rise) return no_change;
     Time& due = due_[cell.detail];
-    const bool was_possible = rise == Edge::possible;
-    const bool is_possible = clock == Logic::unknown;
-    if (!was_possible && !is_possible) return no_change;
-    const bool rests = due == never && (!was_possible || is_at_rest(cell.data_seen)) &&
-                       (!is_possible || is_at_rest(values_[cell.data]));
+    const bool rests = due == never && (!may_have_risen || cell.data_seen == aimed) &&
+                       (!may_rise || values_[cell.data] == aimed);
     if (rests) return no_change;
     due = never;
     return static_cast<std::uint8_t>(Logic::unknown);

@@ -35,8 +35,7 @@
 // is 1, the more its output is. A value in three is therefore kept as two in two, the least and the
 // greatest that the output can be (0 and 0, 1 and 1, or for unknown 0 and 1), each with a pending
 // change of its own; one follows the least that the function can be, the other the greatest. That
-// is neither too optimistic nor, for a cell by itself, too pessimistic (after J. A. Brzozowski and
-// C.-J. H. Seger, "Asynchronous Circuits", 1995, on binary and ternary inertial delays).
+// is neither too optimistic nor, for a cell by itself, too pessimistic.
 
 namespace grafwire {
 
@@ -181,13 +180,14 @@ void Simulator::Kernel::apply_current(RecurrenceWatch* watch) {
     changes_ += size;
 }
 
-/// An entry of the wheel that is due, if what it stands for still does.
+/// An entry of the wheel for this tick; false where what it stood for was cancelled.
 template <bool observed, bool watched>
-void Simulator::Kernel::apply_due(std::uint32_t net, RecurrenceWatch* watch) {
+bool Simulator::Kernel::apply_due(std::uint32_t net, RecurrenceWatch* watch) {
     const Logic value = take_due(net);
-    if (value == values_[net]) return;
+    if (value == values_[net]) return false;
     ++changes_;
     change<observed, watched>(net, value, watch);
+    return true;
 }
 
 /// Unequal delays: the entries of this tick.
@@ -201,8 +201,8 @@ template <bool observed, bool watched>
 void Simulator::Kernel::apply_far(RecurrenceWatch* watch) {
     while (wheel_.next_far() <= tick_) {
         const std::uint32_t net = wheel_.take_far();
-        apply_due<observed, watched>(net, watch);
-        if (is_pulse(net)) touch(net);  // to aim at its next change
+        const bool has_changed = apply_due<observed, watched>(net, watch);
+        if (has_changed && is_pulse(net)) touch(net);  // to aim at its next change
     }
 }
 

@@ -146,7 +146,7 @@ TEST_CASE("pulses of an input that the chart does not look at in that situation"
                              ".names X1$set0 X1$late X1$q X1\n111 0\n");
             const std::string file = folder.file("bad.blif", bad);
             const Ran wrong = check(file);
-            INFO("back: " << back << ", " << late << '\n' << wrong.out << wrong.err);
+            INFO("back: " << back << ", " << late << "\n" << wrong.out << wrong.err);
             CHECK(wrong.status == 1);
             const std::string stim = folder.path("w/witness.stim");
             const Ran run = grafwire_with({"run", own, stim});
