@@ -46,22 +46,25 @@ TEST_CASE("a ring of three inverters oscillates, and its nets are named") {
     CHECK(bench.get("r3") == one);
 }
 
-TEST_CASE("of a long ring all nets are named, and none that has changed but once") {
-    // Some oscillate for longer than others before the state comes back.
-    for (const int length : {31, 33, 63, 65, 101, 255}) {
+TEST_CASE("of long rings all nets are named, and none that has changed but once") {
+    for (const int length : {31, 63, 65, 101}) {
         CAPTURE(length);
         SmallNetlist small;
         small.input("go");
-        std::string last = "r" + std::to_string(length - 1);
-        for (int i = 0; i < length; ++i) {
-            const std::string name = "r" + std::to_string(i);
-            small.net(name);
-            if (i == 0) small.cell(CellType::nand_gate, name, {"go", last});
-            if (i > 0) small.cell(CellType::inverter, name, {"r" + std::to_string(i - 1)});
+        std::vector<NetId> rings;
+        for (int ring = 0; ring < 8; ++ring) {
+            const auto name = [&](int i) {
+                return "r" + std::to_string(ring) + '.' + std::to_string(i);
+            };
+            small.cell(CellType::nand_gate, name(0), {"go", name(length - 1)});
+            for (int i = 1; i < length; ++i) {
+                small.cell(CellType::inverter, name(i), {name(i - 1)});
+            }
+            for (int i = 0; i < length; ++i) rings.push_back(small.net(name(i)));
         }
-        // An edge that runs along a line while the ring has begun.
-        last = "go";
-        for (int i = 0; i < 200; ++i) {
+        // An edge that runs along a line, and for longer than it takes to suspect an oscillation.
+        std::string last = "go";
+        for (int i = 0; i < 10 * length; ++i) {
             const std::string name = "line" + std::to_string(i);
             small.cell(CellType::buffer, name, {last});
             last = name;
@@ -71,10 +74,9 @@ TEST_CASE("of a long ring all nets are named, and none that has changed but once
         bench.set("go", one);
         const Settling settling = bench.simulator.settle();
         CHECK_FALSE(settling.settled);
-        std::vector<NetId> ring;
-        for (int i = 0; i < length; ++i) ring.push_back(small.net("r" + std::to_string(i)));
-        std::sort(ring.begin(), ring.end());
-        CHECK(names(small, settling.oscillating) == names(small, ring));
+        CHECK(bench.get(last) == one);
+        std::sort(rings.begin(), rings.end());
+        CHECK(names(small, settling.oscillating) == names(small, rings));
     }
 }
 
