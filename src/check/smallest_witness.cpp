@@ -74,7 +74,8 @@ class Reduction {
     }
 
     bool is_still_a_witness(Stimuli&& trial) {
-        if (trials_ == most_trials || (options_.keep_going && !options_.keep_going({}))) return false;
+        if (trials_ == most_trials || (options_.keep_going && !options_.keep_going({})))
+            return false;
         if (!tidy(trial)) return false;
         ++trials_;
         auto witness = replay(grafcet_, netlist_, delays_, trial, best_.scan_period);

@@ -124,8 +124,7 @@ TEST_CASE("a witness changes one input at an instant, and no more inputs than it
     const Grafcet grafcet = grafcet_of(
         head + "graph G { initial 0 step 1 step 2 : lamp 0 -> 1 : a.b 1 -> 2 : c 2 -> 0 : d }");
     const Netlist wrong = netlist_of(
-        grafcet_of(head +
-                   "graph G { initial 0 step 1 step 2 0 -> 1 : a.b 1 -> 2 : c 2 -> 0 : d }"),
+        grafcet_of(head + "graph G { initial 0 step 1 step 2 0 -> 1 : a.b 1 -> 2 : c 2 -> 0 : d }"),
         Style::nand);
     for (const Changes changes : {Changes::one, Changes::many}) {
         const CheckResult result = check(grafcet, wrong, changes);
@@ -158,8 +157,8 @@ TEST_CASE("a delay and an input change in one instant under many alone") {
 }
 
 TEST_CASE("the changes of one input that the plant allows") {
-    const Grafcet grafcet = grafcet_of(
-        "input a, b, c\nassume a ⊕ b\ngraph G { initial 1 1 -> 1 : a . b . c }");
+    const Grafcet grafcet =
+        grafcet_of("input a, b, c\nassume a ⊕ b\ngraph G { initial 1 1 -> 1 : a . b . c }");
     const Assumptions assumptions(grafcet);
     const Logic i = Logic::one;
     const Logic o = Logic::zero;
@@ -176,7 +175,8 @@ TEST_CASE("the changes of one input that the plant allows") {
           PartialInputs{o, i, i, o, o, o});
 }
 
-TEST_CASE("what changes without an effect is put in one by one, in an order that the plant allows") {
+TEST_CASE(
+    "what changes without an effect is put in one by one, in an order that the plant allows") {
     const Grafcet grafcet = grafcet_of(
         "input a, b, c\nassume /(a . b)\nassume c + /b\ngraph G { initial 1 1 -> 1 : a . b . c }");
     const Assumptions assumptions(grafcet);

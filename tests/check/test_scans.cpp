@@ -55,8 +55,7 @@ graph G { initial 1 step 2 step 3 : far
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->scan_period == 10 * millisecond);
-    CHECK(write_stimuli(result.witness->stimuli, grafcet) ==
-          "0s : s=1\n10ms : s=0\n10ms : end\n");
+    CHECK(write_stimuli(result.witness->stimuli, grafcet) == "0s : s=1\n10ms : s=0\n10ms : end\n");
     CHECK(result.coverage.unstable == 0);
     CHECK(check(grafcet, netlist_of(grafcet, Style::clocked)).verdict == Verdict::equivalent);
 }
@@ -163,7 +162,8 @@ graph G { initial 1 step 2 : lamp
 TEST_CASE("a memory that powers up either way and makes no difference is none") {
     // lamp = a.q + a./q: unknown in three values, a in two.
     const Grafcet grafcet = grafcet_of("input a output lamp graph G { initial 1 : lamp if a }");
-    const std::string head = ".model m\n.inputs a\n.outputs X1 lamp\n.names X1\n1\n.names q q\n1 1\n";
+    const std::string head =
+        ".model m\n.inputs a\n.outputs X1 lamp\n.names X1\n1\n.names q q\n1 1\n";
     const Netlist either = blif(grafcet, head + ".names a q lamp\n11 1\n10 1\n.end\n", false);
     CHECK(check(grafcet, either).verdict == Verdict::equivalent);
     const Netlist one_way = blif(grafcet, head + ".names a q lamp\n11 1\n.end\n", false);
