@@ -1,0 +1,380 @@
+// What a netlist, made here or elsewhere, has for a step or output, read off its gates.
+//
+// From a net one walks back through the gates until something is met that the GRAFCET has a name
+// for. An X need not be the very net of its port: what drives that through buffers or two
+// inverters is the same, and the other half of a latch of two gates is its complement. Time
+// conditions are timer cells (by their number), edges are pulse cells or, in a clocked netlist, a
+// flip-flop that remembers the cycle before. The walk from an X ends at the same X again: that is
+// the feedback of its memory. Other loops (a latch whose X is taken behind a further gate) are cut
+// where the walk comes back to a net it is on.
+//
+// The functions are truth tables; whoever reads one need not know whether it was wired with NAND,
+// NOR or AND and OR.
+
+#include "check/net_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "equations/write_equations.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t most_products = 24;
+
+bool is_gate_type(CellType type) {
+    return type <= CellType::xor_gate;
+}
+
+bool inverts(CellType type) {
+    return type == CellType::nand_gate || type == CellType::nor_gate;
+}
+
+/// `a` one clock cycle before.
+std::string name_before(std::string_view name) {
+    return fmt::format("{}[-1]", name);
+}
+
+}  // namespace
+
+std::size_t FunctionVariables::add(const FunctionVariable& variable) {
+    if (const auto known = find(variable.name)) {
+        FunctionVariable& kept = list_[*known];
+        if (kept.net == no_net) kept = variable;
+        return *known;
+    }
+    list_.push_back(variable);
+    return list_.size() - 1;
+}
+
+std::optional<std::size_t> FunctionVariables::find(std::string_view name) const {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        if (list_[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
+NetReader::NetReader(const Grafcet& grafcet, const Netlist& netlist)
+    : grafcet_(grafcet),
+      netlist_(netlist),
+      ports_(map_ports(grafcet, netlist)),
+      drivers_(drivers_of(netlist)) {
+    for (const Port& port : netlist.inputs) named_[port.net] = {port.name, port.net, false, false};
+    for (std::size_t i = 0; i < ports_.steps.size(); ++i) name_step(i);
+    name_complements();
+    for (std::size_t i = 0; i < ports_.outputs.size(); ++i) {
+        const Output& output = grafcet.outputs[static_cast<OutputId>(i)];
+        if (output.stored && ports_.outputs[i] != no_net) {
+            named_[ports_.outputs[i]] = {output.name, ports_.outputs[i], false, false};
+        }
+    }
+    for (const Observed& var : netlist.vars) {
+        if (var.bits.size() == 1) named_[var.bits[0]] = {var.name, var.bits[0], false, false};
+    }
+    name_timers();
+    name_memories();
+}
+
+/// The net of an X, and those it only passes on.
+void NetReader::name_step(std::size_t index) {
+    NetId net = ports_.steps[index];
+    const std::string name = "X" + grafcet_.steps.items()[index].name;
+    bool is_inverted = false;
+    while (net != no_net && !named_.contains(net)) {
+        named_[net] = {name, net, is_inverted, false};
+        const CellId driver = drivers_[net];
+        if (driver == no_cell) return;
+        const Cell& cell = netlist_.cells[driver];
+        if (cell.type == CellType::inverter) {
+            is_inverted = !is_inverted;
+        } else if (cell.type != CellType::buffer) {
+            return;
+        }
+        net = netlist_.pins_of(cell)[0];
+    }
+}
+
+/// The other halves of latches of two gates.
+void NetReader::name_complements() {
+    std::vector<std::pair<NetId, FunctionVariable>> found;
+    for (const auto& [net, variable] : named_) {
+        const CellId driver = drivers_[net];
+        if (driver == no_cell || !inverts(netlist_.cells[driver].type)) continue;
+        for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) {
+            const CellId other = drivers_[pin];
+            if (other == no_cell || named_.contains(pin)) continue;
+            const Cell& cell = netlist_.cells[other];
+            if (cell.type != netlist_.cells[driver].type) continue;
+            const auto pins = netlist_.pins_of(cell);
+            if (std::find(pins.begin(), pins.end(), net) == pins.end()) continue;
+            found.emplace_back(pin, FunctionVariable{variable.name, pin, !variable.is_inverted, false});
+        }
+    }
+    for (auto& [net, variable] : found) named_.try_emplace(net, std::move(variable));
+}
+
+void NetReader::name_timers() {
+    const std::vector<ExprId>& conditions = grafcet_.expressions.time_conditions();
+    if (conditions.empty()) return;
+    const Equations equations = equations_from(grafcet_, {});
+    const std::vector<ExprId>& named = equations.expressions.time_conditions();
+    for (const Cell& cell : netlist_.cells) {
+        if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
+        const std::uint32_t ordinal = netlist_.timings[cell.timing].ordinal;
+        if (ordinal >= named.size()) continue;
+        named_[cell.output] = {equation_text(equations, named[ordinal]), cell.output, false, false};
+    }
+}
+
+/// Edges, and memories that the GRAFCET has no name for.
+void NetReader::name_memories() {
+    std::vector<std::pair<NetId, FunctionVariable>> found;
+    for (const Cell& cell : netlist_.cells) {
+        const CellTypeRow& row = row_of(cell.type);
+        if (is_gate_type(cell.type) || cell.type == CellType::latch ||
+            cell.type == CellType::hold_latch || named_.contains(cell.output)) {
+            continue;
+        }
+        FunctionVariable variable{std::string(netlist_.names[cell.output]), cell.output, false,
+                                  true};
+        const NetId pin = netlist_.pins_of(cell)[0];
+        const std::string operand = row.has_timing && is_timer(cell.type) ? "" : text_of(pin);
+        if (!operand.empty()) {
+            const bool is_word = operand.find_first_of(" .+/") == std::string::npos;
+            const std::string shown = is_word ? operand : "(" + operand + ")";
+            variable.is_own = false;
+            if (cell.type == CellType::rise_pulse) {
+                variable.name = "↑" + shown;
+            } else if (cell.type == CellType::fall_pulse) {
+                variable.name = "↓" + shown;
+            } else {
+                variable.name = name_before(operand);
+            }
+        }
+        found.emplace_back(cell.output, std::move(variable));
+    }
+    for (auto& [net, variable] : found) named_.try_emplace(net, std::move(variable));
+}
+
+/// What a net makes of named things, or nothing where it needs others.
+std::string NetReader::text_of(NetId net) const {
+    const Cone cone = cone_of(net, false);
+    FunctionVariables variables;
+    for (const NetId leaf : cone.leaf_order) {
+        const FunctionVariable& variable = cone.leaves.at(leaf);
+        if (variable.is_own) return {};
+        variables.add(variable);
+    }
+    if (variables.size() > 8 || !cone.loops.empty()) return {};
+    const TruthTable table = function(cone, variables);
+    return sum_text(table, table, variables);
+}
+
+std::optional<FunctionVariable> NetReader::leaf(NetId net) const {
+    const auto named = named_.find(net);
+    if (named != named_.end()) return named->second;
+    const CellId driver = drivers_[net];
+    const bool goes_on =
+        driver != no_cell && (is_gate_type(netlist_.cells[driver].type) ||
+                              netlist_.cells[driver].type == CellType::latch ||
+                              netlist_.cells[driver].type == CellType::hold_latch);
+    if (goes_on) return std::nullopt;
+    return FunctionVariable{std::string(netlist_.names[net]), net, false, true};
+}
+
+Cone NetReader::cone_of(NetId root, bool as_memory) const {
+    Cone cone;
+    // Through what only passes an X on, to where it is made.
+    const auto own = named_.find(root);
+    const std::string own_name =
+        as_memory && own != named_.end() ? own->second.name : std::string();
+    enum class Mark : std::uint8_t { open, done };
+    std::unordered_map<NetId, Mark> marks;
+    struct Frame {
+        NetId net;
+        std::size_t next_pin;
+    };
+    std::vector<Frame> stack;
+    const auto add_leaf = [&](NetId net, FunctionVariable variable) {
+        if (cone.leaves.emplace(net, std::move(variable)).second) cone.leaf_order.push_back(net);
+    };
+    // On the way from the port to where the X is made, and into the other half of its own latch,
+    // the walk goes on; it ends where it comes back.
+    const auto visit = [&](NetId net) {
+        if (marks.contains(net)) {
+            if (marks.at(net) == Mark::open) {
+                const auto known = named_.find(net);
+                const bool is_known = known != named_.end();
+                add_leaf(net, is_known ? known->second
+                                       : FunctionVariable{std::string(netlist_.names[net]), net,
+                                                          false, true});
+                if (!is_known) cone.loops.push_back(net);
+            }
+            return;
+        }
+        const auto variable = leaf(net);
+        const bool is_own = variable && !own_name.empty() && variable->name == own_name;
+        const CellId driver = drivers_[net];
+        if (variable && (!is_own || driver == no_cell)) return add_leaf(net, *variable);
+        marks[net] = Mark::open;
+        stack.push_back({net, 0});
+    };
+    visit(root);
+    while (!stack.empty()) {
+        Frame& frame = stack.back();
+        const Cell& cell = netlist_.cells[drivers_[frame.net]];
+        const auto pins = netlist_.pins_of(cell);
+        // Of a flip-flop the data alone; of a latch what it holds as well.
+        const std::size_t count =
+            cell.type == CellType::flip_flop ? 1
+            : cell.type == CellType::latch || cell.type == CellType::hold_latch ? 3
+                                                                                : pins.size();
+        if (frame.next_pin < count) {
+            const std::size_t pin = frame.next_pin++;
+            visit(pin < pins.size() ? pins[pin] : frame.net);
+            continue;
+        }
+        marks[frame.net] = Mark::done;
+        cone.inner.push_back(frame.net);
+        stack.pop_back();
+    }
+    return cone;
+}
+
+TruthTable NetReader::value_of(const Cell& cell,
+                               const std::unordered_map<NetId, TruthTable>& known,
+                               std::size_t variables) const {
+    const auto pins = netlist_.pins_of(cell);
+    const auto pin = [&](std::size_t index) { return known.at(pins[index]); };
+    const auto all = [&](bool start, auto&& join) {
+        TruthTable table(variables, start);
+        for (const NetId net : pins) join(table, known.at(net));
+        return table;
+    };
+    const auto conjunction = [](TruthTable& a, const TruthTable& b) { a &= b; };
+    const auto disjunction = [](TruthTable& a, const TruthTable& b) { a |= b; };
+    switch (cell.type) {
+        case CellType::low:
+            return {variables, false};
+        case CellType::high:
+            return {variables, true};
+        case CellType::inverter:
+            return ~pin(0);
+        case CellType::and_gate:
+            return all(true, conjunction);
+        case CellType::nand_gate:
+            return ~all(true, conjunction);
+        case CellType::or_gate:
+            return all(false, disjunction);
+        case CellType::nor_gate:
+            return ~all(false, disjunction);
+        case CellType::xor_gate:
+            return all(false, [](TruthTable& a, const TruthTable& b) { a ^= b; });
+        case CellType::latch:
+            return pin(0) | (~pin(1) & known.at(cell.output));
+        case CellType::hold_latch:
+            return (pin(1) & pin(0)) | (~pin(1) & known.at(cell.output));
+        default:
+            return pin(0);
+    }
+}
+
+TruthTable NetReader::function(const Cone& cone, const FunctionVariables& variables) const {
+    std::unordered_map<NetId, TruthTable> known;
+    for (const auto& [net, variable] : cone.leaves) {
+        const auto index = variables.find(variable.name);
+        TruthTable table = TruthTable::variable(variables.size(), index.value_or(0));
+        known.emplace(net, variable.is_inverted ? ~table : table);
+    }
+    TruthTable last(variables.size(), false);
+    if (cone.inner.empty() && !cone.leaf_order.empty()) return known.at(cone.leaf_order[0]);
+    for (const NetId net : cone.inner) {
+        last = value_of(netlist_.cells[drivers_[net]], known, variables.size());
+        // Where a loop was cut, what stands in it has read what the net was, the rest what it is.
+        known.insert_or_assign(net, last);
+    }
+    return last;
+}
+
+namespace {
+
+bool is_operator(ExprKind kind) {
+    return kind == ExprKind::negation || kind == ExprKind::conjunction ||
+           kind == ExprKind::disjunction || kind == ExprKind::exclusive_or;
+}
+
+bool is_edge(ExprKind kind) {
+    return kind == ExprKind::rise || kind == ExprKind::fall;
+}
+
+/// Walks an expression; `variable(name)` gives the table of a variable.
+template <typename VariableTable>
+TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std::size_t variables,
+                    const VariableTable& variable) {
+    const Expressions& pool = equations.expressions;
+    const ExprKind kind = pool.kind(id);
+    const auto operand = [&](ExprId part) {
+        return evaluate(equations, part, as_clocked, variables, variable);
+    };
+    if (kind == ExprKind::constant) return {variables, pool.constant_value(id)};
+    if (is_edge(kind) && as_clocked) {
+        const ExprId inside = pool.operands(id)[0];
+        const TruthTable now = operand(inside);
+        const TruthTable before = variable(name_before(equation_text(equations, inside)));
+        return kind == ExprKind::rise ? now & ~before : ~now & before;
+    }
+    if (!is_operator(kind)) return variable(equation_text(equations, id));
+    TruthTable table = operand(pool.operands(id)[0]);
+    for (std::size_t i = 1; i < pool.operands(id).size(); ++i) {
+        const TruthTable next = operand(pool.operands(id)[i]);
+        if (kind == ExprKind::conjunction) table &= next;
+        if (kind == ExprKind::disjunction) table |= next;
+        if (kind == ExprKind::exclusive_or) table ^= next;
+    }
+    return kind == ExprKind::negation ? ~table : table;
+}
+
+}  // namespace
+
+void add_variables(const Equations& equations, ExprId id, bool as_clocked,
+                   FunctionVariables& variables) {
+    evaluate(equations, id, as_clocked, 0, [&](const std::string& name) {
+        variables.add({name, no_net, false, false});
+        return TruthTable(0, false);
+    });
+}
+
+std::optional<TruthTable> function_of(const Equations& equations, ExprId id, bool as_clocked,
+                                      const FunctionVariables& variables) {
+    if (variables.size() > TruthTable::most_variables) return std::nullopt;
+    return evaluate(equations, id, as_clocked, variables.size(), [&](const std::string& name) {
+        return TruthTable::variable(variables.size(), variables.find(name).value_or(0));
+    });
+}
+
+std::string sum_text(const TruthTable& lower, const TruthTable& upper,
+                     const FunctionVariables& variables) {
+    if (lower.is(false)) return "0";
+    if (upper.is(true)) return "1";
+    const auto products = irredundant_sum(lower, upper, variables.size(), most_products);
+    if (!products) return {};
+    std::string text;
+    for (const Product& product : *products) {
+        if (!text.empty()) text += " + ";
+        bool is_first = true;
+        for (std::size_t v = 0; v < variables.size(); ++v) {
+            const bool is_negated = (product.negated >> v & 1U) != 0;
+            if (!is_negated && (product.plain >> v & 1U) == 0) continue;
+            if (!is_first) text += '.';
+            is_first = false;
+            if (is_negated) text += '/';
+            text += variables[v].name;
+        }
+    }
+    return text;
+}
+
+}  // namespace grafwire
