@@ -4,7 +4,8 @@
 // single pin decides (a 0 at an AND), that pin alone is the cause. Where all pins had to agree (the
 // 1 of an AND) those that came earlier in the same instant had their part in it too, so the way
 // back is a tree; in clocked netlists, where every cycle follows from the one before, only the last
-// to come is followed. A flip-flop changes because of its data, a pulse ends because it began, and
+// to come is followed. Of a pulse (a net that changes and changes back in one instant) both ends
+// belong to the way. A flip-flop changes because of its data, a pulse ends because it began, and
 // the end of a delay is where a way begins, as the change of an input is.
 
 #include "check/causal_chain.h"
@@ -50,6 +51,15 @@ class WayBack {
             default:
                 return of_gate(cell, change, change.at - delay, index);
         }
+    }
+
+    /// The change of the same net that this one ends, if it belongs to the same instant.
+    std::optional<std::size_t> pulse_before(std::size_t index) const {
+        const auto before = last_before(history_.changes[index].net, index);
+        const bool is_pulse = before && *before >= history_.first_of_end &&
+                              drivers_[history_.changes[index].net] != no_cell &&
+                              !netlist_.is_clocked();
+        return is_pulse ? before : std::nullopt;
     }
 
   private:
@@ -117,10 +127,9 @@ class WayBack {
         if (just.empty() && !before.empty()) {
             just.push_back(*std::max_element(before.begin(), before.end()));
         }
-        const bool all_have_a_part = cell.type == CellType::and_gate ||
-                                     cell.type == CellType::nand_gate ||
-                                     cell.type == CellType::or_gate ||
-                                     cell.type == CellType::nor_gate;
+        const bool all_have_a_part =
+            cell.type == CellType::and_gate || cell.type == CellType::nand_gate ||
+            cell.type == CellType::or_gate || cell.type == CellType::nor_gate;
         if (all_have_a_part && !netlist_.is_clocked()) {
             for (const std::size_t i : before) {
                 if (i >= history_.first_of_end) just.push_back(i);
@@ -158,6 +167,9 @@ std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& d
         open.pop_back();
         links.push_back({change, way.causes_of(change)});
         for (const std::size_t cause : links.back().causes) add(cause);
+        // A net that changes back had to change first.
+        const auto first = way.pulse_before(change);
+        if (first) add(*first);
     }
     std::sort(links.begin(), links.end(),
               [](const CausalLink& a, const CausalLink& b) { return a.change < b.change; });

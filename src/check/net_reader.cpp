@@ -62,20 +62,33 @@ NetReader::NetReader(const Grafcet& grafcet, const Netlist& netlist)
       netlist_(netlist),
       ports_(map_ports(grafcet, netlist)),
       drivers_(drivers_of(netlist)) {
-    for (const Port& port : netlist.inputs) named_[port.net] = {port.name, port.net, false, false};
+    for (const Port& port : netlist.inputs)
+        named_[port.net] = {port.name, port.net, false, false, false};
     for (std::size_t i = 0; i < ports_.steps.size(); ++i) name_step(i);
     name_complements();
     for (std::size_t i = 0; i < ports_.outputs.size(); ++i) {
         const Output& output = grafcet.outputs[static_cast<OutputId>(i)];
         if (output.stored && ports_.outputs[i] != no_net) {
-            named_[ports_.outputs[i]] = {output.name, ports_.outputs[i], false, false};
+            named_[ports_.outputs[i]] = {output.name, ports_.outputs[i], false, false, false};
         }
     }
     for (const Observed& var : netlist.vars) {
-        if (var.bits.size() == 1) named_[var.bits[0]] = {var.name, var.bits[0], false, false};
+        if (var.bits.size() == 1) named_[var.bits[0]] = {var.name, var.bits[0], false, false, true};
     }
     name_timers();
     name_memories();
+    for (const std::vector<Port>* ports : {&netlist.inputs, &netlist.outputs}) {
+        for (const Port& port : *ports) ports_by_name_.try_emplace(port.name, port.net);
+    }
+}
+
+void NetReader::locate(FunctionVariables& variables) const {
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+        const auto port = ports_by_name_.find(variables[v].name);
+        if (variables[v].net == no_net && port != ports_by_name_.end()) {
+            variables[v].net = port->second;
+        }
+    }
 }
 
 /// The net of an X, and those it only passes on.
@@ -84,7 +97,7 @@ void NetReader::name_step(std::size_t index) {
     const std::string name = "X" + grafcet_.steps.items()[index].name;
     bool is_inverted = false;
     while (net != no_net && !named_.contains(net)) {
-        named_[net] = {name, net, is_inverted, false};
+        named_[net] = {name, net, is_inverted, false, false};
         const CellId driver = drivers_[net];
         if (driver == no_cell) return;
         const Cell& cell = netlist_.cells[driver];
@@ -97,23 +110,41 @@ void NetReader::name_step(std::size_t index) {
     }
 }
 
+/// The net of the gate that is cross-coupled with the one that drives this net, if one is.
+NetId NetReader::cross_coupled(NetId net) const {
+    const CellId driver = drivers_[net];
+    if (driver == no_cell || !inverts(netlist_.cells[driver].type)) return no_net;
+    for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) {
+        const CellId other = drivers_[pin];
+        if (other == no_cell || netlist_.cells[other].type != netlist_.cells[driver].type) continue;
+        const auto pins = netlist_.pins_of(netlist_.cells[other]);
+        if (std::find(pins.begin(), pins.end(), net) != pins.end()) return pin;
+    }
+    return no_net;
+}
+
 /// The other halves of latches of two gates.
 void NetReader::name_complements() {
     std::vector<std::pair<NetId, FunctionVariable>> found;
     for (const auto& [net, variable] : named_) {
-        const CellId driver = drivers_[net];
-        if (driver == no_cell || !inverts(netlist_.cells[driver].type)) continue;
-        for (const NetId pin : netlist_.pins_of(netlist_.cells[driver])) {
-            const CellId other = drivers_[pin];
-            if (other == no_cell || named_.contains(pin)) continue;
-            const Cell& cell = netlist_.cells[other];
-            if (cell.type != netlist_.cells[driver].type) continue;
-            const auto pins = netlist_.pins_of(cell);
-            if (std::find(pins.begin(), pins.end(), net) == pins.end()) continue;
-            found.emplace_back(pin, FunctionVariable{variable.name, pin, !variable.is_inverted, false});
-        }
+        const NetId other = cross_coupled(net);
+        if (other == no_net || named_.contains(other)) continue;
+        found.emplace_back(
+            other, FunctionVariable{variable.name, other, !variable.is_inverted, false, false});
     }
     for (auto& [net, variable] : found) named_.try_emplace(net, std::move(variable));
+}
+
+NetId NetReader::other_half(StepId step) const {
+    NetId net = ports_.steps[index_of(step)];
+    while (net != no_net && drivers_[net] != no_cell) {
+        const Cell& cell = netlist_.cells[drivers_[net]];
+        const NetId other = cross_coupled(net);
+        if (other != no_net) return other;
+        if (cell.type != CellType::buffer) break;
+        net = netlist_.pins_of(cell)[0];
+    }
+    return no_net;
 }
 
 void NetReader::name_timers() {
@@ -125,7 +156,8 @@ void NetReader::name_timers() {
         if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
         const std::uint32_t ordinal = netlist_.timings[cell.timing].ordinal;
         if (ordinal >= named.size()) continue;
-        named_[cell.output] = {equation_text(equations, named[ordinal]), cell.output, false, false};
+        named_[cell.output] = {equation_text(equations, named[ordinal]), cell.output, false, false,
+                               true};
     }
 }
 
@@ -139,7 +171,7 @@ void NetReader::name_memories() {
             continue;
         }
         FunctionVariable variable{std::string(netlist_.names[cell.output]), cell.output, false,
-                                  true};
+                                  true, true};
         const NetId pin = netlist_.pins_of(cell)[0];
         const std::string operand = row.has_timing && is_timer(cell.type) ? "" : text_of(pin);
         if (!operand.empty()) {
@@ -177,12 +209,11 @@ std::optional<FunctionVariable> NetReader::leaf(NetId net) const {
     const auto named = named_.find(net);
     if (named != named_.end()) return named->second;
     const CellId driver = drivers_[net];
-    const bool goes_on =
-        driver != no_cell && (is_gate_type(netlist_.cells[driver].type) ||
-                              netlist_.cells[driver].type == CellType::latch ||
-                              netlist_.cells[driver].type == CellType::hold_latch);
+    const bool goes_on = driver != no_cell && (is_gate_type(netlist_.cells[driver].type) ||
+                                               netlist_.cells[driver].type == CellType::latch ||
+                                               netlist_.cells[driver].type == CellType::hold_latch);
     if (goes_on) return std::nullopt;
-    return FunctionVariable{std::string(netlist_.names[net]), net, false, true};
+    return FunctionVariable{std::string(netlist_.names[net]), net, false, true, true};
 }
 
 Cone NetReader::cone_of(NetId root, bool as_memory) const {
@@ -210,7 +241,7 @@ Cone NetReader::cone_of(NetId root, bool as_memory) const {
                 const bool is_known = known != named_.end();
                 add_leaf(net, is_known ? known->second
                                        : FunctionVariable{std::string(netlist_.names[net]), net,
-                                                          false, true});
+                                                          false, true, true});
                 if (!is_known) cone.loops.push_back(net);
             }
             return;
@@ -229,7 +260,7 @@ Cone NetReader::cone_of(NetId root, bool as_memory) const {
         const auto pins = netlist_.pins_of(cell);
         // Of a flip-flop the data alone; of a latch what it holds as well.
         const std::size_t count =
-            cell.type == CellType::flip_flop ? 1
+            cell.type == CellType::flip_flop                                    ? 1
             : cell.type == CellType::latch || cell.type == CellType::hold_latch ? 3
                                                                                 : pins.size();
         if (frame.next_pin < count) {
@@ -244,8 +275,7 @@ Cone NetReader::cone_of(NetId root, bool as_memory) const {
     return cone;
 }
 
-TruthTable NetReader::value_of(const Cell& cell,
-                               const std::unordered_map<NetId, TruthTable>& known,
+TruthTable NetReader::value_of(const Cell& cell, const std::unordered_map<NetId, TruthTable>& known,
                                std::size_t variables) const {
     const auto pins = netlist_.pins_of(cell);
     const auto pin = [&](std::size_t index) { return known.at(pins[index]); };
@@ -310,7 +340,7 @@ bool is_edge(ExprKind kind) {
     return kind == ExprKind::rise || kind == ExprKind::fall;
 }
 
-/// Walks an expression; `variable(name)` gives the table of a variable.
+/// Walks an expression; `variable(name, is_made)` gives the table of a variable.
 template <typename VariableTable>
 TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std::size_t variables,
                     const VariableTable& variable) {
@@ -323,10 +353,15 @@ TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std:
     if (is_edge(kind) && as_clocked) {
         const ExprId inside = pool.operands(id)[0];
         const TruthTable now = operand(inside);
-        const TruthTable before = variable(name_before(equation_text(equations, inside)));
+        const TruthTable before = variable(name_before(equation_text(equations, inside)), true);
         return kind == ExprKind::rise ? now & ~before : ~now & before;
     }
-    if (!is_operator(kind)) return variable(equation_text(equations, id));
+    if (!is_operator(kind)) {
+        const bool is_made = kind != ExprKind::variable ||
+                             pool.variable_of(id).kind == VariableKind::var ||
+                             pool.variable_of(id).kind == VariableKind::counter;
+        return variable(equation_text(equations, id), is_made);
+    }
     TruthTable table = operand(pool.operands(id)[0]);
     for (std::size_t i = 1; i < pool.operands(id).size(); ++i) {
         const TruthTable next = operand(pool.operands(id)[i]);
@@ -341,8 +376,8 @@ TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std:
 
 void add_variables(const Equations& equations, ExprId id, bool as_clocked,
                    FunctionVariables& variables) {
-    evaluate(equations, id, as_clocked, 0, [&](const std::string& name) {
-        variables.add({name, no_net, false, false});
+    evaluate(equations, id, as_clocked, 0, [&](const std::string& name, bool is_made) {
+        variables.add({name, no_net, false, false, is_made});
         return TruthTable(0, false);
     });
 }
@@ -350,9 +385,10 @@ void add_variables(const Equations& equations, ExprId id, bool as_clocked,
 std::optional<TruthTable> function_of(const Equations& equations, ExprId id, bool as_clocked,
                                       const FunctionVariables& variables) {
     if (variables.size() > TruthTable::most_variables) return std::nullopt;
-    return evaluate(equations, id, as_clocked, variables.size(), [&](const std::string& name) {
-        return TruthTable::variable(variables.size(), variables.find(name).value_or(0));
-    });
+    return evaluate(
+        equations, id, as_clocked, variables.size(), [&](const std::string& name, bool) {
+            return TruthTable::variable(variables.size(), variables.find(name).value_or(0));
+        });
 }
 
 std::string sum_text(const TruthTable& lower, const TruthTable& upper,

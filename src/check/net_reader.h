@@ -14,10 +14,12 @@ namespace grafwire {
 
 /// Something a function depends on, by the name that the GRAFCET (or else the netlist) has for it.
 struct FunctionVariable {
-    std::string name;      ///< `X1`, `a`, `↑a`, `5s/X13`; of a memory of its own the name of the net
-    NetId net = no_net;    ///< where its value can be read; no_net: nowhere in the netlist
+    std::string name;  ///< `X1`, `a`, `↑a`, `5s/X13`; of a memory of its own the name of the net
+    NetId net = no_net;        ///< where its value can be read; no_net: nowhere in the netlist
     bool is_inverted = false;  ///< the net carries the complement
     bool is_own = false;       ///< a memory of the netlist's that the GRAFCET has no name for
+    /// An edge, time condition, var or comparison: a netlist makes it, out of memories of its own.
+    bool is_made = false;
 };
 
 /// The variables of some functions that are compared, each once.
@@ -28,6 +30,7 @@ class FunctionVariables {
     std::size_t add(const FunctionVariable& variable);
     std::size_t size() const { return list_.size(); }
     const FunctionVariable& operator[](std::size_t index) const { return list_[index]; }
+    FunctionVariable& operator[](std::size_t index) { return list_[index]; }
     std::optional<std::size_t> find(std::string_view name) const;
 
   private:
@@ -49,12 +52,20 @@ class NetReader {
   public:
     NetReader(const Grafcet& grafcet, const Netlist& netlist);
 
-    /// The gates behind a net, up to what has a name. `as_memory`: of the net of an X what makes it,
-    /// with the same X as a variable, for what it is before; else an X is what it is.
+    /// The gates behind a net, up to what has a name. `as_memory`: of the net of an X what makes
+    /// it, with the same X as a variable, for what it is before; else an X is what it is.
     Cone cone_of(NetId net, bool as_memory) const;
     /// The cone as a function; every variable of it must have been added, and not more than
     /// TruthTable::most_variables.
     TruthTable function(const Cone& cone, const FunctionVariables& variables) const;
+
+    /// Fills in where the values of inputs, X and outputs can be read that the netlist has ports
+    /// for.
+    void locate(FunctionVariables& variables) const;
+
+    /// The other of the two cross-coupled gates that are the memory of a step; no_net where it has
+    /// another one.
+    NetId other_half(StepId step) const;
 
     const Netlist& netlist() const { return netlist_; }
     const PortMap& ports() const { return ports_; }
@@ -63,6 +74,7 @@ class NetReader {
   private:
     void name_step(std::size_t index);
     void name_complements();
+    NetId cross_coupled(NetId net) const;
     void name_timers();
     void name_memories();
     std::optional<FunctionVariable> leaf(NetId net) const;
@@ -75,10 +87,11 @@ class NetReader {
     PortMap ports_;
     Table<NetId, CellId> drivers_;
     std::unordered_map<NetId, FunctionVariable> named_;
+    std::unordered_map<std::string, NetId> ports_by_name_;
 };
 
-/// An expression of the equations as a function of the variables, which are added as they are met
-/// (nothing once there are too many). `as_clocked`: an edge is its operand and not the same one
+/// An expression of the equations as a function of variables that have been added; nothing where
+/// there are too many. `as_clocked`: an edge is its operand and not the same one
 /// clock cycle before.
 std::optional<TruthTable> function_of(const Equations& equations, ExprId id, bool as_clocked,
                                       const FunctionVariables& variables);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "check/explain.h"
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
@@ -18,8 +19,10 @@ std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli);
 
 /// The witness in words: what changes at the last instant, which transitions the reference clears,
-/// which gates change first, and where the two sides part.
-std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         const Witness& witness, Language language);
+/// where the two sides part, and the explanation. `most_links`: of the way through the gates so
+/// many links, the last ones, with a hint that witness.txt has the others; 0: all.
+std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
+                         const Explanation& explanation, Language language,
+                         std::size_t most_links = 0);
 
 }  // namespace grafwire

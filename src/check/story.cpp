@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
+#include "check/told_witness.h"
 #include "evolution/run.h"
 
 namespace grafwire {
 
 namespace {
 
-constexpr std::size_t most_scans = 8;    ///< that are told
+constexpr std::size_t most_scans = 8;     ///< that are told
 constexpr std::size_t most_noted = 1000;  ///< of an instant
 
 /// The inputs as the stimuli set them, moment after moment.
@@ -94,6 +95,17 @@ void follow_scans(const Evolution& evolution, const Witness& witness, ReferenceE
 
 }  // namespace
 
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+        text.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
 bool ReferenceEnd::clears(TransitionId transition) const {
     return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
         return std::find(scan.cleared.begin(), scan.cleared.end(), transition) !=
@@ -163,11 +175,10 @@ void Story::tell_reference() {
             text_ += "  …\n";
             break;
         }
-        const std::string label =
-            witness_.scan_period == 0
-                ? fmt::format("{} {}", choose("scan", "cycle"), i + 1)
-                : fmt::format("{} {} ms", choose("scan at", "cycle à"),
-                              format_milliseconds(scan.at));
+        const std::string label = witness_.scan_period == 0
+                                      ? fmt::format("{} {}", choose("scan", "cycle"), i + 1)
+                                      : fmt::format("{} {} ms", choose("scan at", "cycle à"),
+                                                    format_milliseconds(scan.at));
         std::vector<std::string> names;
         for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
         text_ += fmt::format("  {}{} {}{} -> {}\n", label, choose(":", " :"),

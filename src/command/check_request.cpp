@@ -62,7 +62,7 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 }
 
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const std::string& story,
+                 const CheckResult& result, const ToldWitness& told,
                  const std::vector<WitnessFile>& witness_files, Language language) {
     OutputFiles files;
     if (result.witness && !request.witness.empty()) {
@@ -75,11 +75,11 @@ int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubje
         }
     }
     if (request.format == "json") {
-        files.add(request.output, write_check_json(subject, grafcet, result));
+        files.add(request.output, write_check_json(subject, grafcet, result, told));
     } else if (request.format == "junit") {
-        files.add(request.output, write_check_junit(subject, grafcet, result, story));
+        files.add(request.output, write_check_junit(subject, grafcet, result, told.text));
     } else {
-        files.add(request.output, write_check_text(subject, grafcet, result, story, language));
+        files.add(request.output, write_check_text(subject, grafcet, result, told.text, language));
     }
     return finish(files, exit_status(result.verdict));
 }

@@ -58,7 +58,7 @@ struct WitnessFile {
 /// Writes the report, and the files of the witness into the folder asked for, if one is; returns
 /// what the program ends with.
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const std::string& story,
+                 const CheckResult& result, const ToldWitness& told,
                  const std::vector<WitnessFile>& witness_files, Language language);
 
 /// The bounds of an exploration, as asked for.

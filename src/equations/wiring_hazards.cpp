@@ -36,13 +36,10 @@ class SharedEdge {
         collect(second);
         // The edges and what comes from outside are the same for both; the rest changes as the
         // first one is cleared.
-        std::stable_partition(atoms_.begin(), atoms_.end(), [&](ExprId atom) {
-            return !is_inner(atom);
-        });
-        shared_ = static_cast<std::size_t>(
-            std::count_if(atoms_.begin(), atoms_.end(), [&](ExprId atom) {
-                return !is_inner(atom);
-            }));
+        std::stable_partition(atoms_.begin(), atoms_.end(),
+                              [&](ExprId atom) { return !is_inner(atom); });
+        shared_ = static_cast<std::size_t>(std::count_if(
+            atoms_.begin(), atoms_.end(), [&](ExprId atom) { return !is_inner(atom); }));
     }
 
     /// The first such edge, or no_expr.
@@ -158,7 +155,8 @@ class HazardSearch {
             const auto after = grafcet_.following(grafcet_.transitions[out]);
             const bool is_own = after.size() == 1 && after[0] == step;
             if (after.empty() || is_own || !concurrent.are_concurrent(step, after)) return;
-            if (!is_loop(step, out, loops)) hazards_.push_back({WiringHazard::Kind::two_tokens, step, out, out, no_expr});
+            if (!is_loop(step, out, loops))
+                hazards_.push_back({WiringHazard::Kind::two_tokens, step, out, out, no_expr});
         });
         if (!grafcet_.expressions.edges().empty()) {
             for_every_way_out([&](StepId step, TransitionId out) { find_edges(step, out); });
@@ -258,11 +256,12 @@ class Warnings {
         if (hazard.out > hazard.back) return;
         const auto after = grafcet_.following(grafcet_.transitions[hazard.out]);
         diagnostics_
-            .warning(Code::wiring_hazard, place_of(hazard.out),
-                     fmt::format("steps {} and {} follow each other: with --cdx successor either is "
-                                 "reset by the one from which it is set; put a step between them, "
-                                 "or use --cdx transition or the clocked style",
-                                 step.name, names_of(after)))
+            .warning(
+                Code::wiring_hazard, place_of(hazard.out),
+                fmt::format("steps {} and {} follow each other: with --cdx successor either is "
+                            "reset by the one from which it is set; put a step between them, "
+                            "or use style nand or the clocked style",
+                            step.name, names_of(after)))
             .notes.push_back({place_of(hazard.back), "the way back is here"});
     }
 
@@ -279,12 +278,13 @@ class Warnings {
 
     void warn_of_edge(const WiringHazard& hazard) {
         diagnostics_
-            .warning(Code::wiring_hazard, place_of(hazard.out),
-                     fmt::format("{} is read again right after step {} was activated by it: a pulse "
-                                 "longer than the passage through the step clears both transitions; "
-                                 "wait for its end in a step between them, or use the clocked style",
-                                 write_expression(grafcet_, grafcet_.expressions, hazard.edge),
-                                 grafcet_.steps[hazard.step].name))
+            .warning(
+                Code::wiring_hazard, place_of(hazard.out),
+                fmt::format("{} is read again right after step {} was activated by it: a pulse "
+                            "longer than the passage through the step clears both transitions; "
+                            "wait for its end in a step between them, or use the clocked style",
+                            write_expression(grafcet_, grafcet_.expressions, hazard.edge),
+                            grafcet_.steps[hazard.step].name))
             .notes.push_back({place_of(hazard.back), "the transition before is here"});
     }
 

@@ -1,0 +1,269 @@
+// What a step should be made of, and what it is made of.
+//
+// The gates give one function F of X and the other variables: what X becomes. It sets where
+// F = 1 with X = 0, and resets where F = 0 with X = 1. The equation gives another, CAX + /CDX.X.
+// Where the two agree nothing is wrong, however it is wired; a latch that blocks its reset while it
+// is being set has another CDX by its gates, but the same function. So what the netlist has for
+// CDX is only determined where CAX is 0 (the rest is left open when it is written as a sum of
+// products), and likewise CAX where CDX is 1. If they differ only where both are 1, it is a matter
+// of priority. AUdur, forcing and enclosing act outside the memory; where they do, CAX and CDX are
+// left open as well.
+
+#include "check/compare_functions.h"
+
+#include <algorithm>
+
+#include "equations/write_equations.h"
+
+namespace grafwire {
+
+namespace {
+
+using Fault = Explanation::Fault;
+using EquationPair = Explanation::EquationPair;
+
+void add_leaves(const Cone& cone, FunctionVariables& variables) {
+    for (const NetId net : cone.leaf_order) variables.add(cone.leaves.at(net));
+}
+
+/// Whether what the equations and the gates speak of can be brought together: not where the
+/// equations have something that the gates make by themselves, of memories or of the delays of
+/// gates.
+bool is_readable(const FunctionVariables& variables, const std::optional<TruthTable>& got,
+                 const Cone& cone, std::size_t from_equations) {
+    if (!got) return false;
+    bool lacks_some = false;
+    for (std::size_t v = 0; v < from_equations; ++v) {
+        lacks_some |= variables[v].is_made && variables[v].net == no_net;
+    }
+    if (!lacks_some) return true;
+    return std::none_of(cone.leaf_order.begin(), cone.leaf_order.end(), [&](NetId net) {
+        const FunctionVariable& leaf = cone.leaves.at(net);
+        // A memory of its own, or something that only the delays of gates make matter.
+        return leaf.is_own || !got->depends_on(*variables.find(leaf.name));
+    });
+}
+
+/// The right-hand sides of two functions that differ, and what one has that the other has not.
+EquationPair pair_of(std::string name, std::string expected, const TruthTable& should,
+                     const TruthTable& lower, const TruthTable& upper, bool is_same,
+                     const FunctionVariables& variables, std::string_view factor) {
+    EquationPair pair;
+    pair.name = std::move(name);
+    pair.expected = std::move(expected);
+    pair.is_same = is_same;
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+        const bool in_expected = should.depends_on(v);
+        // What has to be there, whatever is left open.
+        const bool in_got = is_same ? in_expected : lower.depends_on(v) && upper.depends_on(v);
+        if (in_expected || in_got) pair.operands.push_back({variables[v].name, Logic::unknown});
+        if (is_same || in_expected == in_got) continue;
+        (in_expected ? pair.missing : pair.extra).push_back(variables[v].name);
+    }
+    if (!is_same) {
+        pair.got = sum_text(lower, upper, variables);
+        const bool is_sum = pair.got.find('+') != std::string::npos;
+        if (!factor.empty() && pair.got != "0" && !pair.got.empty()) {
+            if (pair.got == "1") {
+                pair.got = factor;
+            } else {
+                pair.got =
+                    std::string(factor) + (is_sum ? ".(" : ".") + pair.got + (is_sum ? ")" : "");
+            }
+        }
+    }
+    return pair;
+}
+
+class StepComparison {
+  public:
+    StepComparison(const NetReader& reader, Equations& equations, StepId step)
+        : reader_(reader),
+          equations_(equations),
+          step_(step),
+          name_(equations.grafcet->steps[step].name),
+          is_clocked_(reader.netlist().is_clocked()),
+          table_(table_conditions(equations, step)),
+          whole_(step_expression(equations, step)) {}
+
+    FunctionComparison make() {
+        const NetId net = reader_.ports().steps[index_of(step_)];
+        Cone cone;
+        if (net != no_net) cone = reader_.cone_of(net, true);
+        result_.gates = cone.inner;
+        FunctionVariables& variables = result_.variables;
+        variables.add({"X" + name_, net, false, false, false});
+        for (const ExprId id : {table_.cax, table_.cdx, whole_}) {
+            add_variables(equations_, id, is_clocked_, variables);
+        }
+        const std::size_t from_equations = variables.size();
+        take_own_loop(cone);
+        add_leaves(cone, variables);
+        reader_.locate(variables);
+        result_.expected = function_of(equations_, whole_, is_clocked_, variables);
+        if (result_.expected && net != no_net) result_.got = reader_.function(cone, variables);
+        if (!is_readable(variables, result_.got, cone, from_equations)) {
+            result_.got.reset();
+            result_.fault = Fault::unread;
+            add_plain("CAX", table_.cax);
+            add_plain("CDX", table_.cdx);
+            return std::move(result_);
+        }
+        compare();
+        return std::move(result_);
+    }
+
+  private:
+    /// A memory that is cut elsewhere than at the X, where it is the only one: its value is the X.
+    void take_own_loop(Cone& cone) const {
+        const std::string own = "X" + name_;
+        const bool has_own = std::any_of(cone.leaves.begin(), cone.leaves.end(),
+                                         [&](const auto& leaf) { return leaf.second.name == own; });
+        if (has_own || cone.loops.size() != 1) return;
+        FunctionVariables alone;
+        add_leaves(cone, alone);
+        FunctionVariable& loop = cone.leaves.at(cone.loops[0]);
+        if (alone.size() > TruthTable::most_variables) return;
+        const TruthTable function = reader_.function(cone, alone);
+        const std::size_t index = *alone.find(loop.name);
+        // It holds 1 at 1, or it is the complement.
+        const bool is_inverted =
+            !(function.with(index, false) & ~function.with(index, true)).is(false);
+        loop = {own, loop.net, is_inverted, false, false};
+    }
+
+    void add_plain(std::string_view role, ExprId id) {
+        EquationPair pair;
+        pair.name = std::string(role) + name_;
+        pair.expected = equation_text(equations_, id);
+        FunctionVariables operands;
+        add_variables(equations_, id, is_clocked_, operands);
+        for (std::size_t v = 0; v < operands.size(); ++v) {
+            pair.operands.push_back({operands[v].name, Logic::unknown});
+        }
+        result_.equations.push_back(std::move(pair));
+    }
+
+    void compare() {
+        const FunctionVariables& variables = result_.variables;
+        const TruthTable& got = *result_.got;
+        const TruthTable& expected = *result_.expected;
+        const TruthTable cax = *function_of(equations_, table_.cax, is_clocked_, variables);
+        const TruthTable cdx = *function_of(equations_, table_.cdx, is_clocked_, variables);
+        result_.cax = cax;
+        result_.cdx = cdx;
+        const TruthTable x = TruthTable::variable(variables.size(), 0);
+        // Where nothing acts from outside the memory.
+        const TruthTable inside = ~(expected ^ (cax | (~cdx & x)));
+        const TruthTable care = inside.with(0, false) & inside.with(0, true);
+        const TruthTable wrong = got ^ expected;
+        const TruthTable set = got.with(0, false);
+        const TruthTable reset = ~got.with(0, true);
+        const TruthTable both = cax & cdx;
+        if (!wrong.is(false)) {
+            result_.fault = (wrong & care).is(false)           ? Fault::order
+                            : (wrong & care & ~both).is(false) ? Fault::priority
+                                                               : Fault::equation;
+        }
+        const bool is_equation = result_.fault == Fault::equation;
+        const TruthTable should_set = cax.with(0, false);
+        const TruthTable should_reset = cdx.with(0, true);
+        const bool same_set = !is_equation || ((set ^ should_set) & care & ~should_reset).is(false);
+        const bool same_reset =
+            !is_equation || ((reset ^ should_reset) & care & ~should_set).is(false);
+        const std::string own = "X" + name_;
+        const bool cdx_has_x = cdx.depends_on(0);
+        result_.equations.push_back(pair_of("CAX" + name_, equation_text(equations_, table_.cax),
+                                            should_set, set & care, set | reset | ~care, same_set,
+                                            variables, {}));
+        result_.equations.push_back(pair_of("CDX" + name_, equation_text(equations_, table_.cdx),
+                                            should_reset, reset & care, reset | set | ~care,
+                                            same_reset, variables, cdx_has_x ? own : ""));
+        if (result_.fault == Fault::order) {
+            result_.equations.push_back(pair_of(own, equation_text(equations_, whole_), expected,
+                                                got, got, false, variables, {}));
+        }
+    }
+
+    const NetReader& reader_;
+    Equations& equations_;
+    StepId step_;
+    std::string name_;
+    bool is_clocked_;
+    TableConditions table_;
+    ExprId whole_;
+    FunctionComparison result_;
+};
+
+}  // namespace
+
+Logic value_of(const FunctionVariable& variable, const std::vector<Logic>& nets) {
+    if (variable.net == no_net) return Logic::unknown;
+    const Logic value = nets[index_of(variable.net)];
+    if (!variable.is_inverted || value == Logic::unknown) return value;
+    return value == Logic::one ? Logic::zero : Logic::one;
+}
+
+std::optional<std::size_t> row_of(const FunctionVariables& variables,
+                                  const std::vector<const TruthTable*>& tables,
+                                  const std::vector<Logic>& nets) {
+    std::size_t row = 0;
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+        const Logic value = value_of(variables[v], nets);
+        if (value == Logic::one) row |= std::size_t{1} << v;
+        if (value != Logic::unknown) continue;
+        for (const TruthTable* table : tables) {
+            if (table->depends_on(v)) return std::nullopt;
+        }
+    }
+    return row;
+}
+
+FunctionComparison compare_step(const NetReader& reader, Equations& equations, StepId step) {
+    return StepComparison(reader, equations, step).make();
+}
+
+FunctionComparison compare_output(const NetReader& reader, const Equations& equations,
+                                  OutputId output) {
+    FunctionComparison result;
+    const NetId net = reader.ports().outputs[index_of(output)];
+    if (net == no_net) return result;
+    const bool is_stored = equations.grafcet->outputs[output].stored;
+    const Cone cone = reader.cone_of(net, is_stored);
+    result.gates = cone.inner;
+    const auto equation = std::find_if(equations.outputs.begin(), equations.outputs.end(),
+                                       [&](const OutputEquation& e) { return e.output == output; });
+    if (is_stored || equation == equations.outputs.end()) {
+        result.fault = Fault::unread;
+        return result;
+    }
+    const bool is_clocked = reader.netlist().is_clocked();
+    add_variables(equations, equation->value, is_clocked, result.variables);
+    const std::size_t from_equations = result.variables.size();
+    add_leaves(cone, result.variables);
+    reader.locate(result.variables);
+    result.expected = function_of(equations, equation->value, is_clocked, result.variables);
+    if (result.expected) result.got = reader.function(cone, result.variables);
+    const bool can_compare = is_readable(result.variables, result.got, cone, from_equations);
+    const std::string text = equation_text(equations, equation->value);
+    const std::string& name = equations.grafcet->outputs[output].name;
+    if (!can_compare) {
+        result.got.reset();
+        result.fault = Fault::unread;
+        EquationPair pair;
+        pair.name = name;
+        pair.expected = text;
+        for (std::size_t v = 0; v < from_equations; ++v) {
+            pair.operands.push_back({result.variables[v].name, Logic::unknown});
+        }
+        result.equations.push_back(std::move(pair));
+        return result;
+    }
+    const bool is_same = *result.got == *result.expected;
+    if (!is_same) result.fault = Fault::equation;
+    result.equations.push_back(pair_of(name, text, *result.expected, *result.got, *result.got,
+                                       is_same, result.variables, {}));
+    return result;
+}
+
+}  // namespace grafwire
