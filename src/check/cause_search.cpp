@@ -274,36 +274,22 @@ class CauseSearch {
         return names;
     }
 
+    using Assignments = std::vector<Stimuli::Assignment>;
+
     /// No difference shows where the changes of the last instant come one after the other.
     std::optional<Cause> input_race() const {
         const Stimuli& stimuli = facts_.witness.stimuli;
         const bool has_last = !stimuli.changes.empty() && stimuli.changes.back().at == stimuli.end;
         if (facts_.witness.scan_period != 0 || !has_last) return std::nullopt;
-        std::vector<Stimuli::Assignment> inputs = stimuli.changes.back().assignments;
-        const auto is_repeated = [&](const Stimuli::Assignment& set) {
-            const auto before = value_before(set.input);
-            return before == set.value;
-        };
-        std::erase_if(inputs, is_repeated);
+        Assignments inputs = stimuli.changes.back().assignments;
+        std::erase_if(inputs,
+                      [&](const auto& set) { return value_before(set.input) == set.value; });
         Cause cause{CauseKind::input_race, {}, ended_delays(), {}};
-        for (const Stimuli::Assignment& set : inputs) {
+        if (inputs.empty() || inputs.size() + cause.others.size() < 2) return std::nullopt;
+        if (differs_in_some_order(inputs)) return std::nullopt;
+        for (const auto& set : those_that_race(inputs)) {
             cause.others.emplace_back(input_name(grafcet_, set.input));
         }
-        if (inputs.empty() || cause.others.size() < 2) return std::nullopt;
-        std::vector<std::size_t> order;
-        for (std::size_t i = 0; i < inputs.size(); ++i) order.push_back(i);
-        // All orders of a few inputs; of many, one and its reverse.
-        constexpr std::size_t most_permuted = 4;
-        const auto next = [&] {
-            if (inputs.size() <= most_permuted) {
-                return std::next_permutation(order.begin(), order.end());
-            }
-            std::reverse(order.begin(), order.end());
-            return order.front() != 0;
-        };
-        do {
-            if (differs_in_order(inputs, order)) return std::nullopt;
-        } while (next());
         return cause;
     }
     bool value_before(std::size_t input) const {
@@ -316,13 +302,65 @@ class CauseSearch {
         }
         return value;
     }
-    bool differs_in_order(const std::vector<Stimuli::Assignment>& inputs,
-                          const std::vector<std::size_t>& order) const {
+    /// All orders of a few inputs; of many, one and its reverse.
+    bool differs_in_some_order(const Assignments& inputs) const {
+        constexpr std::size_t most_permuted = 4;
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < inputs.size(); ++i) order.push_back(i);
+        const auto next = [&] {
+            if (inputs.size() <= most_permuted) {
+                return std::next_permutation(order.begin(), order.end());
+            }
+            std::reverse(order.begin(), order.end());
+            return order.front() != 0;
+        };
+        do {
+            std::vector<Assignments> groups;
+            for (const std::size_t i : order) groups.push_back({inputs[i]});
+            if (differs(groups, one_after_another)) return true;
+        } while (next());
+        return false;
+    }
+    /// Leaves out one input after the other as long as the difference still shows where that one
+    /// changes later or earlier than the others.
+    Assignments those_that_race(Assignments together) const {
+        std::vector<Assignments> before;
+        std::vector<Assignments> after;
+        for (std::size_t i = 0; i < together.size();) {
+            Assignments others = together;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            const auto with = [&](const std::vector<Assignments>& first,
+                                  const std::vector<Assignments>& last) {
+                std::vector<Assignments> groups = first;
+                groups.push_back(others);
+                groups.insert(groups.end(), last.begin(), last.end());
+                return differs(groups, 0);
+            };
+            std::vector<Assignments> longer_before = before;
+            longer_before.push_back({together[i]});
+            std::vector<Assignments> longer_after = after;
+            longer_after.insert(longer_after.begin(), {together[i]});
+            if (!others.empty() && with(before, longer_after)) {
+                after = std::move(longer_after);
+            } else if (!others.empty() && with(longer_before, after)) {
+                before = std::move(longer_before);
+            } else {
+                ++i;
+                continue;
+            }
+            together = std::move(others);
+        }
+        return together;
+    }
+    /// Whether the two sides part where the last changes come in these groups, the first of them so
+    /// much later than they did.
+    bool differs(const std::vector<Assignments>& groups, Time later) const {
         Stimuli stimuli = facts_.witness.stimuli;
         stimuli.changes.pop_back();
-        for (const std::size_t i : order) {
+        stimuli.end += later;
+        for (const Assignments& group : groups) {
+            stimuli.changes.push_back({stimuli.end, group, {}});
             stimuli.end += one_after_another;
-            stimuli.changes.push_back({stimuli.end, {inputs[i]}, {}});
         }
         const RunResult expected = run_until_stable(grafcet_, stimuli);
         const SimulateResult got =

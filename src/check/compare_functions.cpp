@@ -26,9 +26,9 @@ void add_leaves(const Cone& cone, FunctionVariables& variables) {
     for (const NetId net : cone.leaf_order) variables.add(cone.leaves.at(net));
 }
 
-/// Whether what the equations and the gates speak of can be brought together: not where the
-/// equations have something that the gates make by themselves, of memories or of the delays of
-/// gates.
+/// Whether what the equations and the gates speak of can be brought together: not where the gates
+/// look at a memory that the GRAFCET has no name for, or where they make something that the
+/// equations name (an edge, say) out of their own delays, which no function shows.
 bool is_readable(const FunctionVariables& variables, const std::optional<TruthTable>& got,
                  const Cone& cone, std::size_t from_equations) {
     if (!got) return false;
@@ -36,11 +36,10 @@ bool is_readable(const FunctionVariables& variables, const std::optional<TruthTa
     for (std::size_t v = 0; v < from_equations; ++v) {
         lacks_some |= variables[v].is_made && variables[v].net == no_net;
     }
-    if (!lacks_some) return true;
     return std::none_of(cone.leaf_order.begin(), cone.leaf_order.end(), [&](NetId net) {
         const FunctionVariable& leaf = cone.leaves.at(net);
-        // A memory of its own, or something that only the delays of gates make matter.
-        return leaf.is_own || !got->depends_on(*variables.find(leaf.name));
+        const bool is_used = got->depends_on(*variables.find(leaf.name));
+        return is_used ? leaf.is_own : lacks_some;
     });
 }
 
@@ -82,6 +81,8 @@ class StepComparison {
           equations_(equations),
           step_(step),
           name_(equations.grafcet->steps[step].name),
+          own_(operand_name(*equations.grafcet,
+                            {VariableKind::step, static_cast<std::uint32_t>(step)})),
           is_clocked_(reader.netlist().is_clocked()),
           table_(table_conditions(equations, step)),
           whole_(step_expression(equations, step)) {}
@@ -92,7 +93,7 @@ class StepComparison {
         if (net != no_net) cone = reader_.cone_of(net, true);
         result_.gates = cone.inner;
         FunctionVariables& variables = result_.variables;
-        variables.add({"X" + name_, net, false, false, false});
+        variables.add({own_, net, false, false, false});
         for (const ExprId id : {table_.cax, table_.cdx, whole_}) {
             add_variables(equations_, id, is_clocked_, variables);
         }
@@ -116,9 +117,9 @@ class StepComparison {
   private:
     /// A memory that is cut elsewhere than at the X, where it is the only one: its value is the X.
     void take_own_loop(Cone& cone) const {
-        const std::string own = "X" + name_;
-        const bool has_own = std::any_of(cone.leaves.begin(), cone.leaves.end(),
-                                         [&](const auto& leaf) { return leaf.second.name == own; });
+        const bool has_own =
+            std::any_of(cone.leaves.begin(), cone.leaves.end(),
+                        [&](const auto& leaf) { return leaf.second.name == own_; });
         if (has_own || cone.loops.size() != 1) return;
         FunctionVariables alone;
         add_leaves(cone, alone);
@@ -129,7 +130,7 @@ class StepComparison {
         // It holds 1 at 1, or it is the complement.
         const bool is_inverted =
             !(function.with(index, false) & ~function.with(index, true)).is(false);
-        loop = {own, loop.net, is_inverted, false, false};
+        loop = {own_, loop.net, is_inverted, false, false};
     }
 
     void add_plain(std::string_view role, ExprId id) {
@@ -171,16 +172,15 @@ class StepComparison {
         const bool same_set = !is_equation || ((set ^ should_set) & care & ~should_reset).is(false);
         const bool same_reset =
             !is_equation || ((reset ^ should_reset) & care & ~should_set).is(false);
-        const std::string own = "X" + name_;
         const bool cdx_has_x = cdx.depends_on(0);
         result_.equations.push_back(pair_of("CAX" + name_, equation_text(equations_, table_.cax),
                                             should_set, set & care, set | reset | ~care, same_set,
                                             variables, {}));
         result_.equations.push_back(pair_of("CDX" + name_, equation_text(equations_, table_.cdx),
                                             should_reset, reset & care, reset | set | ~care,
-                                            same_reset, variables, cdx_has_x ? own : ""));
+                                            same_reset, variables, cdx_has_x ? own_ : ""));
         if (result_.fault == Fault::order) {
-            result_.equations.push_back(pair_of(own, equation_text(equations_, whole_), expected,
+            result_.equations.push_back(pair_of(own_, equation_text(equations_, whole_), expected,
                                                 got, got, false, variables, {}));
         }
     }
@@ -189,6 +189,7 @@ class StepComparison {
     Equations& equations_;
     StepId step_;
     std::string name_;
+    std::string own_;  ///< its X
     bool is_clocked_;
     TableConditions table_;
     ExprId whole_;

@@ -58,6 +58,7 @@ class Explaining {
     struct Examined {
         Part part;
         std::size_t index = 0;  ///< in the values of the witness
+        std::string operand;    ///< of a step: its X as equations write it
         NetId net = no_net;
         FunctionComparison functions;
         bool is_decided = false;
@@ -85,6 +86,10 @@ class Explaining {
             examined.part.expected = value.expected;
             examined.part.got = value.got;
             examined.index = i;
+            if (i < steps) {
+                examined.operand =
+                    operand_name(grafcet_, {VariableKind::step, static_cast<std::uint32_t>(i)});
+            }
             examined.net = net;
             parts_.push_back(std::move(examined));
         }
@@ -202,7 +207,11 @@ class Explaining {
         }
         // An input that the netlist lacks.
         for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
-            if (input_name(grafcet_, i) != name) continue;
+            const bool is_control = i >= grafcet_.inputs.size();
+            const auto number =
+                static_cast<std::uint32_t>(is_control ? i - grafcet_.inputs.size() : i);
+            const VariableKind kind = is_control ? VariableKind::control : VariableKind::input;
+            if (operand_name(grafcet_, {kind, number}) != name) continue;
             bool value = false;
             for (const Stimuli::Change& change : witness_.stimuli.changes) {
                 for (const auto& set : change.assignments) {
@@ -220,7 +229,7 @@ class Explaining {
             if (examined.is_decided) continue;
             for (const Examined& other : parts_) {
                 if (!other.part.is_step || &other == &examined) continue;
-                const bool is_read = examined.functions.variables.find(other.part.name).has_value();
+                const bool is_read = examined.functions.variables.find(other.operand).has_value();
                 // Two steps that read each other: where neither has a fault, neither is first.
                 const bool is_before = other.is_decided || !examined.part.is_step;
                 if (is_read && is_before) examined.part.follows_from.push_back(other.part.name);

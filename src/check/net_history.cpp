@@ -32,7 +32,9 @@ NetHistory::NetHistory(const Grafcet& grafcet, const Netlist& netlist, const Cel
     : start(start_values(grafcet, netlist, delays, witness.stimuli)) {
     SimulateOptions options;
     options.scan_period = witness.scan_period;
-    options.observer = [&](Time at, NetId net, Logic value) { changes.push_back({at, net, value}); };
+    options.observer = [&](Time at, NetId net, Logic value) {
+        changes.push_back({at, net, value});
+    };
     oscillating = simulate(grafcet, netlist, delays, witness.stimuli, options).oscillating;
     const auto first = std::find_if(changes.begin(), changes.end(), [&](const NetChange& change) {
         return change.at >= witness.stimuli.end;

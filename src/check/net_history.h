@@ -21,10 +21,10 @@ struct NetHistory {
     NetHistory(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                const Witness& witness);
 
-    std::vector<Logic> start;         ///< per net
-    std::vector<NetChange> changes;   ///< in their order
-    std::size_t first_of_end = 0;     ///< the first change that belongs to the last instant
-    std::vector<NetId> oscillating;   ///< where the netlist does not settle
+    std::vector<Logic> start;        ///< per net
+    std::vector<NetChange> changes;  ///< in their order
+    std::size_t first_of_end = 0;    ///< the first change that belongs to the last instant
+    std::vector<NetId> oscillating;  ///< where the netlist does not settle
 
     /// The values of all nets before the last instant.
     std::vector<Logic> before_end() const;

@@ -16,8 +16,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "equations/write_equations.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
@@ -39,6 +41,12 @@ std::string name_before(std::string_view name) {
 }
 
 }  // namespace
+
+std::string operand_name(const Grafcet& grafcet, Variable variable) {
+    Expressions pool;
+    const ExprId id = pool.variable(variable);
+    return write_expression(grafcet, pool, id);
+}
 
 std::size_t FunctionVariables::add(const FunctionVariable& variable) {
     if (const auto known = find(variable.name)) {
@@ -62,24 +70,32 @@ NetReader::NetReader(const Grafcet& grafcet, const Netlist& netlist)
       netlist_(netlist),
       ports_(map_ports(grafcet, netlist)),
       drivers_(drivers_of(netlist)) {
-    for (const Port& port : netlist.inputs)
+    for (const Port& port : netlist.inputs) {
         named_[port.net] = {port.name, port.net, false, false, false};
+    }
+    for (std::size_t i = 0; i < ports_.inputs.size(); ++i) {
+        const bool is_control = i >= grafcet.inputs.size();
+        const auto index = static_cast<std::uint32_t>(is_control ? i - grafcet.inputs.size() : i);
+        name_port(ports_.inputs[i],
+                  {is_control ? VariableKind::control : VariableKind::input, index});
+    }
     for (std::size_t i = 0; i < ports_.steps.size(); ++i) name_step(i);
     name_complements();
     for (std::size_t i = 0; i < ports_.outputs.size(); ++i) {
-        const Output& output = grafcet.outputs[static_cast<OutputId>(i)];
-        if (output.stored && ports_.outputs[i] != no_net) {
-            named_[ports_.outputs[i]] = {output.name, ports_.outputs[i], false, false, false};
+        if (!grafcet.outputs[static_cast<OutputId>(i)].stored) continue;
+        name_port(ports_.outputs[i], {VariableKind::output, static_cast<std::uint32_t>(i)});
+    }
+    for (std::size_t i = 0; i < grafcet.vars.size(); ++i) {
+        const Variable variable{VariableKind::var, static_cast<std::uint32_t>(i)};
+        for (const Observed& var : netlist.vars) {
+            if (var.name != grafcet.vars.items()[i].name || var.bits.size() != 1) continue;
+            named_[var.bits[0]] = {operand_name(grafcet_, variable), var.bits[0], false, false,
+                                   true};
         }
     }
-    for (const Observed& var : netlist.vars) {
-        if (var.bits.size() == 1) named_[var.bits[0]] = {var.name, var.bits[0], false, false, true};
-    }
-    name_timers();
-    name_memories();
-    for (const std::vector<Port>* ports : {&netlist.inputs, &netlist.outputs}) {
-        for (const Port& port : *ports) ports_by_name_.try_emplace(port.name, port.net);
-    }
+    const Equations equations = equations_from(grafcet, {});
+    name_timers(equations);
+    name_memories(equations);
 }
 
 void NetReader::locate(FunctionVariables& variables) const {
@@ -91,10 +107,20 @@ void NetReader::locate(FunctionVariables& variables) const {
     }
 }
 
+/// What a port carries; no_net: the netlist does not have it.
+void NetReader::name_port(NetId net, Variable variable) {
+    if (net == no_net) return;
+    const std::string name = operand_name(grafcet_, variable);
+    named_[net] = {name, net, false, false, false};
+    ports_by_name_[name] = net;
+}
+
 /// The net of an X, and those it only passes on.
 void NetReader::name_step(std::size_t index) {
     NetId net = ports_.steps[index];
-    const std::string name = "X" + grafcet_.steps.items()[index].name;
+    const std::string name =
+        operand_name(grafcet_, {VariableKind::step, static_cast<std::uint32_t>(index)});
+    if (net != no_net) ports_by_name_[name] = net;
     bool is_inverted = false;
     while (net != no_net && !named_.contains(net)) {
         named_[net] = {name, net, is_inverted, false, false};
@@ -147,10 +173,7 @@ NetId NetReader::other_half(StepId step) const {
     return no_net;
 }
 
-void NetReader::name_timers() {
-    const std::vector<ExprId>& conditions = grafcet_.expressions.time_conditions();
-    if (conditions.empty()) return;
-    const Equations equations = equations_from(grafcet_, {});
+void NetReader::name_timers(const Equations& equations) {
     const std::vector<ExprId>& named = equations.expressions.time_conditions();
     for (const Cell& cell : netlist_.cells) {
         if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
@@ -162,7 +185,11 @@ void NetReader::name_timers() {
 }
 
 /// Edges, and memories that the GRAFCET has no name for.
-void NetReader::name_memories() {
+void NetReader::name_memories(const Equations& equations) {
+    std::unordered_set<std::string> remembered;  // what edges compare with
+    for (const ExprId edge : equations.expressions.edges()) {
+        remembered.insert(equation_text(equations, equations.expressions.operands(edge)[0]));
+    }
     std::vector<std::pair<NetId, FunctionVariable>> found;
     for (const Cell& cell : netlist_.cells) {
         const CellTypeRow& row = row_of(cell.type);
@@ -177,12 +204,14 @@ void NetReader::name_memories() {
         if (!operand.empty()) {
             const bool is_word = operand.find_first_of(" .+/") == std::string::npos;
             const std::string shown = is_word ? operand : "(" + operand + ")";
-            variable.is_own = false;
+            const bool is_pulse =
+                cell.type == CellType::rise_pulse || cell.type == CellType::fall_pulse;
+            variable.is_own = !is_pulse && !remembered.contains(operand);
             if (cell.type == CellType::rise_pulse) {
                 variable.name = "↑" + shown;
             } else if (cell.type == CellType::fall_pulse) {
                 variable.name = "↓" + shown;
-            } else {
+            } else if (!variable.is_own) {
                 variable.name = name_before(operand);
             }
         }

@@ -12,6 +12,9 @@
 
 namespace grafwire {
 
+/// The name of a variable as equations write it: quoted where it has to be.
+std::string operand_name(const Grafcet& grafcet, Variable variable);
+
 /// Something a function depends on, by the name that the GRAFCET (or else the netlist) has for it.
 struct FunctionVariable {
     std::string name;  ///< `X1`, `a`, `↑a`, `5s/X13`; of a memory of its own the name of the net
@@ -72,11 +75,12 @@ class NetReader {
     CellId driver(NetId net) const { return drivers_[net]; }
 
   private:
+    void name_port(NetId net, Variable variable);
     void name_step(std::size_t index);
     void name_complements();
     NetId cross_coupled(NetId net) const;
-    void name_timers();
-    void name_memories();
+    void name_timers(const Equations& equations);
+    void name_memories(const Equations& equations);
     std::optional<FunctionVariable> leaf(NetId net) const;
     std::string text_of(NetId net) const;
     TruthTable value_of(const Cell& cell, const std::unordered_map<NetId, TruthTable>& known,

@@ -11,8 +11,9 @@ namespace grafwire {
 
 namespace {
 
-constexpr std::uint64_t in_word[6] = {0xaaaaaaaaaaaaaaaaU, 0xccccccccccccccccU, 0xf0f0f0f0f0f0f0f0U,
-                                      0xff00ff00ff00ff00U, 0xffff0000ffff0000U, 0xffffffff00000000U};
+constexpr std::uint64_t in_word[6] = {0xaaaaaaaaaaaaaaaaU, 0xccccccccccccccccU,
+                                      0xf0f0f0f0f0f0f0f0U, 0xff00ff00ff00ff00U,
+                                      0xffff0000ffff0000U, 0xffffffff00000000U};
 
 class IrredundantSum {
   public:
@@ -33,12 +34,11 @@ class IrredundantSum {
         const TruthTable upper0 = upper.with(v, false);
         const TruthTable upper1 = upper.with(v, true);
         const std::uint32_t bit = 1U << v;
-        const TruthTable f0 = cover(lower0 & ~upper1, upper0, v,
-                                    {besides.plain, besides.negated | bit});
-        const TruthTable f1 = cover(lower1 & ~upper0, upper1, v,
-                                    {besides.plain | bit, besides.negated});
-        const TruthTable rest =
-            cover((lower0 & ~f0) | (lower1 & ~f1), upper0 & upper1, v, besides);
+        const TruthTable f0 =
+            cover(lower0 & ~upper1, upper0, v, {besides.plain, besides.negated | bit});
+        const TruthTable f1 =
+            cover(lower1 & ~upper0, upper1, v, {besides.plain | bit, besides.negated});
+        const TruthTable rest = cover((lower0 & ~f0) | (lower1 & ~f1), upper0 & upper1, v, besides);
         const TruthTable x = TruthTable::variable(variables_, v);
         return (~x & f0) | (x & f1) | rest;
     }
