@@ -11,6 +11,8 @@
 
 #include "check/compare_functions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "equations/write_equations.h"
@@ -21,6 +23,9 @@ namespace {
 
 using Fault = Explanation::Fault;
 using EquationPair = Explanation::EquationPair;
+
+/// A sum that takes more is not written.
+constexpr std::size_t most_products = 24;
 
 void add_leaves(const Cone& cone, FunctionVariables& variables) {
     for (const NetId net : cone.leaf_order) variables.add(cone.leaves.at(net));
@@ -43,34 +48,47 @@ bool is_readable(const FunctionVariables& variables, const std::optional<TruthTa
     });
 }
 
-/// The right-hand sides of two functions that differ, and what one has that the other has not.
-EquationPair pair_of(std::string name, std::string expected, const TruthTable& should,
-                     const TruthTable& lower, const TruthTable& upper, bool is_same,
-                     const FunctionVariables& variables, std::string_view factor) {
-    EquationPair pair;
-    pair.name = std::move(name);
-    pair.expected = std::move(expected);
-    pair.is_same = is_same;
+/// The right-hand side as it should be.
+struct Wanted {
+    std::string name;  ///< `CAX4`
+    std::string text;
+    const TruthTable& table;
+};
+
+/// The right-hand sides of two functions that are the same, with their operands.
+EquationPair same_pair(const Wanted& wanted, const FunctionVariables& variables) {
+    EquationPair pair{wanted.name, wanted.text, {}, true, {}, {}, {}};
     for (std::size_t v = 0; v < variables.size(); ++v) {
-        const bool in_expected = should.depends_on(v);
-        // What has to be there, whatever is left open.
-        const bool in_got = is_same ? in_expected : lower.depends_on(v) && upper.depends_on(v);
-        if (in_expected || in_got) pair.operands.push_back({variables[v].name, Logic::unknown});
-        if (is_same || in_expected == in_got) continue;
-        (in_expected ? pair.missing : pair.extra).push_back(variables[v].name);
-    }
-    if (!is_same) {
-        pair.got = sum_text(lower, upper, variables);
-        const bool is_sum = pair.got.find('+') != std::string::npos;
-        if (!factor.empty() && pair.got != "0" && !pair.got.empty()) {
-            if (pair.got == "1") {
-                pair.got = factor;
-            } else {
-                pair.got =
-                    std::string(factor) + (is_sum ? ".(" : ".") + pair.got + (is_sum ? ")" : "");
-            }
+        if (wanted.table.depends_on(v)) {
+            pair.operands.push_back({variables[v].name, Logic::unknown});
         }
     }
+    return pair;
+}
+
+/// The right-hand sides of two functions that differ, and what one has that the other has not. The
+/// netlist's is known to lie in an interval. `factor`: what is to be written before it, or empty.
+EquationPair different_pair(const Wanted& wanted, const TruthTable& lower, const TruthTable& upper,
+                            const FunctionVariables& variables, const std::string& factor) {
+    EquationPair pair{wanted.name, wanted.text, {}, false, {}, {}, {}};
+    const auto sum = irredundant_sum(lower, upper, variables.size(), most_products);
+    std::uint32_t in_sum = 0;
+    for (const Product& product : sum.value_or(std::vector<Product>())) {
+        in_sum |= product.plain | product.negated;
+    }
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+        const bool in_wanted = wanted.table.depends_on(v);
+        const bool in_got = (in_sum >> v & 1U) != 0;
+        if (in_wanted || in_got) pair.operands.push_back({variables[v].name, Logic::unknown});
+        if (!sum || in_wanted == in_got || variables[v].name == factor) continue;
+        (in_wanted ? pair.missing : pair.extra).push_back(variables[v].name);
+    }
+    if (!sum) return pair;
+    pair.got = sum_text(*sum, variables);
+    if (factor.empty() || pair.got == "0") return pair;
+    const std::string_view open = sum->size() > 1 ? ".(" : ".";
+    const std::string_view close = sum->size() > 1 ? ")" : "";
+    pair.got = pair.got == "1" ? factor : fmt::format("{}{}{}{}", factor, open, pair.got, close);
     return pair;
 }
 
@@ -172,18 +190,20 @@ class StepComparison {
         const bool same_set = !is_equation || ((set ^ should_set) & care & ~should_reset).is(false);
         const bool same_reset =
             !is_equation || ((reset ^ should_reset) & care & ~should_set).is(false);
-        const bool cdx_has_x = cdx.depends_on(0);
-        result_.equations.push_back(pair_of("CAX" + name_, equation_text(equations_, table_.cax),
-                                            should_set, set & care, set | reset | ~care, same_set,
-                                            variables, {}));
-        result_.equations.push_back(pair_of("CDX" + name_, equation_text(equations_, table_.cdx),
-                                            should_reset, reset & care, reset | set | ~care,
-                                            same_reset, variables, cdx_has_x ? own_ : ""));
+        const std::string factor = cdx.depends_on(0) ? own_ : std::string();
+        const Wanted wanted_cax{"CAX" + name_, equation_text(equations_, table_.cax), should_set};
+        const Wanted wanted_cdx{"CDX" + name_, equation_text(equations_, table_.cdx), should_reset};
+        add(same_set ? same_pair(wanted_cax, variables)
+                     : different_pair(wanted_cax, set & care, set | reset | ~care, variables, {}));
+        add(same_reset
+                ? same_pair(wanted_cdx, variables)
+                : different_pair(wanted_cdx, reset & care, reset | set | ~care, variables, factor));
         if (result_.fault == Fault::order) {
-            result_.equations.push_back(pair_of(own_, equation_text(equations_, whole_), expected,
-                                                got, got, false, variables, {}));
+            add(different_pair({own_, equation_text(equations_, whole_), expected}, got, got,
+                               variables, {}));
         }
     }
+    void add(EquationPair pair) { result_.equations.push_back(std::move(pair)); }
 
     const NetReader& reader_;
     Equations& equations_;
@@ -262,8 +282,10 @@ FunctionComparison compare_output(const NetReader& reader, const Equations& equa
     }
     const bool is_same = *result.got == *result.expected;
     if (!is_same) result.fault = Fault::equation;
-    result.equations.push_back(pair_of(name, text, *result.expected, *result.got, *result.got,
-                                       is_same, result.variables, {}));
+    const Wanted wanted{name, text, *result.expected};
+    result.equations.push_back(
+        is_same ? same_pair(wanted, result.variables)
+                : different_pair(wanted, *result.got, *result.got, result.variables, {}));
     return result;
 }
 

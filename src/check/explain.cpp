@@ -45,6 +45,10 @@ class Explaining {
         note_consequences();
         make_chain();
         find_cause();
+        // What follows from others comes after them.
+        std::stable_partition(parts_.begin(), parts_.end(), [](const Examined& examined) {
+            return examined.part.follows_from.empty();
+        });
         for (Examined& examined : parts_) result_.parts.push_back(std::move(examined.part));
         for (const NetId net : history_.oscillating) {
             if (reader_.driver(net) != no_cell) {
@@ -243,17 +247,23 @@ class Explaining {
         std::vector<std::size_t> found;
         const auto add = [&](const Examined& examined) {
             const auto change = last_change(examined.net);
-            if (change) {
-                found.push_back(*change);
-                return;
-            }
-            // It did not change: what should have made it.
+            // A value that was decided after its last change is wrong because it did not change.
+            const Time decided = examined.part.decided_at.value_or(-1) + witness_.stimuli.end;
+            const bool stays = !change || history_.changes[*change].at <= decided;
+            if (change) found.push_back(*change);
+            if (!stays) return;
+            // What should have made it.
+            const bool is_equation = examined.part.fault == Fault::equation;
             for (const Explanation::EquationPair& pair : examined.part.equations) {
+                if (is_equation && pair.is_same) continue;
                 for (const Explanation::Operand& operand : pair.operands) {
                     const auto v = examined.functions.variables.find(operand.name);
                     if (!v || examined.functions.variables[*v].net == no_net) continue;
                     const auto moved = last_change(examined.functions.variables[*v].net);
-                    if (moved) found.push_back(*moved);
+                    if (!moved) continue;
+                    const bool is_later =
+                        change && history_.changes[*moved].at > decided && examined.part.decided_at;
+                    if (!is_later) found.push_back(*moved);
                 }
             }
         };

@@ -25,7 +25,7 @@ namespace grafwire {
 
 namespace {
 
-constexpr std::size_t most_products = 24;
+constexpr std::size_t most_products = 8;  ///< of the operand of an edge
 
 bool is_gate_type(CellType type) {
     return type <= CellType::xor_gate;
@@ -231,7 +231,8 @@ std::string NetReader::text_of(NetId net) const {
     }
     if (variables.size() > 8 || !cone.loops.empty()) return {};
     const TruthTable table = function(cone, variables);
-    return sum_text(table, table, variables);
+    const auto sum = irredundant_sum(table, table, variables.size(), most_products);
+    return sum ? sum_text(*sum, variables) : std::string();
 }
 
 std::optional<FunctionVariable> NetReader::leaf(NetId net) const {
@@ -420,14 +421,11 @@ std::optional<TruthTable> function_of(const Equations& equations, ExprId id, boo
         });
 }
 
-std::string sum_text(const TruthTable& lower, const TruthTable& upper,
-                     const FunctionVariables& variables) {
-    if (lower.is(false)) return "0";
-    if (upper.is(true)) return "1";
-    const auto products = irredundant_sum(lower, upper, variables.size(), most_products);
-    if (!products) return {};
+std::string sum_text(const std::vector<Product>& sum, const FunctionVariables& variables) {
+    if (sum.empty()) return "0";
+    if (sum[0].plain == 0 && sum[0].negated == 0) return "1";
     std::string text;
-    for (const Product& product : *products) {
+    for (const Product& product : sum) {
         if (!text.empty()) text += " + ";
         bool is_first = true;
         for (std::size_t v = 0; v < variables.size(); ++v) {

@@ -103,8 +103,7 @@ std::optional<TruthTable> function_of(const Equations& equations, ExprId id, boo
 void add_variables(const Equations& equations, ExprId id, bool as_clocked,
                    FunctionVariables& variables);
 
-/// `X1.a + X2./b`; `0` and `1` for constants; empty where it would be too long.
-std::string sum_text(const TruthTable& lower, const TruthTable& upper,
-                     const FunctionVariables& variables);
+/// `X1.a + X2./b`; `0` and `1` for constants.
+std::string sum_text(const std::vector<Product>& sum, const FunctionVariables& variables);
 
 }  // namespace grafwire

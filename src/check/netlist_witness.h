@@ -18,11 +18,18 @@ namespace grafwire {
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli);
 
+/// How a witness is told.
+struct TellingOptions {
+    Language language = Language::english;
+    /// Of the way through the gates so many links, the last ones, with a hint that witness.txt has
+    /// the others; 0: all.
+    std::size_t most_links = 0;
+    std::string source;  ///< the file that the netlist was read from, if it was
+};
+
 /// The witness in words: what changes at the last instant, which transitions the reference clears,
-/// where the two sides part, and the explanation. `most_links`: of the way through the gates so
-/// many links, the last ones, with a hint that witness.txt has the others; 0: all.
+/// where the two sides part, and the explanation.
 std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
-                         const Explanation& explanation, Language language,
-                         std::size_t most_links = 0);
+                         const Explanation& explanation, const TellingOptions& options);
 
 }  // namespace grafwire

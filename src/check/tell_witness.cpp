@@ -26,18 +26,19 @@ char digit(Logic value) {
 class Telling {
   public:
     Telling(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
-            const Explanation& explanation, Language language)
+            const Explanation& explanation, const TellingOptions& options)
         : netlist_(netlist),
           witness_(witness),
           explanation_(explanation),
-          language_(language),
-          story_(grafcet, witness, language) {}
+          options_(options),
+          language_(options.language),
+          story_(grafcet, witness, options.language) {}
 
-    std::string make(std::size_t most_links) {
+    std::string make() {
         story_.tell_changes();
         story_.tell_reference();
         tell_parts();
-        tell_chain(most_links);
+        tell_chain();
         tell_oscillation();
         tell_cause();
         return story_.take();
@@ -136,8 +137,11 @@ class Telling {
                                    moment(*part.decided_at)));
         }
         if (!part.lines.empty()) {
-            story_.add(fmt::format("    {} {}\n", choose("its gates: line", "ses portes : ligne"),
-                                   ranges(part.lines)));
+            const std::string place = options_.source.empty() ? "" : options_.source + ", ";
+            story_.add(fmt::format(
+                "    {} {}{} {}\n", choose("its gates:", "ses portes :"), place,
+                part.lines.size() == 1 ? choose("line", "ligne") : choose("lines", "lignes"),
+                ranges(part.lines)));
         }
     }
 
@@ -173,7 +177,8 @@ class Telling {
         }
     }
 
-    void tell_chain(std::size_t most_links) {
+    void tell_chain() {
+        const std::size_t most_links = options_.most_links;
         story_.add(choose("How it came about, gate by gate:\n",
                           "Comment on en arrive là, porte par porte :\n"));
         const std::vector<Explanation::Link>& chain = explanation_.chain;
@@ -200,7 +205,9 @@ class Telling {
             line += cell_description(netlist_, link.cell, language_);
             const Origin& origin = netlist_.origin_of(netlist_.cells[link.cell]);
             if (origin.kind == Origin::Kind::other && origin.where.is_known()) {
-                line += fmt::format(" ({} {})", choose("line", "ligne"), origin.where.line);
+                line += options_.source.empty()
+                            ? fmt::format(" ({} {})", choose("line", "ligne"), origin.where.line)
+                            : fmt::format(" ({}:{})", options_.source, origin.where.line);
             }
         }
         line += fmt::format(" {}", verb_of(link.value));
@@ -208,6 +215,8 @@ class Telling {
             line += fmt::format(", {} {}", choose("after", "après"), fmt::join(link.causes, ", "));
         } else if (link.cell != no_cell && is_timer(netlist_.cells[link.cell].type)) {
             line += choose(", its delay has ended", ", son retard est écoulé");
+        } else if (link.cell != no_cell) {
+            line += choose(", from the start", ", dès le départ");
         }
         story_.add(line + "\n");
     }
@@ -238,6 +247,7 @@ class Telling {
     const Netlist& netlist_;
     const Witness& witness_;
     const Explanation& explanation_;
+    const TellingOptions& options_;
     Language language_;
     Story story_;
 };
@@ -245,9 +255,8 @@ class Telling {
 }  // namespace
 
 std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
-                         const Explanation& explanation, Language language,
-                         std::size_t most_links) {
-    return Telling(grafcet, netlist, witness, explanation, language).make(most_links);
+                         const Explanation& explanation, const TellingOptions& options) {
+    return Telling(grafcet, netlist, witness, explanation, options).make();
 }
 
 }  // namespace grafwire

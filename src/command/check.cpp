@@ -78,7 +78,8 @@ int report(const CheckRequest& request, const LoadedGrafcet& loaded, const Netli
     if (result.witness) {
         const Explanation explanation = explain(loaded.grafcet, netlist, delays, *result.witness);
         const auto tell = [&](Language in, std::size_t links) {
-            return tell_witness(loaded.grafcet, netlist, *result.witness, explanation, in, links);
+            return tell_witness(loaded.grafcet, netlist, *result.witness, explanation,
+                                {in, links, request.against});
         };
         told.text = tell(language, most_links);
         if (explanation.cause) told.cause = identifier_of(explanation.cause->kind);
