@@ -171,30 +171,34 @@ class StepComparison {
         const TruthTable cdx = *function_of(equations_, table_.cdx, is_clocked_, variables);
         result_.cax = cax;
         result_.cdx = cdx;
-        const TruthTable x = TruthTable::variable(variables.size(), 0);
-        // Where nothing acts from outside the memory.
-        const TruthTable inside = ~(expected ^ (cax | (~cdx & x)));
-        const TruthTable care = inside.with(0, false) & inside.with(0, true);
+        const TruthTable care = ~acts_outside();
         const TruthTable wrong = got ^ expected;
         const TruthTable set = got.with(0, false);
         const TruthTable reset = ~got.with(0, true);
         const TruthTable both = cax & cdx;
+        // Whether X becomes 0 wherever both are 1.
+        const bool reset_wins = (got & care & both).is(false);
         if (!wrong.is(false)) {
-            result_.fault = (wrong & care).is(false)           ? Fault::order
-                            : (wrong & care & ~both).is(false) ? Fault::priority
-                                                               : Fault::equation;
+            result_.fault = (wrong & care).is(false)                         ? Fault::order
+                            : (wrong & care & ~both).is(false) && reset_wins ? Fault::priority
+                                                                             : Fault::equation;
         }
         const bool is_equation = result_.fault == Fault::equation;
         const TruthTable should_set = cax.with(0, false);
         const TruthTable should_reset = cdx.with(0, true);
-        const bool same_set = !is_equation || ((set ^ should_set) & care & ~should_reset).is(false);
-        const bool same_reset =
-            !is_equation || ((reset ^ should_reset) & care & ~should_set).is(false);
+        const TruthTable wrong_set = (set ^ should_set) & care;
+        const TruthTable wrong_reset = (reset ^ should_reset) & care & ~should_set;
+        // Of CAX only that part is certain in which CDX is 0, unless nothing else is wrong.
+        const bool has_certain = !(wrong_set & ~should_reset).is(false) || !wrong_reset.is(false);
+        const TruthTable open_set = has_certain ? reset | ~care : ~care;
+        const bool same_set =
+            !is_equation || (has_certain ? wrong_set & ~should_reset : wrong_set).is(false);
+        const bool same_reset = !is_equation || wrong_reset.is(false);
         const std::string factor = cdx.depends_on(0) ? own_ : std::string();
         const Wanted wanted_cax{"CAX" + name_, equation_text(equations_, table_.cax), should_set};
         const Wanted wanted_cdx{"CDX" + name_, equation_text(equations_, table_.cdx), should_reset};
         add(same_set ? same_pair(wanted_cax, variables)
-                     : different_pair(wanted_cax, set & care, set | reset | ~care, variables, {}));
+                     : different_pair(wanted_cax, set & care, set | open_set, variables, {}));
         add(same_reset
                 ? same_pair(wanted_cdx, variables)
                 : different_pair(wanted_cdx, reset & care, reset | set | ~care, variables, factor));
@@ -202,6 +206,23 @@ class StepComparison {
             add(different_pair({own_, equation_text(equations_, whole_), expected}, got, got,
                                variables, {}));
         }
+    }
+    /// Where AUdur, orders or the enclosing step act on X past CAX and CDX.
+    TruthTable acts_outside() const {
+        const FunctionVariables& variables = result_.variables;
+        const StepEquation& parts = equations_.steps[step_];
+        TruthTable acts(variables.size(), false);
+        for (const ExprId part : {parts.forced_off, parts.forced_on, parts.link}) {
+            if (part != no_expr) acts |= *function_of(equations_, part, is_clocked_, variables);
+        }
+        if (parts.enclosing != no_expr) {
+            acts |= ~*function_of(equations_, parts.enclosing, is_clocked_, variables);
+        }
+        const auto au_dur = variables.find("AUdur");
+        if (equations_.options.modes && au_dur) {
+            acts |= TruthTable::variable(variables.size(), *au_dur);
+        }
+        return acts;
     }
     void add(EquationPair pair) { result_.equations.push_back(std::move(pair)); }
 
