@@ -35,9 +35,11 @@ class CauseSearch {
     std::optional<Cause> find() const {
         if (facts_.has_wrong_output) return std::nullopt;
         for (const WrongStep& step : facts_.steps) {
-            if (!step.is_decided) continue;
-            if (step.comparison.fault != Fault::priority) return std::nullopt;
-            return Cause{CauseKind::reset_priority, name_of(step.step), {}, {}};
+            const Fault fault = step.comparison.fault;
+            if (fault == Fault::equation || fault == Fault::order) return std::nullopt;
+            if (fault == Fault::priority && step.is_decided) {
+                return Cause{CauseKind::reset_priority, name_of(step.step), {}, {}};
+            }
         }
         using Search = std::optional<Cause> (CauseSearch::*)(const WrongStep&) const;
         constexpr Search searches[] = {&CauseSearch::step_loop, &CauseSearch::two_tokens,

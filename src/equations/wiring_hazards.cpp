@@ -177,6 +177,10 @@ class HazardSearch {
     void find_loop(StepId step, TransitionId out) {
         const auto after = grafcet_.following(grafcet_.transitions[out]);
         if (after.empty()) return;
+        if (after.size() == 1 && after[0] == step) {
+            hazards_.push_back({WiringHazard::Kind::step_loop, step, out, out, no_expr});
+            return;
+        }
         const auto into = links_.into_step(step);
         const auto away = links_.out_of_step(after.front());
         for (const TransitionId back : into.size() <= away.size() ? into : away) {
