@@ -61,8 +61,8 @@ constexpr CauseRow rows[] = {
      "the step stays active.",
      "CAX et CDX de {0} valent 1 ensemble, et dans cette mémoire la désactivation l'emporte. "
      "D'après la règle 5 du GRAFCET, l'étape reste active.",
-     "Use a memory in which activation wins (styles nand and gates).",
-     "Choisir une mémoire à activation prioritaire (styles nand et gates)."},
+     "Use a memory in which activation wins (style nand).",
+     "Choisir une mémoire à activation prioritaire (style nand)."},
     {CauseKind::set_and_reset, "set-and-reset",
      "CAX and CDX of {0} are 1 together and fall together. The gates of its memory are then let go "
      "at the same moment, and which state it falls into depends on their delays.",
