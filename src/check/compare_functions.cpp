@@ -31,6 +31,13 @@ void add_leaves(const Cone& cone, FunctionVariables& variables) {
     for (const NetId net : cone.leaf_order) variables.add(cone.leaves.at(net));
 }
 
+void note_gates(const Cone& cone, FunctionComparison& comparison) {
+    comparison.gates = cone.inner;
+    for (const NetId net : cone.leaf_order) {
+        comparison.reads.push_back(cone.leaves.at(net).name);
+    }
+}
+
 /// Whether what the equations and the gates speak of can be brought together: not where the gates
 /// look at a memory that the GRAFCET has no name for, or where they make something that the
 /// equations name (an edge, say) out of their own delays, which no function shows.
@@ -109,7 +116,7 @@ class StepComparison {
         const NetId net = reader_.ports().steps[index_of(step_)];
         Cone cone;
         if (net != no_net) cone = reader_.cone_of(net, true);
-        result_.gates = cone.inner;
+        note_gates(cone, result_);
         FunctionVariables& variables = result_.variables;
         variables.add({own_, net, false, false, false});
         for (const ExprId id : {table_.cax, table_.cdx, whole_}) {
@@ -272,10 +279,11 @@ FunctionComparison compare_output(const NetReader& reader, const Equations& equa
     if (net == no_net) return result;
     const bool is_stored = equations.grafcet->outputs[output].stored;
     const Cone cone = reader.cone_of(net, is_stored);
-    result.gates = cone.inner;
+    note_gates(cone, result);
     const auto equation = std::find_if(equations.outputs.begin(), equations.outputs.end(),
                                        [&](const OutputEquation& e) { return e.output == output; });
     if (is_stored || equation == equations.outputs.end()) {
+        add_leaves(cone, result.variables);
         result.fault = Fault::unread;
         return result;
     }

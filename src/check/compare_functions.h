@@ -19,6 +19,7 @@ struct FunctionComparison {
     std::optional<TruthTable> cdx;
     std::vector<Explanation::EquationPair> equations;  ///< operands without values
     std::vector<NetId> gates;                          ///< that make it in the netlist
+    std::vector<std::string> reads;                    ///< what these depend on, by name
 };
 
 /// The value of a variable, given those of all nets; unknown where the netlist does not have it.

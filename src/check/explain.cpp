@@ -201,6 +201,10 @@ class Explaining {
                 operand.value = value_at(functions, operand.name, decisive);
             }
         }
+        if (examined.part.fault != Fault::unread) return;
+        for (const std::string& name : functions.reads) {
+            examined.part.reads.push_back({name, value_at(functions, name, decisive)});
+        }
     }
     static Logic logic(bool value) { return value ? Logic::one : Logic::zero; }
     Logic value_at(const FunctionComparison& functions, const std::string& name,

@@ -48,6 +48,7 @@ struct Explanation {
         /// A fault that is seen in the values at this moment, counted from the instant.
         std::optional<Time> decided_at;
         std::vector<EquationPair> equations;
+        std::vector<Operand> reads;             ///< fault unread: what its gates depend on
         std::vector<std::string> follows_from;  ///< other parts that are wrong and that it reads
         std::vector<std::uint32_t> lines;       ///< of a netlist from a file: where its gates stand
     };

@@ -125,8 +125,12 @@ class Telling {
                            "la désactivation l'emporte\n"));
                 break;
             case Fault::unread:
-                story_.add(choose("    what the gates make of it cannot be written as equations\n",
-                                  "    ce qu'en font les portes ne s'écrit pas en équations\n"));
+                story_.add(choose("    what the gates make of it cannot be compared; they read",
+                                  "    ce qu'en font les portes ne se compare pas ; elles lisent"));
+                for (const Explanation::Operand& operand : part.reads) {
+                    story_.add(fmt::format(" {}={}", operand.name, digit(operand.value)));
+                }
+                story_.add("\n");
                 break;
             case Fault::equation:
             case Fault::order:
