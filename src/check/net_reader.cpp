@@ -246,63 +246,76 @@ std::optional<FunctionVariable> NetReader::leaf(NetId net) const {
     return FunctionVariable{std::string(netlist_.names[net]), net, false, true, true};
 }
 
-Cone NetReader::cone_of(NetId root, bool as_memory) const {
-    Cone cone;
-    // Through what only passes an X on, to where it is made.
-    const auto own = named_.find(root);
-    const std::string own_name =
-        as_memory && own != named_.end() ? own->second.name : std::string();
-    enum class Mark : std::uint8_t { open, done };
-    std::unordered_map<NetId, Mark> marks;
+/// The walk back from a net. On the way from the port of an X to where it is made, and into the
+/// other half of its own latch, it goes on; it ends where it comes back.
+class NetReader::Walk {
+  public:
+    Walk(const NetReader& reader, std::string own) : reader_(reader), own_(std::move(own)) {}
+
+    Cone from(NetId root) {
+        visit(root);
+        while (!stack_.empty()) {
+            const NetId net = stack_.back().net;
+            const std::size_t next = stack_.back().next_pin++;
+            const Cell& cell = reader_.netlist_.cells[reader_.drivers_[net]];
+            const auto pins = reader_.netlist_.pins_of(cell);
+            if (next < pins_read(cell)) {
+                visit(next < pins.size() ? pins[next] : net);
+                continue;
+            }
+            is_open_[net] = false;
+            cone_.inner.push_back(net);
+            stack_.pop_back();
+        }
+        return std::move(cone_);
+    }
+
+  private:
+    /// Of a flip-flop the data alone; of a latch what it holds as well.
+    static std::size_t pins_read(const Cell& cell) {
+        if (cell.type == CellType::flip_flop) return 1;
+        const bool holds = cell.type == CellType::latch || cell.type == CellType::hold_latch;
+        return holds ? 3 : cell.pin_count;
+    }
+    void visit(NetId net) {
+        const auto known = is_open_.find(net);
+        if (known != is_open_.end()) {
+            if (known->second) cut(net);
+            return;
+        }
+        const auto variable = reader_.leaf(net);
+        const bool is_own = variable && !own_.empty() && variable->name == own_;
+        if (variable && (!is_own || reader_.drivers_[net] == no_cell)) {
+            return add_leaf(net, *variable);
+        }
+        is_open_[net] = true;
+        stack_.push_back({net, 0});
+    }
+    /// A net the walk is on: what it was before.
+    void cut(NetId net) {
+        const auto named = reader_.named_.find(net);
+        if (named != reader_.named_.end()) return add_leaf(net, named->second);
+        add_leaf(net, {std::string(reader_.netlist_.names[net]), net, false, true, true});
+        cone_.loops.push_back(net);
+    }
+    void add_leaf(NetId net, const FunctionVariable& variable) {
+        if (cone_.leaves.emplace(net, variable).second) cone_.leaf_order.push_back(net);
+    }
+
     struct Frame {
         NetId net;
         std::size_t next_pin;
     };
-    std::vector<Frame> stack;
-    const auto add_leaf = [&](NetId net, FunctionVariable variable) {
-        if (cone.leaves.emplace(net, std::move(variable)).second) cone.leaf_order.push_back(net);
-    };
-    // On the way from the port to where the X is made, and into the other half of its own latch,
-    // the walk goes on; it ends where it comes back.
-    const auto visit = [&](NetId net) {
-        if (marks.contains(net)) {
-            if (marks.at(net) == Mark::open) {
-                const auto known = named_.find(net);
-                const bool is_known = known != named_.end();
-                add_leaf(net, is_known ? known->second
-                                       : FunctionVariable{std::string(netlist_.names[net]), net,
-                                                          false, true, true});
-                if (!is_known) cone.loops.push_back(net);
-            }
-            return;
-        }
-        const auto variable = leaf(net);
-        const bool is_own = variable && !own_name.empty() && variable->name == own_name;
-        const CellId driver = drivers_[net];
-        if (variable && (!is_own || driver == no_cell)) return add_leaf(net, *variable);
-        marks[net] = Mark::open;
-        stack.push_back({net, 0});
-    };
-    visit(root);
-    while (!stack.empty()) {
-        Frame& frame = stack.back();
-        const Cell& cell = netlist_.cells[drivers_[frame.net]];
-        const auto pins = netlist_.pins_of(cell);
-        // Of a flip-flop the data alone; of a latch what it holds as well.
-        const std::size_t count =
-            cell.type == CellType::flip_flop                                    ? 1
-            : cell.type == CellType::latch || cell.type == CellType::hold_latch ? 3
-                                                                                : pins.size();
-        if (frame.next_pin < count) {
-            const std::size_t pin = frame.next_pin++;
-            visit(pin < pins.size() ? pins[pin] : frame.net);
-            continue;
-        }
-        marks[frame.net] = Mark::done;
-        cone.inner.push_back(frame.net);
-        stack.pop_back();
-    }
-    return cone;
+    const NetReader& reader_;
+    std::string own_;  ///< the name of the X whose memory is read, or empty
+    std::vector<Frame> stack_;
+    std::unordered_map<NetId, bool> is_open_;  ///< of the gates met: whether the walk is on them
+    Cone cone_;
+};
+
+Cone NetReader::cone_of(NetId net, bool as_memory) const {
+    const auto own = named_.find(net);
+    return Walk(*this, as_memory && own != named_.end() ? own->second.name : "").from(net);
 }
 
 TruthTable NetReader::value_of(const Cell& cell, const std::unordered_map<NetId, TruthTable>& known,

@@ -75,6 +75,7 @@ class NetReader {
     CellId driver(NetId net) const { return drivers_[net]; }
 
   private:
+    class Walk;
     void name_port(NetId net, Variable variable);
     void name_step(std::size_t index);
     void name_complements();
