@@ -24,8 +24,8 @@ struct WiringHazard {
     Kind kind = Kind::step_loop;
     StepId step{};
     TransitionId out{};
-    TransitionId back{};     ///< of two_tokens without meaning
-    ExprId edge = no_expr;   ///< repeated_edge: in the pool of the GRAFCET
+    TransitionId back{};    ///< of two_tokens without meaning
+    ExprId edge = no_expr;  ///< repeated_edge: in the pool of the GRAFCET
 };
 
 /// All of them, by kind, then in the order of the steps.
