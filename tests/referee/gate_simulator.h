@@ -36,6 +36,8 @@ class GateSimulator {
     Time next_end() const;
     /// X of every step, then the outputs.
     std::vector<bool> shown() const;
+    /// Of every net.
+    std::vector<bool> values() const { return {state_.values.begin(), state_.values.end()}; }
 
   private:
     /// All that the next tick depends on.

@@ -66,6 +66,19 @@ std::vector<bool> ReferenceRun::shown(const InputValues& inputs) const {
     return values;
 }
 
+std::string differences(const Grafcet& grafcet, const std::vector<bool>& expected,
+                        const std::vector<bool>& got) {
+    const std::size_t steps = grafcet.steps.size();
+    std::string text;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (expected[i] == got[i]) continue;
+        const std::string name = i < steps ? "X" + grafcet.steps.items()[i].name
+                                           : grafcet.outputs.items()[i - steps].name;
+        text += " " + name + (got[i] ? " is 1, not 0" : " is 0, not 1");
+    }
+    return text;
+}
+
 // Both.
 
 bool PairRun::start(const InputValues& inputs, const std::vector<bool>& power_up) {
@@ -90,18 +103,7 @@ Comparison PairRun::scan(Time now, const InputValues& inputs) {
 }
 
 std::string PairRun::difference(const InputValues& inputs) const {
-    const std::vector<bool> expected = reference_.shown(inputs);
-    const std::vector<bool> got = gates_.shown();
-    std::string text;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (expected[i] == got[i]) continue;
-        const std::size_t steps = grafcet_.steps.size();
-        text += " " +
-                (i < steps ? "X" + grafcet_.steps.items()[i].name
-                           : grafcet_.outputs.items()[i - steps].name) +
-                (got[i] ? " is 1, not 0" : " is 0, not 1");
-    }
-    return text;
+    return differences(grafcet_, reference_.shown(inputs), gates_.shown());
 }
 
 std::optional<std::string> replayed(const Grafcet& grafcet, const Netlist& netlist,

@@ -34,6 +34,10 @@ class ReferenceRun {
     NaiveState plain_state_;
 };
 
+/// In words where two lists of X and outputs differ: " X1 is 0, not 1".
+std::string differences(const Grafcet& grafcet, const std::vector<bool>& expected,
+                        const std::vector<bool>& got);
+
 /// How reference and netlist compare at the end of an instant or scan.
 enum class Comparison { alike, differ, unsettled, unstable };
 

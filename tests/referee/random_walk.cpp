@@ -50,19 +50,32 @@ bool RandomInputs::change(Changes changes) {
     return false;
 }
 
+Stimuli::Change change_between(const InputValues& before, const InputValues& after, Time at) {
+    Stimuli::Change change;
+    change.at = at;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (after[i] == before[i]) continue;
+        change.assignments.push_back({static_cast<std::uint32_t>(i), after[i] != 0});
+    }
+    return change;
+}
+
 namespace {
 
 class Walker {
   public:
     Walker(const Grafcet& grafcet, const Netlist& netlist, Changes changes, RandomSource& random)
-        : changes_(changes),
+        : grafcet_(grafcet),
+          netlist_(netlist),
+          changes_(changes),
           random_(random),
           pair_(grafcet, netlist, random.one_in(4)),
           inputs_(grafcet, random, netlist.has_modes) {}
 
-    Walk make(const std::vector<bool>& power_up, Time scan_period, std::size_t length) {
+    Walk make(Time scan_period, std::size_t length) {
         walk_.scan_period = scan_period;
         if (!inputs_.begin()) return walk_;
+        const auto power_up = random_power_up(grafcet_, netlist_, inputs_.values(), random_);
         note_change(InputValues(inputs_.values().size(), 0));
         if (!pair_.start(inputs_.values(), power_up)) {
             walk_.contradiction = "does not settle at power-up";
@@ -76,15 +89,8 @@ class Walker {
     }
 
   private:
-    /// The assignments of this moment: whatever is no longer as before.
     void note_change(const InputValues& before) {
-        Stimuli::Change change;
-        change.at = now_;
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            if (inputs_.values()[i] == before[i]) continue;
-            change.assignments.push_back({static_cast<std::uint32_t>(i), before[i] == 0});
-        }
-        walk_.stimuli.changes.push_back(std::move(change));
+        walk_.stimuli.changes.push_back(change_between(before, inputs_.values(), now_));
     }
 
     bool change_inputs() {
@@ -148,6 +154,8 @@ class Walker {
         return comparison == Comparison::alike;
     }
 
+    const Grafcet& grafcet_;
+    const Netlist& netlist_;
     Changes changes_;
     RandomSource& random_;
     PairRun pair_;
@@ -160,8 +168,7 @@ class Walker {
 
 Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Changes changes, Time scan_period,
                  RandomSource& random, std::size_t length) {
-    const std::vector<bool> power_up = random_power_up(netlist, random);
-    return Walker(grafcet, netlist, changes, random).make(power_up, scan_period, length);
+    return Walker(grafcet, netlist, changes, random).make(scan_period, length);
 }
 
 Time random_period(const Grafcet& grafcet, RandomSource& random) {
@@ -177,9 +184,18 @@ Time random_period(const Grafcet& grafcet, RandomSource& random) {
     return std::max(part / microsecond * microsecond, microsecond);
 }
 
-std::vector<bool> random_power_up(const Netlist& netlist, RandomSource& random) {
+std::vector<bool> random_power_up(const Grafcet& grafcet, const Netlist& netlist,
+                                  const InputValues& inputs, RandomSource& random) {
     std::vector<bool> values(netlist.net_count());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = random.flip();
+    if (random.flip()) return values;
+    GateSimulator gates(grafcet, netlist);
+    gates.start(inputs, values);
+    values = gates.values();
+    const std::size_t one_in = random.between(2, 16);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (random.one_in(one_in)) values[i] = !values[i];
+    }
     return values;
 }
 

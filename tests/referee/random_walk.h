@@ -40,6 +40,9 @@ class RandomInputs {
     InputValues values_;
 };
 
+/// The line of stimuli that leads from some values to others.
+Stimuli::Change change_between(const InputValues& before, const InputValues& after, Time at);
+
 /// A run of reference and netlist beside each other, and how far they agreed.
 struct Walk {
     Stimuli stimuli;
@@ -55,7 +58,9 @@ Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Changes changes
 /// A period that fits the delays of the GRAFCET in some way or other.
 Time random_period(const Grafcet& grafcet, RandomSource& random);
 
-/// What nets without an initial value may hold at power-up.
-std::vector<bool> random_power_up(const Netlist& netlist, RandomSource& random);
+/// What nets without an initial value may hold at power-up: anything at all, or what they come to
+/// by themselves but for some of them (so that a memory can keep what is random in it).
+std::vector<bool> random_power_up(const Grafcet& grafcet, const Netlist& netlist,
+                                  const InputValues& inputs, RandomSource& random);
 
 }  // namespace grafwire::testing
