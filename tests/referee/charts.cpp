@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "random/random_grafcet.h"
 
@@ -42,6 +43,32 @@ std::string chart_of(std::uint64_t seed) {
     }
     RandomSource random(seed);
     return random_grafcet(random, features);
+}
+
+std::string altered(const std::string& chart, RandomSource& random) {
+    std::vector<std::string> lines;
+    std::vector<std::size_t> transitions;
+    std::istringstream text(chart);
+    for (std::string line; std::getline(text, line);) {
+        if (line.find("->") != std::string::npos) transitions.push_back(lines.size());
+        lines.push_back(line);
+    }
+    if (transitions.empty()) return chart;
+    std::string& line = lines[random.pick(transitions)];
+    std::string& other = lines[random.pick(transitions)];
+    const std::size_t at = line.find(" : ");
+    const std::size_t other_at = other.find(" : ");
+    if (random.flip() && &line != &other && at != std::string::npos &&
+        other_at != std::string::npos) {
+        const std::string condition = line.substr(at);
+        line.replace(at, std::string::npos, other.substr(other_at));
+        other.replace(other_at, std::string::npos, condition);
+    } else {
+        line.clear();
+    }
+    std::string result;
+    for (const std::string& part : lines) result += part + "\n";
+    return result;
 }
 
 }  // namespace grafwire::testing

@@ -1,7 +1,8 @@
 #include "referee/graft.h"
 
-#include <algorithm>
 #include <vector>
+
+#include "referee/foreign_cells.h"
 
 namespace grafwire::testing {
 
@@ -10,7 +11,11 @@ namespace {
 class Graft {
   public:
     Graft(Netlist& netlist, RandomSource& random, std::string& told)
-        : netlist_(netlist), random_(random), told_(told), old_nets_(netlist.net_count()) {}
+        : netlist_(netlist),
+          cells_(netlist),
+          random_(random),
+          told_(told),
+          old_nets_(netlist.net_count()) {}
 
     void make() {
         if (random_.one_in(4) && change_length()) return;
@@ -26,12 +31,9 @@ class Graft {
         const CellType type = netlist_.cells[id].type;
         const bool by_one = type == CellType::or_gate || type == CellType::nor_gate;
         const NetId pin = by_one ? foreign : add(CellType::inverter, {foreign});
-        Cell& gate = netlist_.cells[id];
-        told_ += "; one more pin of " + name(gate.output);
-        const auto old = netlist_.pins_of(gate);
-        std::vector<NetId> pins(old.begin(), old.end());
-        pins.push_back(pin);
-        set_pins(gate, pins);
+        const NetId driven = netlist_.cells[id].output;
+        cells_.lead_to(pin, driven);
+        told_ += "; one more pin of " + name(driven);
     }
 
   private:
@@ -66,35 +68,45 @@ class Graft {
         return true;
     }
 
-    /// Something that depends on this and that.
+    /// Something that depends on this and that; or pulses that meet only if several things happen
+    /// at the right distance.
     NetId rare_signal() {
         std::vector<NetId> parts;
-        for (std::size_t count = random_.between(1, 3); count != 0; --count) {
-            NetId part = random_.flip() ? remembering(any_net()) : any_net();
-            if (random_.one_in(3)) part = add(CellType::inverter, {part});
+        const bool is_meeting = !netlist_.is_clocked() && random_.one_in(3);
+        for (std::size_t count = random_.between(is_meeting ? 2 : 1, 3); count != 0; --count) {
+            NetId part = is_meeting || random_.flip() ? remembering(any_net()) : any_net();
+            if (!is_meeting && random_.one_in(3)) part = add(CellType::inverter, {part});
             for (std::size_t more = random_.flip() ? 0 : random_.below(6); more != 0; --more) {
                 part = add(CellType::buffer, {part});
             }
             parts.push_back(part);
         }
+        if (is_meeting) parts.push_back(random_.pick(netlist_.outputs).net);
         return parts.size() == 1 ? parts[0] : add(CellType::and_gate, parts);
     }
 
     NetId remembering(NetId net) {
         if (netlist_.is_clocked()) {
-            const NetId stored = add(CellType::flip_flop, {net, netlist_.clock}, Logic::zero);
+            const NetId stored = add(CellType::flip_flop, {net, netlist_.clock});
             return random_.flip() ? stored : add(CellType::xor_gate, {net, stored});
         }
         switch (random_.below(5)) {
             case 0:
-                return add(CellType::latch, {net, any_net()}, Logic::zero);
+                return add(CellType::latch, {net, any_net()});
             case 1:
-                return add(CellType::hold_latch, {net, any_net()}, Logic::zero);
+                return add(CellType::hold_latch, {net, any_net()});
             case 2:
-                return add(CellType::and_gate, {net, add(CellType::inverter, {delayed(net)})});
+                return hazard(net);
             default:
-                return add(random_.flip() ? CellType::rise_pulse : CellType::fall_pulse, {net});
+                return pulse(random_.one_in(3) ? hazard(net) : net);
         }
+    }
+    NetId pulse(NetId net) {
+        return add(random_.flip() ? CellType::rise_pulse : CellType::fall_pulse, {net});
+    }
+    /// 1 for a few gate delays after each rise.
+    NetId hazard(NetId net) {
+        return add(CellType::and_gate, {net, add(CellType::inverter, {delayed(net)})});
     }
     NetId delayed(NetId net) {
         for (std::size_t count = random_.between(1, 4); count != 0; --count) {
@@ -108,38 +120,26 @@ class Graft {
             // Inputs and X are where things begin.
             NetId net = static_cast<NetId>(random_.below(old_nets_));
             if (random_.flip()) {
-                const auto& ports = random_.flip() ? netlist_.inputs : netlist_.outputs;
+                const bool is_input = random_.flip() && !netlist_.inputs.empty();
+                const auto& ports = is_input ? netlist_.inputs : netlist_.outputs;
                 net = random_.pick(ports).net;
             }
             if (net != netlist_.clock) return net;
         }
     }
 
-    NetId add(CellType type, const std::vector<NetId>& pins, Logic initial = Logic::unknown) {
-        Cell cell;
-        cell.type = type;
-        cell.initial = initial;
-        cell.output = netlist_.names.add("graft$" + std::to_string(netlist_.net_count()));
-        if (row_of(type).has_timing) {
-            cell.timing = static_cast<std::uint32_t>(netlist_.timings.size());
-            netlist_.timings.push_back({0, static_cast<Time>(random_.between(1, 5)) * nanosecond});
-        }
-        set_pins(cell, pins);
-        netlist_.cells.add(cell);
-        ++netlist_.modules.back().cell_count;
-        told_ += (told_.empty() ? "" : "; ") + name(cell.output) + " = " +
-                 std::string(row_of(type).name);
+    NetId add(CellType type, const std::vector<NetId>& pins) {
+        const Time width = static_cast<Time>(random_.between(1, 5)) * nanosecond;
+        const NetId net = cells_.add(type, pins, width);
+        told_ += (told_.empty() ? "" : "; ") + name(net) + " = " + std::string(row_of(type).name);
+        if (row_of(type).has_timing) told_ += " of " + format_duration(width);
         for (const NetId pin : pins) told_ += " " + name(pin);
-        return cell.output;
-    }
-    void set_pins(Cell& cell, const std::vector<NetId>& pins) {
-        cell.first_pin = static_cast<std::uint32_t>(netlist_.pins.size());
-        cell.pin_count = static_cast<std::uint32_t>(pins.size());
-        netlist_.pins.insert(netlist_.pins.end(), pins.begin(), pins.end());
+        return net;
     }
     std::string name(NetId net) const { return std::string(netlist_.names[net]); }
 
     Netlist& netlist_;
+    ForeignCells cells_;
     RandomSource& random_;
     std::string& told_;
     std::size_t old_nets_;
