@@ -165,7 +165,7 @@ void judge_all(Judge judge_one, const char* name, std::uint64_t first_seed) {
     Counts wrong;
     for (const auto& [example, chart] : example_charts())
         judge_one(chart, 3, true, 4, right, wrong);
-    const std::size_t charts = case_count(40);
+    const std::size_t charts = case_count(150);
     for (std::uint64_t seed = first_seed; seed < first_seed + charts; ++seed) {
         judge_one(chart_of(seed), seed, seed % 3 != 0, 4, right, wrong);
     }
