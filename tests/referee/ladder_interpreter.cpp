@@ -40,7 +40,7 @@ std::vector<bool> LadderInterpreter::shown() const {
     std::vector<bool> values;
     const auto add = [&](const std::string& name) {
         const std::size_t variable = variable_named(name);
-        REQUIRE_MESSAGE(variable < ladder_.variables.size(), name);
+        if (variable == ladder_.variables.size()) FAIL("no variable " << name);
         values.push_back(bits_[variable]);
     };
     for (const Step& step : grafcet_.steps) add("X" + step.name);

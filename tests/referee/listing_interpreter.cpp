@@ -66,7 +66,7 @@ std::vector<bool> ListingInterpreter::shown() const {
     std::vector<bool> values;
     const auto add = [&](const std::string& name) {
         const Operand* operand = assignment_.operand_of(name);
-        REQUIRE_MESSAGE(operand != nullptr, name);
+        if (operand == nullptr) FAIL("no address for " << name);
         values.push_back(bit(*operand));
     };
     for (const Step& step : grafcet_.steps) add("X" + step.name);
@@ -88,7 +88,7 @@ void ListingInterpreter::scan(Time now, const InputValues& inputs) {
     calls_.clear();
     std::size_t executed = 0;
     for (std::size_t at = 0; at < code_.size(); at = execute(at)) {
-        REQUIRE_MESSAGE(++executed <= most_instructions, "a scan that does not end");
+        if (++executed > most_instructions) FAIL("a scan that does not end");
     }
     is_first_ = false;
     last_scan_ = now;
