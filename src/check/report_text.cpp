@@ -254,25 +254,25 @@ void TextReport::tell_together() {
 }
 
 void TextReport::tell_not_together(const Together& together) {
-    add("\nRemark: it does not hold when many inputs change at once.",
-        "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.");
+    add("\nRemark: it does not hold when many inputs change at once.\n",
+        "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n");
     std::vector<std::string> names;
-    for (const std::uint32_t input : together.inputs)
+    for (const std::uint32_t input : together.inputs) {
         names.emplace_back(input_name(grafcet_, input));
+    }
     if (names.empty()) {
-        add(" For instance:\n", " Par exemple :\n");
+        add("For instance:\n", "Par exemple :\n");
     } else {
         text_ += fmt::format(
             fmt::runtime(
                 together.with_delay
-                    ? choose(
-                          " {} must not change within a settling time of the end of a delay. "
-                          "Otherwise:\n",
-                          " {} ne doit pas changer à moins d'un temps de stabilisation de la fin "
-                          "d'un retard. Sinon :\n")
-                    : choose(" These must not change within a settling time of each other: {}. "
+                    ? choose("{} must not change within a settling time of the end of a delay. "
                              "Otherwise:\n",
-                             " Ces entrées ne doivent pas changer à moins d'un temps de "
+                             "{} ne doit pas changer à moins d'un temps de stabilisation de la fin "
+                             "d'un retard. Sinon :\n")
+                    : choose("These must not change within a settling time of each other: {}. "
+                             "Otherwise:\n",
+                             "Ces entrées ne doivent pas changer à moins d'un temps de "
                              "stabilisation d'intervalle : {}. Sinon :\n")),
             names_text(names));
     }

@@ -58,7 +58,7 @@ TEST_CASE("the netlist that was written, read back") {
             const Ran ran = check_against(file);
             CHECK(ran.status == 0);
             CHECK(ran.err.empty());
-            CHECK(contains(ran.out, ": equivalent (style " + file));
+            CHECK(contains(ran.out, ": equivalent (netlist " + file));
         }
     }
 }
@@ -72,7 +72,7 @@ TEST_CASE("a wiring by hand: a good one, and one with a slip") {
     const std::string slip = folder.file("slip.blif", students_wiring("X1"));
     const Ran wrong = check_against(slip);
     CHECK(wrong.status == 1);
-    CHECK(contains(wrong.out, ": different (style " + slip));
+    CHECK(contains(wrong.out, ": different (netlist " + slip));
     CHECK(contains(wrong.out, "\nWitness:\n"));
     // Its witness replays on the same netlist.
     const Ran with_files =

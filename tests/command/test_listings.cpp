@@ -84,7 +84,7 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
     CHECK(good.status == 0);
     CHECK(good.err.empty());
     CHECK(contains(good.out, "manipulator.grafcet: equivalent (program "));
-    CHECK(contains(good.out, "a scan every 100ms)"));
+    CHECK(contains(good.out, "  scan period: 100ms; "));
     const ScratchFolder folder;
     const Ran bad = grafwire_with({"check", chart, "--against", listing("manipulator.printed.awl"),
                                    "--io", listing("manipulator.io"), "--scan", "500ms",
