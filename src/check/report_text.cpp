@@ -297,14 +297,14 @@ void TextReport::tell_kind(const Witness& witness) {
     if (witness.kind == DifferenceKind::power_up) {
         add("At power-up nothing brings the netlist into the initial situation. Give it an input "
             "Init or\ninitial values; or check with --power-up initial, if the plant guarantees "
-            "that situation.\n",
+            "that situation.\n\n",
             "À la mise sous tension, rien ne met le câblage dans la situation initiale. Lui donner "
             "une entrée\nInit ou des valeurs initiales ; ou vérifier avec --power-up initial, si "
-            "l'installation garantit cette\nsituation.\n");
+            "l'installation garantit cette\nsituation.\n\n");
     } else if (witness.kind == DifferenceKind::oscillation && all_agree(witness)) {
-        add("Every X and output is right; what keeps changing beside them stands below.\n",
+        add("Every X and output is right; what keeps changing beside them stands below.\n\n",
             "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
-            "bas.\n");
+            "bas.\n\n");
     }
 }
 

@@ -242,11 +242,15 @@ TEST_CASE("a witness, and what the story does not say of its kind") {
           stimuli +
               "At power-up nothing brings the netlist into the initial situation. Give it an input "
               "Init or\ninitial values; or check with --power-up initial, if the plant guarantees "
-              "that situation.\nThe story.\n");
+              "that situation.\n\nThe story.\n");
     CHECK(rest_of_text(different(DifferenceKind::oscillation)) ==
           stimuli +
-              "Every X and output is right; what keeps changing beside them stands below.\n"
+              "Every X and output is right; what keeps changing beside them stands below.\n\n"
               "The story.\n");
+    CHECK(rest_of_text(different(DifferenceKind::oscillation), Language::french) ==
+          "\nTémoin :\n  0s :\n  100ms : a=1\n  100ms : end\n\n"
+          "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
+          "bas.\n\nThe story.\n");
     CheckResult result = different(DifferenceKind::oscillation);
     result.witness->values[1].got = Logic::unknown;
     CHECK(rest_of_text(result) == stimuli + "The story.\n");

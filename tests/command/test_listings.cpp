@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command/json_schema.h"
 #include "command/run_program.h"
 
 namespace grafwire::test {
@@ -91,6 +92,7 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
                                    "--witness", folder.path("w"), "--to", "json", "--lang", "fr"});
     CHECK(bad.status == 1);
     const auto report = nlohmann::json::parse(bad.out);
+    CHECK(schema_problems(bad.out) == "");
     CHECK(report["verdict"] == "different");
     CHECK(report["period"] == "500ms");
     CHECK(report["witness"]["files"].size() == 6);
