@@ -278,7 +278,7 @@ void TextReport::tell_not_together(const Together& together) {
     }
     if (together.witness) add_stimuli(together.witness->stimuli);
     if (together.assumption.empty()) return;
-    add("It does where the plant never does that, as the GRAFCET can say:\n",
+    add("It holds where the plant never does that, as the GRAFCET can say:\n",
         "Cela redevient vrai si l'installation ne le fait jamais, ce que le GRAFCET peut dire :\n");
     text_ += fmt::format("  assume {}\n", together.assumption);
 }

@@ -209,7 +209,7 @@ TEST_CASE("many inputs at once: what must not change together") {
               "\nRemark: it does not hold when many inputs change at once.\n"
               "These must not change within a settling time of each other: a, b. Otherwise:\n" +
                   stimuli +
-                  "It does where the plant never does that, as the GRAFCET can say:\n"
+                  "It holds where the plant never does that, as the GRAFCET can say:\n"
                   "  assume /(a./b)\n");
         CHECK(rest_of_text(equivalent_and(together), Language::french) ==
               "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"
