@@ -79,7 +79,7 @@ Progress::Progress(double max_seconds, std::uint64_t max_memory)
     is_interrupted = 0;
     struct sigaction once {};
     once.sa_handler = note_interrupt;
-    once.sa_flags = SA_RESETHAND;
+    once.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &once, nullptr);
 }
 

@@ -115,7 +115,7 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,
                           const ScannedDevice& device, Time period);
 
-/// A witness of a program as its reports tell it; `tell` puts it into words.
+/// A witness as the reports tell it, put into words by `tell`.
 ToldWitness told_by(const std::function<std::string(Language)>& tell, Language language);
 
 /// The files that show the witness of a program: stimuli, what reference and program make of them,
