@@ -23,7 +23,6 @@ bool can_ever_act(const Grafcet& grafcet) {
 
 Exercised::Exercised(const Grafcet& grafcet, bool has_modes)
     : grafcet_(grafcet),
-      assumptions_(grafcet),
       input_count_(has_modes ? grafcet.all_input_count() : grafcet.inputs.size()),
       active_(grafcet.steps.size()),
       on_(grafcet.outputs.size()),
@@ -38,19 +37,9 @@ void Exercised::note(const ReferenceOutcome& outcome, const PartialInputs& input
     add(active_, outcome.state.situation);
     if (outcome.stable) add(on_, outcome.outputs);
     for (std::size_t t = 0; t < cleared_.size(); ++t) cleared_[t] |= outcome.cleared[t];
-    for (std::size_t i = 0; i < input_count_; ++i) {
-        if (values_seen_[i] != 3) note_input(i, inputs);
-    }
-}
-
-void Exercised::note_input(std::size_t input, const PartialInputs& inputs) {
-    PartialInputs closed = inputs;
-    for (const Logic value : {Logic::zero, Logic::one}) {
-        const std::uint8_t bit = value == Logic::zero ? 1 : 2;
-        const bool is_taken = inputs[input] == Logic::unknown || inputs[input] == value;
-        if (!is_taken || (values_seen_[input] & bit) != 0) continue;
-        closed[input] = value;
-        if (assumptions_.can_hold(closed)) values_seen_[input] |= bit;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (inputs[i] != Logic::one) values_seen_[i] |= 1U;
+        if (inputs[i] != Logic::zero) values_seen_[i] |= 2U;
     }
 }
 

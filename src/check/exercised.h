@@ -32,16 +32,12 @@ class Exercised {
     /// `has_modes`: whether Init, AUdur and AUdoux can change.
     Exercised(const Grafcet& grafcet, bool has_modes);
 
-    /// A case of the reference, under inputs that are partly open: these take every value that the
-    /// assumptions allow.
+    /// A case of the reference, under inputs that are partly open: these take both values.
     void note(const ReferenceOutcome& outcome, const PartialInputs& inputs);
     NeverExercised never() const;
 
   private:
-    void note_input(std::size_t input, const PartialInputs& inputs);
-
     const Grafcet& grafcet_;
-    Assumptions assumptions_;
     std::size_t input_count_;
     BitTable active_;
     BitTable on_;

@@ -224,7 +224,7 @@ graph G {
   step 7 : lamp
   0 -> 1 : a
   1 -> 0 : /a
-  (back) 7 -> 0 : b
+  (back) 7 -> 0 : ↑b
 }
 )");
     const Json json = report({chart, "--style", "nand", "--assume", "/b"}, 0);
