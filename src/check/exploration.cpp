@@ -307,6 +307,10 @@ void Exploration::forget_unread_inputs(PairState& pair) {
     } else {
         unread = reference_.unread_inputs(pair.reference, pair.inputs);
     }
+    if (!netlist_.has_modes) {
+        // Its control inputs stay at 0: open, they would be taken for inputs that can change.
+        std::erase_if(unread, [&](std::uint32_t i) { return i >= grafcet_.inputs.size(); });
+    }
     if (unread.empty()) return;
     auto forgotten = gates_.forget(pair.netlist, unread);
     if (!forgotten) {

@@ -1,0 +1,110 @@
+// Wrong netlists that only one line of the check stands against.
+
+#include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
+#include "check/wrong_wiring.h"
+#include "netlist/netlists.h"
+#include "trace/stimuli.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
+    REQUIRE(fault_of(netlist) == "");
+    return check_equivalence(grafcet, netlist, unit_delays(netlist), {});
+}
+
+/// The stimuli of the witness, which replays; "" where there is none.
+std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == (result.witness ? Verdict::different : Verdict::equivalent));
+    if (!result.witness) return {};
+    CHECK(replay(grafcet, netlist, unit_delays(netlist), result.witness->stimuli,
+                 result.witness->scan_period));
+    return write_stimuli(result.witness->stimuli, grafcet);
+}
+
+const std::string a_sets_step_1 = R"(
+input a
+output lamp
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : a
+  1 -> 0 : /a }
+)";
+
+}  // namespace
+
+TEST_CASE("a timer is too short or too long by any length, whether or not one divides the other") {
+    const auto chart = [](const std::string& condition) {
+        return grafcet_of(
+            "input a output lamp graph G { initial 0 step 1 : lamp 0 -> 1 : " + condition + " }");
+    };
+    const auto differs = [](const Grafcet& right, const Grafcet& wrong) {
+        for (const Style style : {Style::nand, Style::clocked}) {
+            CHECK(witness_of(right, netlist_of(wrong, style)) != "");
+            CHECK(witness_of(right, netlist_of(right, style)) == "");
+        }
+    };
+    for (const std::string length : {"1s", "2s", "4s", "6s", "2999ms", "3001ms"}) {
+        INFO(length << " for 3s");
+        differs(chart("3s/X0"), chart(length + "/X0"));
+        differs(chart("3s/a"), chart(length + "/a"));
+        differs(chart("2s/a/3s"), chart("2s/a/" + length));
+        differs(chart("3s/a/2s"), chart(length + "/a/2s"));
+    }
+}
+
+TEST_CASE("wiring that oscillates until the edge of the clock stops it") {
+    // The ring runs while a is 1 and step 1 is not active yet.
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    add_cell(netlist, CellType::inverter, "early", {"X1"});
+    add_cell(netlist, CellType::and_gate, "go", {"early", "a"});
+    add_ring(netlist, "go");
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::oscillation);
+}
+
+TEST_CASE("wiring that oscillates from the edge of the clock on") {
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    SUBCASE("to the next") {
+        add_cell(netlist, CellType::inverter, "late", {"a"});
+        add_cell(netlist, CellType::and_gate, "go", {"X1", "late"});
+        add_ring(netlist, "go");
+    }
+    SUBCASE("while the clock is 1") {
+        add_cell(netlist, CellType::and_gate, "go", {"X1", "clk"});
+        add_ring(netlist, "go");
+    }
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::oscillation);
+}
+
+TEST_CASE("a flip-flop too many shows itself some scans into an evolution that never rests") {
+    // The lamp stays dark from the fifth scan on; no input ever changes.
+    const Grafcet grafcet = grafcet_of(R"(
+output lamp
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : =1
+  1 -> 0 : =1 }
+)");
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    CHECK(witness_of(grafcet, netlist) == "");
+    add_cell(netlist, CellType::high, "late0", {});
+    for (int i = 1; i <= 5; ++i) {
+        const std::string before = "late" + std::to_string(i - 1);
+        add_cell(netlist, CellType::flip_flop, "late" + std::to_string(i), {before, "clk"},
+                 Logic::zero);
+    }
+    add_cell(netlist, CellType::inverter, "early", {"late5"});
+    put_gate_before(netlist, "lamp", CellType::and_gate, {"early"});
+    CHECK(witness_of(grafcet, netlist) == "0s :\n40ms : end\n");
+}
+
+}  // namespace grafwire::testing
