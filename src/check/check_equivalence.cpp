@@ -10,6 +10,7 @@
 
 #include "check/beside.h"
 #include "check/exploration.h"
+#include "check/netlist_witness.h"
 #include "check/smallest_witness.h"
 #include "check/together.h"
 
@@ -18,6 +19,7 @@ namespace grafwire {
 namespace {
 
 constexpr std::uint64_t most_cases_of_a_period = 200'000;
+constexpr std::size_t most_open_memories = 8;
 
 /// What is left of the bounds after some cases.
 CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
@@ -69,6 +71,40 @@ std::optional<Witness> difference_with_some_period(const Grafcet& grafcet, const
     return std::nullopt;
 }
 
+void add(Coverage& all, const Coverage& more) {
+    all.situations = std::max(all.situations, more.situations);
+    all.cases += more.cases;
+    all.unstable += more.unstable;
+    all.waiting += more.waiting;
+}
+
+/// Memories that nothing is known of at power-up are unknown in three values, which may be too
+/// pessimistic: where that leaves no verdict and they are few, every value that they can have is
+/// gone through by itself.
+void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                          const CheckOptions& options, CheckResult& result) {
+    std::vector<Netlist::InitialValue> power_up = power_up_values(netlist, 0);
+    if (power_up.empty() || power_up.size() > most_open_memories) return;
+    for (std::uint32_t number = 0; number < 1U << power_up.size(); ++number) {
+        for (std::size_t i = 0; i < power_up.size(); ++i) {
+            power_up[i].value = (number >> i & 1U) != 0;
+        }
+        const CheckResult powered =
+            check_changes(grafcet, with_power_up(netlist, power_up), delays,
+                          rest_of(options, result.coverage.cases));
+        add(result.coverage, powered.coverage);
+        if (powered.verdict == Verdict::undecided) return;
+        if (powered.verdict == Verdict::different) {
+            result.verdict = powered.verdict;
+            result.witness = powered.witness;
+            result.witness->power_up = power_up;
+            return;
+        }
+    }
+    result.verdict = Verdict::equivalent;
+    result.complete = true;
+}
+
 }  // namespace
 
 CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
@@ -91,7 +127,10 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
                                                      rest_of(options, result.coverage.cases));
         if (result.witness) result.verdict = Verdict::different;
     }
-    if (result.witness) {
+    if (explored.is_unexplained && !result.witness) {
+        go_through_power_ups(grafcet, netlist, delays, options, result);
+    }
+    if (result.witness && result.witness->power_up.empty()) {
         result.witness =
             smallest_witness(grafcet, netlist, delays, *result.witness, options.changes);
     }

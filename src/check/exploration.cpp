@@ -105,7 +105,7 @@ class Exploration {
         result.never = exercised_.never();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
         const bool is_complete =
-            waiting_.empty() && !done_ && !is_unexplained_ && !no_period_shows_it_;
+            waiting_.empty() && !done_ && !explored_.is_unexplained && !no_period_shows_it_;
         conclude(result, is_complete, waiting_.size());
         return std::move(explored_);
     }
@@ -149,9 +149,6 @@ class Exploration {
     SeenPairs seen_;
     Ways ways_;
     bool done_ = false;
-    /// A difference was found that no replay from power-up shows. That should not be; if nothing
-    /// else is found, there is no verdict.
-    bool is_unexplained_ = false;
     bool no_period_shows_it_ = false;
 };
 
@@ -360,7 +357,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& shared) {
         explored_.needs_lengths = true;
         done_ = true;
     } else {
-        is_unexplained_ = true;
+        explored_.is_unexplained = true;
     }
     return false;
 }
@@ -371,7 +368,7 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
         explored_.result.witness =
             replay(grafcet_, netlist_, delays_, scans->stimuli, scans->period);
         if (explored_.result.witness) return true;
-        is_unexplained_ = true;
+        explored_.is_unexplained = true;
     } else if (plan_.passing == Passing::free) {
         explored_.needs_lengths = true;
         done_ = true;

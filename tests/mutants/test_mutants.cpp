@@ -107,7 +107,8 @@ bool try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& 
     switch (result.verdict) {
         case Verdict::different:
             REQUIRE(result.witness);
-            CHECK(replay(grafcet, wrong, unit_delays(wrong), result.witness->stimuli,
+            CHECK(replay(grafcet, with_power_up(wrong, result.witness->power_up),
+                         unit_delays(wrong), result.witness->stimuli,
                          result.witness->scan_period));
             return true;
         case Verdict::equivalent:
