@@ -42,6 +42,8 @@ TEST_CASE("the check of two examples takes as many cases as it should") {
         for (const StyleRow& style : style_table) {
             for (const bool has_modes : {true, false}) {
                 for (const Changes changes : {Changes::one, Changes::many}) {
+                    // A clocked netlist samples its inputs: there it is the same.
+                    if (style.style == Style::clocked && changes == Changes::many) continue;
                     table += coverage_of(example_named(name), style, has_modes, changes);
                 }
             }
