@@ -1,7 +1,7 @@
 // A ring that nothing reads makes no X wrong, but who wires it will hear of it: it never rests. Its
-// state is no part of the exploration, and in three values it may rest at unknown, where the real one
-// goes on and on. So it is simulated in two values, along walks of single changes at random. Only
-// netlists that have such loops pay for it, and generated ones have none.
+// state is no part of the exploration, and in three values it may rest at unknown, where the real
+// one goes on and on. So it is simulated in two values, along walks of single changes at random.
+// Only netlists that have such loops pay for it, and generated ones have none.
 
 #include "check/beside.h"
 
@@ -28,7 +28,8 @@ bool has_loops_beside(const Grafcet& grafcet, const Netlist& netlist) {
     const std::vector<std::uint8_t> relevant = relevant_nets(netlist, compared);
     const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
     for (std::size_t i = 0; i < on_loop.size(); ++i) {
-        if (on_loop[i] != 0 && relevant[index_of(netlist.cells.items()[i].output)] == 0) return true;
+        if (on_loop[i] != 0 && relevant[index_of(netlist.cells.items()[i].output)] == 0)
+            return true;
     }
     return false;
 }

@@ -89,9 +89,8 @@ void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const 
         for (std::size_t i = 0; i < power_up.size(); ++i) {
             power_up[i].value = (number >> i & 1U) != 0;
         }
-        const CheckResult powered =
-            check_changes(grafcet, with_power_up(netlist, power_up), delays,
-                          rest_of(options, result.coverage.cases));
+        const CheckResult powered = check_changes(grafcet, with_power_up(netlist, power_up), delays,
+                                                  rest_of(options, result.coverage.cases));
         add(result.coverage, powered.coverage);
         if (powered.verdict == Verdict::undecided) return;
         if (powered.verdict == Verdict::different) {
@@ -131,8 +130,7 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
         go_through_power_ups(grafcet, netlist, delays, options, result);
     }
     if (result.witness && result.witness->power_up.empty()) {
-        result.witness =
-            smallest_witness(grafcet, netlist, delays, *result.witness, options.changes);
+        result.witness = smallest_witness(grafcet, netlist, delays, *result.witness, options);
     }
     return std::move(result);
 }

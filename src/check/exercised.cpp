@@ -21,8 +21,9 @@ bool can_ever_act(const Grafcet& grafcet) {
                        [](const Transition& t) { return t.preceding_count == 0; });
 }
 
-Exercised::Exercised(const Grafcet& grafcet, bool has_modes)
+Exercised::Exercised(const Grafcet& grafcet, const Assumptions& assumptions, bool has_modes)
     : grafcet_(grafcet),
+      assumptions_(assumptions),
       input_count_(has_modes ? grafcet.all_input_count() : grafcet.inputs.size()),
       active_(grafcet.steps.size()),
       on_(grafcet.outputs.size()),
@@ -37,9 +38,18 @@ void Exercised::note(const ReferenceOutcome& outcome, const PartialInputs& input
     add(active_, outcome.state.situation);
     if (outcome.stable) add(on_, outcome.outputs);
     for (std::size_t t = 0; t < cleared_.size(); ++t) cleared_[t] |= outcome.cleared[t];
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (inputs[i] != Logic::one) values_seen_[i] |= 1U;
-        if (inputs[i] != Logic::zero) values_seen_[i] |= 2U;
+    for (std::uint32_t i = 0; i < input_count_; ++i) {
+        if (values_seen_[i] != 3) note_values(inputs, i);
+    }
+}
+
+void Exercised::note_values(const PartialInputs& inputs, std::uint32_t input) {
+    for (const Logic value : {Logic::zero, Logic::one}) {
+        const auto bit = static_cast<std::uint8_t>(value == Logic::zero ? 1 : 2);
+        if ((values_seen_[input] & bit) != 0) continue;
+        PartialInputs closed = inputs;
+        if (closed[input] == Logic::unknown) closed[input] = value;
+        if (closed[input] == value && assumptions_.can_hold(closed)) values_seen_[input] |= bit;
     }
 }
 

@@ -29,15 +29,20 @@ bool can_ever_act(const Grafcet& grafcet);
 /// Notes what the cases of an exploration exercise.
 class Exercised {
   public:
-    /// `has_modes`: whether Init, AUdur and AUdoux can change.
-    Exercised(const Grafcet& grafcet, bool has_modes);
+    /// `has_modes`: whether Init, AUdur and AUdoux can change. GRAFCET and assumptions must outlive
+    /// it.
+    Exercised(const Grafcet& grafcet, const Assumptions& assumptions, bool has_modes);
 
-    /// A case of the reference, under inputs that are partly open: these take both values.
+    /// A case of the reference, under inputs that are partly open: these take both values, as far
+    /// as the assumptions let them.
     void note(const ReferenceOutcome& outcome, const PartialInputs& inputs);
     NeverExercised never() const;
 
   private:
+    void note_values(const PartialInputs& inputs, std::uint32_t input);
+
     const Grafcet& grafcet_;
+    const Assumptions& assumptions_;
     std::size_t input_count_;
     BitTable active_;
     BitTable on_;

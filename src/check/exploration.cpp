@@ -83,8 +83,8 @@ class Exploration {
           reference_(evolution_, [this] { return counter_.goes_on(); }),
           gates_(grafcet, netlist, delays, [this] { return counter_.goes_on(); }),
           relevance_(grafcet),
-          exercised_(grafcet, netlist.has_modes),
           assumptions_(grafcet),
+          exercised_(grafcet, assumptions_, netlist.has_modes),
           ways_(assumptions_, !is_one_at_a_time()) {
         facts_.passing = plan.passing;
         facts_.period = plan.period;
@@ -142,9 +142,9 @@ class Exploration {
     ReferenceCases reference_;
     NetlistCases gates_;
     Relevance relevance_;
-    Exercised exercised_;
     DelayFacts facts_;
     Assumptions assumptions_;
+    Exercised exercised_;
     std::deque<Node> waiting_;
     SeenPairs seen_;
     Ways ways_;
@@ -296,17 +296,16 @@ void Exploration::arrive(const Departure& departure, const PathStep& step,
 
 void Exploration::forget_unread_inputs(PairState& pair) {
     std::vector<std::uint32_t> unread;
+    // Without modes Init, AUdur and AUdoux are 0 for ever.
+    const std::size_t changing = netlist_.has_modes ? pair.inputs.size() : grafcet_.inputs.size();
     if (netlist_.is_clocked()) {
         // Between two scans the reference reads no input.
-        for (std::uint32_t i = 0; i < pair.inputs.size(); ++i) {
+        for (std::uint32_t i = 0; i < changing; ++i) {
             if (pair.inputs[i] != Logic::unknown) unread.push_back(i);
         }
     } else {
         unread = reference_.unread_inputs(pair.reference, pair.inputs);
-    }
-    if (!netlist_.has_modes) {
-        // Its control inputs stay at 0: open, they would be taken for inputs that can change.
-        std::erase_if(unread, [&](std::uint32_t i) { return i >= grafcet_.inputs.size(); });
+        std::erase_if(unread, [&](std::uint32_t input) { return input >= changing; });
     }
     if (unread.empty()) return;
     auto forgotten = gates_.forget(pair.netlist, unread);

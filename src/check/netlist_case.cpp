@@ -133,7 +133,6 @@ void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
     begin_instant();
     set_inputs(step.inputs);
     if (!netlist_.is_clocked()) delay_ends_.take_effect(simulator_, instant_);
-    simulator_.doubt_unknown_pulses();
 }
 
 void NetlistCases::begin_instant() {

@@ -58,8 +58,8 @@ class ScanExploration {
           evolution_(grafcet),
           reference_(evolution_, {}),
           relevance_(grafcet),
-          exercised_(grafcet, device.has_modes()),
           assumptions_(grafcet),
+          exercised_(grafcet, assumptions_, device.has_modes()),
           counter_(options, result_.coverage) {}
 
     CheckResult run() {
@@ -94,8 +94,8 @@ class ScanExploration {
     Evolution evolution_;
     ReferenceCases reference_;
     Relevance relevance_;
-    Exercised exercised_;
     Assumptions assumptions_;
+    Exercised exercised_;
     std::deque<Node> waiting_;
     std::unordered_set<std::string> seen_;
     std::vector<Scan> scans_;

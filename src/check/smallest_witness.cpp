@@ -21,8 +21,12 @@ constexpr int most_trials = 1000;
 class Reduction {
   public:
     Reduction(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-              Witness&& witness)
-        : grafcet_(grafcet), netlist_(netlist), delays_(delays), best_(std::move(witness)) {}
+              const CheckOptions& options, Witness&& witness)
+        : grafcet_(grafcet),
+          netlist_(netlist),
+          delays_(delays),
+          options_(options),
+          best_(std::move(witness)) {}
 
     Witness make() {
         bool smaller = best_.stimuli.changes.size() <= most_lines;
@@ -70,7 +74,9 @@ class Reduction {
     }
 
     bool is_still_a_witness(Stimuli&& trial) {
-        if (trials_ == most_trials || !tidy(trial)) return false;
+        if (trials_ == most_trials || (options_.keep_going && !options_.keep_going({})))
+            return false;
+        if (!tidy(trial)) return false;
         ++trials_;
         auto witness = replay(grafcet_, netlist_, delays_, trial, best_.scan_period);
         if (!witness) return false;
@@ -81,6 +87,7 @@ class Reduction {
     const Grafcet& grafcet_;
     const Netlist& netlist_;
     const CellDelays& delays_;
+    const CheckOptions& options_;
     Witness best_;
     int trials_ = 0;
     mutable bool holds_ = true;
@@ -89,14 +96,14 @@ class Reduction {
 }  // namespace
 
 Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         Witness witness, Changes changes) {
+                         Witness witness, const CheckOptions& options) {
     // Leaving a change out moves the ends of delays, which must not come together with the change
     // of an input where one thing happens at a time.
     const bool has_delays = !grafcet.expressions.time_conditions().empty() ||
                             std::any_of(netlist.cells.begin(), netlist.cells.end(),
                                         [](const Cell& cell) { return is_timer(cell.type); });
-    if (has_delays && changes == Changes::one && !netlist.is_clocked()) return witness;
-    return Reduction(grafcet, netlist, delays, std::move(witness)).make();
+    if (has_delays && options.changes == Changes::one && !netlist.is_clocked()) return witness;
+    return Reduction(grafcet, netlist, delays, options, std::move(witness)).make();
 }
 
 }  // namespace grafwire

@@ -9,8 +9,8 @@
 namespace grafwire {
 
 /// A witness of the same netlist that changes as few inputs as possible: none of its changes can be
-/// left out. `changes`: what may happen in one instant of it.
+/// left out. `options` say what may happen in one instant of it, and how long to look.
 Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         Witness witness, Changes changes);
+                         Witness witness, const CheckOptions& options);
 
 }  // namespace grafwire

@@ -90,7 +90,7 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
         pulse.delay = delays.rise[index_of(id)] / slot_;
         pulse.width = netlist.timings[cell.timing].fall / slot_;
         memory.detail = static_cast<std::uint32_t>(pulses_.size());
-        pulses_.push_back(pulse);
+        pulses_.push_back(std::move(pulse));
         held_at_power_up_.emplace_back(memory.node, Logic::zero);
     }
     if (cell.type == CellType::scan_timer_next) {

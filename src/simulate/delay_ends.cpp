@@ -156,10 +156,14 @@ bool DelayEnds::take_effect(Simulator& simulator, Time now) {
     for (const std::uint32_t timer : order_) {
         if (simulator.due(timer) > now) continue;
         const Cell& cell = netlist_.cells[timers_[timer]];
-        const Logic operand = read(simulator, netlist_.pins_of(cell)[0]);
-        if (operand == simulator.value(cell.output)) continue;
-        simulator.end_delay(timer, operand);
-        any = true;
+        const auto pins = netlist_.pins_of(cell);
+        const Logic operand = read(simulator, pins[0]);
+        // A look-ahead knows what its timer has taken.
+        const bool looks_ahead = cell.type == CellType::scan_timer_next;
+        const Logic taken = simulator.value(looks_ahead ? pins[1] : cell.output);
+        if (operand == taken && operand != Logic::unknown) continue;
+        const bool is_open = looks_ahead && taken == Logic::unknown;
+        any = simulator.end_delay(timer, is_open ? Logic::unknown : operand) || any;
     }
     return any;
 }

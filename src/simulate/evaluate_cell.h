@@ -19,6 +19,18 @@ constexpr Logic inverse(Logic value) {
     return value == Logic::one ? Logic::zero : Logic::one;
 }
 
+/// A value in three as the least and the greatest that it can be in two, and back.
+constexpr bool least(Logic value) {
+    return value == Logic::one;
+}
+constexpr bool greatest(Logic value) {
+    return value != Logic::zero;
+}
+constexpr Logic between(bool low, bool high) {
+    if (low) return Logic::one;
+    return high ? Logic::unknown : Logic::zero;
+}
+
 /// Set wins: 1 if set, else 0 if reset, else what was held.
 constexpr Logic latch_value(Logic set, Logic reset, Logic held) {
     if (set == Logic::one) return Logic::one;

@@ -27,7 +27,6 @@ class Simulator::Kernel {
     void set_input(std::uint32_t net, Logic value);
     void hold_pulses(bool on);
     void remember_pulse_inputs();
-    void doubt_unknown_pulses();
     void force(std::uint32_t net, Logic value);
     void release_all();
     Settling settle();
@@ -37,7 +36,7 @@ class Simulator::Kernel {
     bool is_running(std::size_t timer) const { return due_[timer] != never; }
     Time next_due() const;
     Time due(std::size_t timer) const { return due_[timer]; }
-    void end_delay(std::size_t timer, Logic operand);
+    bool end_delay(std::size_t timer, Logic operand);
 
     Logic value(std::uint32_t net) const { return values_[net]; }
     Time now() const { return origin_ + tick_ * slot_; }
@@ -47,7 +46,7 @@ class Simulator::Kernel {
     void observe(Observer observer) { observer_ = std::move(observer); }
 
   private:
-    /// No change is pending. As the target of an evaluation: leave things as they are.
+    /// As the target of an evaluation: leave things as they are.
     static constexpr std::uint8_t no_change = 3;
     static constexpr std::uint32_t no_memory = 0xffffffffU;
 
@@ -57,12 +56,12 @@ class Simulator::Kernel {
         std::array<std::uint32_t, 3> readers{};
         std::uint32_t count = 0;
     };
-    /// Delays of a node in ticks, and its pending change. Only where delays differ.
+    /// Delays of a node in ticks, and its pending changes. Only where delays differ.
     struct NodeTiming {
-        Tick due = 0;
         Tick rise = 1;
         Tick fall = 1;
-        std::uint8_t pending = no_change;
+        Tick low_due = no_tick;   ///< when the lower bound of its value turns over
+        Tick high_due = no_tick;  ///< likewise the upper bound
     };
     /// A cell that is evaluated from its pins.
     struct MemoryCell {
@@ -75,17 +74,23 @@ class Simulator::Kernel {
         Logic control_seen = Logic::unknown;
         Logic held_seen = Logic::unknown;
     };
-    /// The output is 1 from certain_from to before certain_to, else unknown likewise, else 0.
+    /// From one tick to before another.
+    struct Span {
+        Tick from = 0;
+        Tick to = 0;
+    };
+    /// Spans in order, apart from each other.
+    using Spans = std::vector<Span>;
+    /// The output is 1 during the certain spans, else unknown during the possible ones, else 0.
     struct Pulse {
         std::uint32_t memory = 0;
         Tick delay = 1;
         Tick width = 1;
-        Tick due = 0;
-        std::uint8_t pending = no_change;
-        Tick certain_from = 0;
-        Tick certain_to = 0;
-        Tick possible_from = 0;
-        Tick possible_to = 0;
+        Tick due = no_tick;  ///< when the output changes next
+        Spans certain;
+        Spans possible;
+        /// The beginning of a possible span that lasts as long as the input is unknown.
+        Tick open_from = no_tick;
     };
 
     // build_kernel.cpp
@@ -116,6 +121,10 @@ class Simulator::Kernel {
     template <bool uniform>
     void evaluate_touched();
     void aim(std::uint32_t net, Logic target);
+    Logic aimed_value(std::uint32_t net) const;
+    template <bool observed, bool watched>
+    bool apply_due(std::uint32_t net, RecurrenceWatch* watch);
+    Logic take_due(std::uint32_t net);
     void touch(std::uint32_t net);
     void change_unseen(std::uint32_t net, Logic value);
     void change_now(std::uint32_t net, Logic value);
@@ -133,17 +142,25 @@ class Simulator::Kernel {
     std::uint8_t count_scan(std::size_t timer, Logic operand, Logic shown);
     std::uint8_t evaluate_scan_timer(MemoryCell& cell);
     std::uint8_t evaluate_scan_timer_next(MemoryCell& cell);
+    bool is_lost(std::size_t timer) const;
+    void lose_delay(std::size_t timer);
+    bool follows_at_once(std::size_t timer, Logic operand, Logic shown) const;
+    void count_ahead(std::size_t timer, Logic operand, Logic shown);
+    Logic looked_ahead(std::size_t timer, Logic operand, Logic shown) const;
+
+    // pulse_cells.cpp
     void evaluate_pulse(MemoryCell& cell);
-    void fire(Pulse& pulse, Edge edge);
+    void look_at_pulse_input(Pulse& pulse);
+    void rest_pulses();
     void aim_pulse(Pulse& pulse);
     static Logic pulse_value(const Pulse& pulse, Tick tick);
-    Logic aimed_value(std::uint32_t net) const;
+    static void append_coming(const Pulse& pulse, std::uint32_t net, Tick now,
+                              std::vector<ComingChange>& coming);
 
     bool is_pulse(std::uint32_t net) const {
         return types_[net] == CellType::rise_pulse || types_[net] == CellType::fall_pulse;
     }
-    Tick due_tick(std::uint32_t net) const;
-    std::uint8_t& pending(std::uint32_t net);
+    Pulse& pulse_of(std::uint32_t net) { return pulses_[memories_[memory_of_[net]].detail]; }
 
     template <typename Visit>
     void for_each_reader(std::uint32_t net, Visit visit) const {
@@ -190,7 +207,7 @@ class Simulator::Kernel {
     NodeList next_;
     std::vector<NodeTiming> timings_;
     EventWheel wheel_{0};
-    std::uint64_t live_ = 0;  ///< pending changes in the wheel that still stand
+    std::uint64_t live_ = 0;  ///< pending changes of bounds and pulses that still stand
     std::uint64_t changes_ = 0;
     std::uint64_t changes_told_ = 0;  ///< of these, in earlier results of settle()
 

@@ -1,12 +1,12 @@
-#include <algorithm>
-#include <array>
-
 #include "simulate/kernel.h"
 
-// The cells that are more than a gate: latches, flip-flops, pulse cells, timers.
+// The cells that are more than a gate: latches, flip-flops, timers; pulse cells have a file of
+// their own.
 //
 // Clocked cells take their data as it was when they were last evaluated before the clock's rise:
-// any change of the data pin evaluates them, so that is the value of the moment before.
+// any change of the data pin evaluates them, so that is the value of the moment before. While the
+// clock is unknown it may rise at any moment, and take the data as it was until now or as it is
+// from now on.
 //
 // A timer whose operand is unknown is taken to have begun its delay, but towards unknown: before it
 // ends the output cannot have changed, from then on it may have. Where the operand becomes known
@@ -14,7 +14,9 @@
 // once. Operands that are unknown for a few nanoseconds after power-up thus do no harm.
 //
 // The look-ahead of a clocked timer keeps the same delay as that timer, from the same moments, and
-// shows between two rises of the clock what the timer will make of its operand at the next.
+// shows between two rises of the clock what the timer will make of its operand at the next. Where
+// it is not known whether a delay is running, or since when, its delay is lost: none is running,
+// but towards unknown.
 
 namespace grafwire {
 
@@ -59,22 +61,21 @@ std::uint8_t Simulator::Kernel::evaluate_special(std::uint32_t net) {
     return is_forced ? no_change : target;
 }
 
-/// What the output of a cell is, or is about to be.
-Logic Simulator::Kernel::aimed_value(std::uint32_t net) const {
-    if (uniform_ || timings_[net].pending == no_change) return values_[net];
-    return static_cast<Logic>(timings_[net].pending);
-}
-
 std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
-    const Logic held = aimed_value(cell.node);
-    switch (rise_between(cell.control_seen, values_[cell.control])) {
+    const Logic clock = values_[cell.control];
+    Logic taken = aimed_value(cell.node);
+    switch (rise_between(cell.control_seen, clock)) {
         case Edge::none:
-            return no_change;
+            break;
         case Edge::certain:
-            return static_cast<std::uint8_t>(cell.data_seen);
-        default:
-            return static_cast<std::uint8_t>(agreed(cell.data_seen, held));
+            taken = cell.data_seen;
+            break;
+        case Edge::possible:
+            taken = agreed(cell.data_seen, taken);
+            break;
     }
+    if (clock == Logic::unknown) taken = agreed(values_[cell.data], taken);
+    return static_cast<std::uint8_t>(taken);
 }
 
 /// What a timer is to show at once, given its operand and what it shows or is about to show.
@@ -116,103 +117,86 @@ std::uint8_t Simulator::Kernel::count_scan(std::size_t timer, Logic operand, Log
 
 std::uint8_t Simulator::Kernel::evaluate_scan_timer(MemoryCell& cell) {
     const Logic aimed = aimed_value(cell.node);
+    const Logic clock = values_[cell.control];
+    const Edge rise = rise_between(cell.control_seen, clock);
+    if (rise == Edge::certain) return count_scan(cell.detail, cell.data_seen, aimed);
+    // A rise that may have been, or may come, changes nothing where the timer is at rest.
+    const bool may_have_risen = rise == Edge::possible;
+    const bool may_rise = clock == Logic::unknown;
+    if (!may_have_risen && !may_rise) return no_change;
     Time& due = due_[cell.detail];
-    switch (rise_between(cell.control_seen, values_[cell.control])) {
-        case Edge::none:
-            return no_change;
-        case Edge::certain:
-            return count_scan(cell.detail, cell.data_seen, aimed);
-        default:
-            if (cell.data_seen == aimed && due == never) return no_change;
-            due = never;
-            return static_cast<std::uint8_t>(Logic::unknown);
+    const bool rests = due == never && (!may_have_risen || cell.data_seen == aimed) &&
+                       (!may_rise || values_[cell.data] == aimed);
+    if (rests) return no_change;
+    due = never;
+    return static_cast<std::uint8_t>(Logic::unknown);
+}
+
+bool Simulator::Kernel::is_lost(std::size_t timer) const {
+    return due_[timer] == never && towards_[timer] == Logic::unknown;
+}
+
+void Simulator::Kernel::lose_delay(std::size_t timer) {
+    due_[timer] = never;
+    towards_[timer] = Logic::unknown;
+}
+
+/// Whether a timer that shows `shown` takes a new value of its operand at once, if that is one.
+bool Simulator::Kernel::follows_at_once(std::size_t timer, Logic operand, Logic shown) const {
+    const Logic next = operand == Logic::unknown ? inverse(shown) : operand;
+    if (next == Logic::unknown) return false;
+    return next == shown || (next == Logic::one ? rise_delays_ : fall_delays_)[timer] == 0;
+}
+
+/// What the delay of a look-ahead becomes when the clock rises.
+void Simulator::Kernel::count_ahead(std::size_t timer, Logic operand, Logic shown) {
+    Time& due = due_[timer];
+    Logic& towards = towards_[timer];
+    if (follows_at_once(timer, operand, shown)) {
+        due = never;
+        towards = Logic::zero;
+        return;
     }
+    if (is_lost(timer)) return;
+    if (shown == Logic::unknown) return lose_delay(timer);
+    const Time delay = (shown == Logic::zero ? rise_delays_ : fall_delays_)[timer];
+    const Time end = add_times(instant_, delay);
+    if (due == never || towards == shown) {
+        due = end;
+        towards = operand;
+    } else if (operand == Logic::unknown) {
+        towards = operand;  // the running delay may or may not go on
+    } else if (towards == Logic::unknown && due != end) {
+        return lose_delay(timer);  // it may have begun at either instant
+    } else {
+        towards = operand;
+    }
+    if (due <= instant_) due = never;
+}
+
+/// What a look-ahead is to show: what the timer would if the clock rose now.
+Logic Simulator::Kernel::looked_ahead(std::size_t timer, Logic operand, Logic shown) const {
+    if (follows_at_once(timer, operand, shown)) return operand;
+    if (shown == Logic::unknown || is_lost(timer)) return Logic::unknown;
+    const bool ends = due_[timer] <= instant_ && towards_[timer] != shown;
+    return ends ? agreed(towards_[timer], operand) : shown;
 }
 
 std::uint8_t Simulator::Kernel::evaluate_scan_timer_next(MemoryCell& cell) {
-    switch (rise_between(cell.control_seen, values_[cell.control])) {
-        case Edge::none:
-            break;
-        case Edge::certain:
-            count_scan(cell.detail, cell.data_seen, cell.held_seen);
-            break;
-        default:
-            due_[cell.detail] = never;
-            break;
-    }
+    const std::size_t timer = cell.detail;
+    const Logic clock = values_[cell.control];
+    // After a rise that may or may not have been, only what it leaves at rest is known.
+    const auto count_perhaps = [&](Logic operand, Logic shown) {
+        const bool rested = due_[timer] == never && !is_lost(timer);
+        count_ahead(timer, operand, shown);
+        if (!rested || due_[timer] != never) lose_delay(timer);
+    };
+    const Edge rise = rise_between(cell.control_seen, clock);
+    if (rise == Edge::certain) count_ahead(timer, cell.data_seen, cell.held_seen);
+    if (rise == Edge::possible) count_perhaps(cell.data_seen, cell.held_seen);
     cell.held_seen = values_[cell.held];
-    // As if the clock rose now.
-    const Time due = due_[cell.detail];
-    const Logic towards = towards_[cell.detail];
-    const std::uint8_t next = count_scan(cell.detail, values_[cell.data], cell.held_seen);
-    due_[cell.detail] = due;
-    towards_[cell.detail] = towards;
-    return next == no_change ? static_cast<std::uint8_t>(cell.held_seen) : next;
-}
-
-Logic Simulator::Kernel::pulse_value(const Pulse& pulse, Tick tick) {
-    if (pulse.certain_from <= tick && tick < pulse.certain_to) return Logic::one;
-    if (pulse.possible_from <= tick && tick < pulse.possible_to) return Logic::unknown;
-    return Logic::zero;
-}
-
-void Simulator::Kernel::evaluate_pulse(MemoryCell& cell) {
-    const Logic input = values_[cell.data];
-    const Edge edge = types_[cell.node] == CellType::rise_pulse
-                          ? rise_between(cell.data_seen, input)
-                          : fall_between(cell.data_seen, input);
-    Pulse& pulse = pulses_[cell.detail];
-    if (edge != Edge::none && !pulses_held_) fire(pulse, edge);
-    aim_pulse(pulse);
-}
-
-void Simulator::Kernel::fire(Pulse& pulse, Edge edge) {
-    const Tick from = tick_ + pulse.delay;
-    const Tick to = from + pulse.width;
-    Tick& start = edge == Edge::certain ? pulse.certain_from : pulse.possible_from;
-    Tick& end = edge == Edge::certain ? pulse.certain_to : pulse.possible_to;
-    if (tick_ >= end) start = from;
-    end = to;
-}
-
-/// Makes the next moment at which the output differs from what it is the pending change.
-void Simulator::Kernel::aim_pulse(Pulse& pulse) {
-    const std::uint32_t net = memories_[pulse.memory].node;
-    drop_change(net);
-    std::array<Tick, 4> bounds{pulse.certain_from, pulse.certain_to, pulse.possible_from,
-                               pulse.possible_to};
-    std::sort(bounds.begin(), bounds.end());
-    for (const Tick bound : bounds) {
-        if (bound <= tick_ || pulse_value(pulse, bound) == values_[net]) continue;
-        pulse.due = bound;
-        pulse.pending = static_cast<std::uint8_t>(pulse_value(pulse, bound));
-        ++live_;
-        wheel_.add_far(bound, net);
-        return;
-    }
-}
-
-void Simulator::Kernel::doubt_unknown_pulses() {
-    for (Pulse& pulse : pulses_) {
-        if (values_[memories_[pulse.memory].data] != Logic::unknown) continue;
-        fire(pulse, Edge::possible);
-        aim_pulse(pulse);
-    }
-}
-
-void Simulator::Kernel::hold_pulses(bool on) {
-    pulses_held_ = on;
-    if (on) return;
-    // Cells that remember what they saw before the initialisation look again once they may fire:
-    // an input that has come to rest since would give them no other occasion.
-    if (pulses_remember_) {
-        for (const Pulse& pulse : pulses_) touch(memories_[pulse.memory].node);
-    }
-    pulses_remember_ = false;
-}
-
-void Simulator::Kernel::remember_pulse_inputs() {
-    pulses_remember_ = true;
+    if (clock == Logic::unknown) count_perhaps(values_[cell.data], cell.held_seen);
+    return static_cast<std::uint8_t>(looked_ahead(timer, values_[cell.data], cell.held_seen));
 }
 
 }  // namespace grafwire

@@ -29,10 +29,13 @@
 // (perf) of the first two, applying changes takes 57 to 60 % of the time, evaluation 21 to 25 %,
 // and the inputs, each read by half of the modules, 13 to 19 %.
 //
-// A cell has one pending change at most (inertial delay): a re-evaluation that gives the present
-// value again cancels it. If it gives `unknown` while a known value is on its way, that becomes
-// unknown at the moment it was due; if a cell is on its way to unknown and then knows better, it
-// is evaluated again once unknown has come.
+// A two-valued cell has one pending change at most (inertial delay): a re-evaluation that gives the
+// present value again cancels it. So its output is 1 once its function has been 1 for the delay of
+// the rise, 0 once it has been 0 for that of the fall, and else what it was: the more its function
+// is 1, the more its output is. A value in three is therefore kept as two in two, the least and the
+// greatest that the output can be (0 and 0, 1 and 1, or for unknown 0 and 1), each with a pending
+// change of its own; one follows the least that the function can be, the other the greatest. That
+// is neither too optimistic nor, for a cell by itself, too pessimistic.
 
 namespace grafwire {
 
@@ -89,37 +92,54 @@ void Simulator::Kernel::change_now(std::uint32_t net, Logic value) {
     ++changes_;
 }
 
-Tick Simulator::Kernel::due_tick(std::uint32_t net) const {
-    return is_pulse(net) ? pulses_[memories_[memory_of_[net]].detail].due : timings_[net].due;
-}
-
-/// The pending change of a pulse cell, or where delays are unequal of any cell.
-std::uint8_t& Simulator::Kernel::pending(std::uint32_t net) {
-    return is_pulse(net) ? pulses_[memories_[memory_of_[net]].detail].pending
-                         : timings_[net].pending;
-}
-
 /// Unequal delays: the output of a cell is to become `target`.
 void Simulator::Kernel::aim(std::uint32_t net, Logic target) {
     NodeTiming& timing = timings_[net];
+    const auto aim_bound = [&](Tick& due, bool present, bool wanted) {
+        if ((due != no_tick) == (present != wanted)) return false;
+        due = present == wanted ? no_tick : tick_ + (wanted ? timing.rise : timing.fall);
+        live_ += present == wanted ? ~std::uint64_t{0} : 1;
+        return due != no_tick;
+    };
     const Logic present = values_[net];
-    if (timing.pending != no_change) {
-        const auto pending = static_cast<Logic>(timing.pending);
-        if (target == pending) return;
-        if (target != present && target == Logic::unknown) {
-            timing.pending = static_cast<std::uint8_t>(Logic::unknown);
-            return;
-        }
-        if (target != present && pending == Logic::unknown) return;
-        timing.pending = no_change;
+    const bool low = aim_bound(timing.low_due, least(present), least(target));
+    const bool high = aim_bound(timing.high_due, greatest(present), greatest(target));
+    if (low) wheel_.add(tick_, timing.low_due, net);
+    if (high && !(low && timing.high_due == timing.low_due)) {
+        wheel_.add(tick_, timing.high_due, net);
+    }
+}
+
+/// What the output of a cell is, or is about to be.
+Logic Simulator::Kernel::aimed_value(std::uint32_t net) const {
+    const Logic present = values_[net];
+    if (uniform_) return present;
+    const NodeTiming& timing = timings_[net];
+    return between(least(present) != (timing.low_due != no_tick),
+                   greatest(present) != (timing.high_due != no_tick));
+}
+
+/// The value of a pulse cell, or where delays are unequal of any cell, with the changes that are
+/// due at this tick.
+Logic Simulator::Kernel::take_due(std::uint32_t net) {
+    const Logic present = values_[net];
+    if (is_pulse(net)) {
+        Pulse& pulse = pulse_of(net);
+        if (pulse.due != tick_) return present;
+        pulse.due = no_tick;
+        --live_;
+        return pulse_value(pulse, tick_);
+    }
+    NodeTiming& timing = timings_[net];
+    bool low = least(present);
+    bool high = greatest(present);
+    for (auto [due, bound] : {std::pair(&timing.low_due, &low), {&timing.high_due, &high}}) {
+        if (*due != tick_) continue;
+        *due = no_tick;
+        *bound = !*bound;
         --live_;
     }
-    if (target == present) return;
-    const bool rises = target == Logic::one || present == Logic::zero;
-    timing.due = tick_ + (rises ? timing.rise : timing.fall);
-    timing.pending = static_cast<std::uint8_t>(target);
-    ++live_;
-    wheel_.add(tick_, timing.due, net);
+    return between(low, high);
 }
 
 template <bool uniform>
@@ -161,20 +181,20 @@ void Simulator::Kernel::apply_current(RecurrenceWatch* watch) {
     changes_ += size;
 }
 
-/// Unequal delays: the entries of this tick whose changes still stand.
+/// An entry of the wheel for this tick; false where what it stood for was cancelled.
+template <bool observed, bool watched>
+bool Simulator::Kernel::apply_due(std::uint32_t net, RecurrenceWatch* watch) {
+    const Logic value = take_due(net);
+    if (value == values_[net]) return false;
+    ++changes_;
+    change<observed, watched>(net, value, watch);
+    return true;
+}
+
+/// Unequal delays: the entries of this tick.
 template <bool observed, bool watched>
 void Simulator::Kernel::apply_wheel(RecurrenceWatch* watch) {
-    const std::vector<std::uint32_t>& entries = wheel_.list(tick_);
-    for (const std::uint32_t net : entries) {
-        NodeTiming& timing = timings_[net];
-        if (timing.pending == no_change || timing.due != tick_) continue;
-        const auto value = static_cast<Logic>(timing.pending);
-        timing.pending = no_change;
-        --live_;
-        ++changes_;
-        change<observed, watched>(net, value, watch);
-        if (value == Logic::unknown) touch(net);
-    }
+    for (const std::uint32_t net : wheel_.list(tick_)) apply_due<observed, watched>(net, watch);
     wheel_.clear_list(tick_);
 }
 
@@ -182,13 +202,8 @@ template <bool observed, bool watched>
 void Simulator::Kernel::apply_far(RecurrenceWatch* watch) {
     while (wheel_.next_far() <= tick_) {
         const std::uint32_t net = wheel_.take_far();
-        if (pending(net) == no_change || due_tick(net) != tick_) continue;
-        const auto value = static_cast<Logic>(pending(net));
-        pending(net) = no_change;
-        --live_;
-        ++changes_;
-        change<observed, watched>(net, value, watch);
-        touch(net);
+        const bool has_changed = apply_due<observed, watched>(net, watch);
+        if (has_changed && is_pulse(net)) touch(net);  // to aim at its next change
     }
 }
 
@@ -229,8 +244,10 @@ Settling Simulator::Kernel::run() {
         next_moment<uniform, observed, false>(nullptr);
         if (is_broken_off(moments, settling)) break;
     }
-    // Entries whose changes were cancelled may be left over.
-    if (!is_live()) wheel_.clear();
+    if (!is_live()) {
+        wheel_.clear();  // entries whose changes were cancelled may be left over
+        rest_pulses();
+    }
     settling.events = changes_ - changes_told_;
     changes_told_ = changes_;
     return settling;
@@ -265,16 +282,13 @@ void Simulator::Kernel::take_snapshot(Snapshot& snapshot) {
         coming.push_back({1, next_.items[i] >> 2U, next_.items[i] & 3U});
     }
     wheel_.for_each([&](std::uint32_t net) {
-        const std::uint8_t to = pending(net);
-        if (to != no_change) coming.push_back({due_tick(net) - tick_, net, to});
+        if (is_pulse(net)) return;
+        const NodeTiming& timing = timings_[net];
+        if (timing.low_due != no_tick) coming.push_back({timing.low_due - tick_, net, 0});
+        if (timing.high_due != no_tick) coming.push_back({timing.high_due - tick_, net, 1});
     });
     for (const Pulse& pulse : pulses_) {
-        const std::uint32_t net = memories_[pulse.memory].node;
-        const std::array<Tick, 4> bounds{pulse.certain_from, pulse.certain_to, pulse.possible_from,
-                                         pulse.possible_to};
-        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-            if (bounds[i] > tick_) coming.push_back({bounds[i] - tick_, net, 4 + i});
-        }
+        append_coming(pulse, memories_[pulse.memory].node, tick_, coming);
     }
     std::sort(coming.begin(), coming.end());
     coming.erase(std::unique(coming.begin(), coming.end()), coming.end());
@@ -282,9 +296,16 @@ void Simulator::Kernel::take_snapshot(Snapshot& snapshot) {
 
 /// Of a pulse cell, or where delays are unequal of any cell.
 void Simulator::Kernel::drop_change(std::uint32_t net) {
-    if (pending(net) == no_change) return;
-    pending(net) = no_change;
-    --live_;
+    const auto drop = [this](Tick& due) {
+        live_ -= static_cast<std::uint64_t>(due != no_tick);
+        due = no_tick;
+    };
+    if (is_pulse(net)) {
+        drop(pulse_of(net).due);
+    } else {
+        drop(timings_[net].low_due);
+        drop(timings_[net].high_due);
+    }
 }
 
 void Simulator::Kernel::drop_pending(std::uint32_t net) {
@@ -297,10 +318,9 @@ void Simulator::Kernel::drop_pending(std::uint32_t net) {
 }
 
 void Simulator::Kernel::drop_all_pending() {
-    wheel_.for_each([this](std::uint32_t net) { pending(net) = no_change; });
+    wheel_.for_each([this](std::uint32_t net) { drop_change(net); });
     wheel_.clear();
     next_.size = 0;
-    live_ = 0;
     for (std::size_t i = 0; i < touched_.size; ++i) words_[touched_.items[i]] &= ~touched_flag;
     touched_.size = 0;
 }

@@ -31,20 +31,19 @@ void Simulator::Kernel::power_up() {
         if ((words_[net] & undriven_flag) == 0) touch(net);
     }
     std::fill(due_.begin(), due_.end(), never);
+    std::fill(towards_.begin(), towards_.end(), Logic::zero);
     look_at_pins();
 }
 
-/// Cells with pins of meaning take what they see for what has always been, and no pulse is running.
+/// Cells with pins of meaning take what they see for what has always been, and no pulse is running
+/// but those of which nothing is known.
 void Simulator::Kernel::look_at_pins() {
     for (MemoryCell& cell : memories_) {
         if (!(pulses_held_ && pulses_remember_)) cell.data_seen = values_[cell.data];
         cell.control_seen = values_[cell.control];
         cell.held_seen = values_[cell.held];
     }
-    for (Pulse& pulse : pulses_) {
-        pulse.certain_from = pulse.certain_to = tick_;
-        pulse.possible_from = pulse.possible_to = tick_;
-    }
+    for (Pulse& pulse : pulses_) look_at_pulse_input(pulse);
 }
 
 void Simulator::Kernel::begin_instant(Time at) {
@@ -102,13 +101,20 @@ Time Simulator::Kernel::next_due() const {
     return first == due_.end() ? never : *first;
 }
 
-void Simulator::Kernel::end_delay(std::size_t timer, Logic operand) {
-    if (!is_running(timer)) return;
+bool Simulator::Kernel::end_delay(std::size_t timer, Logic operand) {
+    const bool ran_for_another = operand != Logic::unknown && operand == inverse(towards_[timer]);
+    if (!is_running(timer) || ran_for_another) return false;
     const std::uint32_t net = timer_nodes_[timer];
+    const Logic taken = agreed(towards_[timer], operand);
     due_[timer] = never;
-    drop_pending(net);
-    change_now(net, agreed(towards_[timer], operand));
     touch(net);
+    if (types_[net] == CellType::scan_timer_next) {
+        towards_[timer] = taken;  // shows what its timer does; unknown: the delay is lost
+        return true;
+    }
+    drop_pending(net);
+    change_now(net, taken);
+    return true;
 }
 
 void Simulator::Kernel::restore(const SimulatorState& state) {
@@ -150,9 +156,6 @@ void Simulator::hold_pulses(bool on) {
 void Simulator::remember_pulse_inputs() {
     kernel_->remember_pulse_inputs();
 }
-void Simulator::doubt_unknown_pulses() {
-    kernel_->doubt_unknown_pulses();
-}
 void Simulator::force(NetId net, Logic value) {
     kernel_->force(static_cast<std::uint32_t>(net), value);
 }
@@ -177,8 +180,8 @@ Time Simulator::next_due() const {
 Time Simulator::due(std::size_t timer) const {
     return kernel_->due(timer);
 }
-void Simulator::end_delay(std::size_t timer, Logic operand) {
-    kernel_->end_delay(timer, operand);
+bool Simulator::end_delay(std::size_t timer, Logic operand) {
+    return kernel_->end_delay(timer, operand);
 }
 Logic Simulator::value(NetId net) const {
     return kernel_->value(static_cast<std::uint32_t>(net));

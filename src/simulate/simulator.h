@@ -45,6 +45,10 @@ struct SimulatorState {
 /// the object; copies of it are taken and put back with save() and restore(). The netlist must
 /// outlive it.
 ///
+/// Unknown. An unknown input stands for any waveform, as long as it is unknown: it may change at
+/// any moment and many times, between two calls of settle() as well. Whatever it does, every net
+/// shows at every moment a value that the simulation with the unknown input allows.
+///
 /// Time. Gates work in picoseconds from `now`. The delays of timers count from the instant at which
 /// their operand changed (begin_instant), not from the few nanoseconds later at which the gates had
 /// worked it out, so that instants are those of the reference.
@@ -68,14 +72,12 @@ class Simulator {
 
     /// The input takes the value now; what reads it is evaluated by settle().
     void set_input(NetId input, Logic value);
-    /// While on, pulse cells do not fire: the inputs are taken to have been so since always.
+    /// While on, pulse cells do not fire: the inputs are taken to have been so since always, even
+    /// where they are unknown.
     void hold_pulses(bool on);
     /// While pulses are held: from now on, and until they are let go, pulse cells go on comparing
     /// with the inputs they see now, whatever happens in between (power_up() included).
     void remember_pulse_inputs();
-    /// Every pulse cell whose input is unknown may or may not fire now: its output becomes unknown
-    /// for its width.
-    void doubt_unknown_pulses();
     /// Gives a net a value until it is released; for setting up initial situations.
     void force(NetId net, Logic value);
     /// Lets go of all forced nets; their drivers are evaluated by settle(). Cells with a memory and
@@ -99,13 +101,15 @@ class Simulator {
     Time due(std::size_t timer) const;
     /// Lets one running delay end at once, whatever its length, under this value of its operand,
     /// which the timer takes (gates see it with settle()); it becomes unknown where the delay may
-    /// have run for another. settle() itself never ends a delay of a timer (delay_ends.h does);
+    /// have run for another. False where it has run for the other one, and where none runs: then
+    /// nothing ends. settle() itself never ends a delay of a timer (delay_ends.h does);
     /// clock_cycle() ends those of scan timers that have fallen due by the current instant.
-    void end_delay(std::size_t timer, Logic operand);
+    bool end_delay(std::size_t timer, Logic operand);
 
     Logic value(NetId net) const;
     Time now() const;
 
+    /// To be called once all has settled.
     SimulatorState save() const;
     void restore(const SimulatorState& state);
 

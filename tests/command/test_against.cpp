@@ -103,6 +103,60 @@ TEST_CASE("a wrong gate in a JSON netlist") {
     CHECK(contains(ran.out, ": different ("));
 }
 
+TEST_CASE("pulses of an input that the chart does not look at in that situation") {
+    const ScratchFolder folder;
+    for (const std::string back : {"c . /s", "/e"}) {
+        const std::string own = folder.file("pulses.grafcet",
+                                            "grafcet pulses\n"
+                                            "input s, e, c\n"
+                                            "graph G {\n"
+                                            "  initial 0\n"
+                                            "  step 1\n"
+                                            "  step 2\n"
+                                            "  0 -> 1 : ↑s . e\n"
+                                            "  1 -> 2 : /s\n"
+                                            "  2 -> 0 : " +
+                                                back + "\n}\n");
+        const std::string good =
+            grafwire_with({"netlist", own, "--style", "nand", "--modes", "off", "--to", "blif"})
+                .out;
+        const auto check = [&](const std::string& file) {
+            return grafwire_with({"check", own, "--against", file, "--witness", folder.path("w")});
+        };
+        CHECK(check(folder.file("good.blif", good)).status == 0);
+        // `n` changes 7 ns after a rise of c, and then `late` is 1, just as `w` is 1 some ns after
+        // a rise of s: both together activate step 1 without e.
+        for (const bool rising : {true, false}) {
+            const std::string late = rising ? "rise_pulse" : "fall_pulse";
+            const std::string set = ".names X1$set0 X1$q X1\n11 0\n";
+            const std::string bad =
+                replaced(good, set,
+                         ".names c c1\n1 1\n.names c1 c2\n1 1\n.names c2 c3\n1 1\n"
+                         ".names c3 c4\n1 1\n.names c4 c5\n0 1\n"
+                         ".names c c5 n\n11 " +
+                             std::string(rising ? "0" : "1") +
+                             "\n"
+                             ".subckt grafwire_" +
+                             late +
+                             " a=n q=late\n.attr FALL \"0.002us\"\n"
+                             ".subckt grafwire_rise_pulse a=s q=w0\n.attr FALL \"0.004us\"\n"
+                             ".names w0 w1\n1 1\n.names w1 w2\n1 1\n.names w2 w3\n1 1\n"
+                             ".names w3 w4\n1 1\n.names w4 w\n1 1\n"
+                             ".names X0 late w X1$late\n111 0\n"
+                             ".names X1$set0 X1$late X1$q X1\n111 0\n");
+            const std::string file = folder.file("bad.blif", bad);
+            const Ran wrong = check(file);
+            INFO("back: " << back << ", " << late << "\n" << wrong.out << wrong.err);
+            CHECK(wrong.status == 1);
+            const std::string stim = folder.path("w/witness.stim");
+            const Ran run = grafwire_with({"run", own, stim});
+            const Ran gates = grafwire_with({"simulate", own, stim, "--against", file});
+            CHECK(gates.status == 0);
+            CHECK(run.out != gates.out);
+        }
+    }
+}
+
 TEST_CASE("ports that do not fit: a table and status 2") {
     const ScratchFolder folder;
     const std::string good = students_wiring("X0");

@@ -145,6 +145,7 @@ TEST_CASE(
     small.starts_at("b", false);
     Bench bench(small);
     bench.simulator.power_up();
+    bench.set("c", zero);
     CHECK(bench.get("a") == unknown);
     CHECK(bench.get("h") == unknown);
     CHECK(bench.get("n") == unknown);

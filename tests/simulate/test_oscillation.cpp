@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "small_netlist.h"
 
 using namespace grafwire;
@@ -42,6 +44,62 @@ TEST_CASE("a ring of three inverters oscillates, and its nets are named") {
     bench.set("go", zero);
     CHECK(bench.simulator.settle().settled);
     CHECK(bench.get("r3") == one);
+}
+
+TEST_CASE("of long rings all nets are named, and none that has changed but once") {
+    for (const int length : {31, 63, 65, 101}) {
+        CAPTURE(length);
+        SmallNetlist small;
+        small.input("go");
+        std::vector<NetId> rings;
+        for (int ring = 0; ring < 8; ++ring) {
+            const auto name = [&](int i) {
+                return "r" + std::to_string(ring) + '.' + std::to_string(i);
+            };
+            small.cell(CellType::nand_gate, name(0), {"go", name(length - 1)});
+            for (int i = 1; i < length; ++i) {
+                small.cell(CellType::inverter, name(i), {name(i - 1)});
+            }
+            for (int i = 0; i < length; ++i) rings.push_back(small.net(name(i)));
+        }
+        // An edge that runs along a line, and for longer than it takes to suspect an oscillation.
+        std::string last = "go";
+        for (int i = 0; i < 10 * length; ++i) {
+            const std::string name = "line" + std::to_string(i);
+            small.cell(CellType::buffer, name, {last});
+            last = name;
+        }
+        Bench bench(small);
+        bench.step("go", zero);
+        bench.set("go", one);
+        const Settling settling = bench.simulator.settle();
+        CHECK_FALSE(settling.settled);
+        CHECK(bench.get(last) == one);
+        std::sort(rings.begin(), rings.end());
+        CHECK(names(small, settling.oscillating) == names(small, rings));
+    }
+}
+
+TEST_CASE("a clock cycle does not settle if any part of it does not") {
+    // A ring that runs before the rise of the clock, or between rise and fall, and then stops.
+    for (const bool before_rise : {true, false}) {
+        SmallNetlist small;
+        small.clock("clk");
+        small.input("a");
+        small.cell(CellType::flip_flop, "q", {"a", "clk"}, zero);
+        small.cell(CellType::inverter, "n", {"q"});
+        if (before_rise) small.cell(CellType::and_gate, "go", {"a", "n"});
+        if (!before_rise) small.cell(CellType::and_gate, "go", {"a", "clk"});
+        add_ring(small, "r");
+        Bench bench(small);
+        bench.set("clk", zero);
+        bench.step("a", zero);
+        CHECK(bench.simulator.clock_cycle().settled);
+        bench.set("a", one);
+        const Settling cycle = bench.simulator.clock_cycle();
+        CHECK_FALSE(cycle.settled);
+        CHECK(names(small, cycle.oscillating) == "r1 r3 r2");
+    }
 }
 
 TEST_CASE("a ring of inverters at power-up without a known value stays unknown, and settles") {

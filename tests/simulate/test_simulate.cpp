@@ -170,3 +170,32 @@ $enddefinitions $end
     CHECK(fine.waveform.find("$timescale 1 ps $end") != std::string::npos);
     CHECK(fine.waveform.find("#1000000\n1!\n#1001500\n1$\n") != std::string::npos);
 }
+
+TEST_CASE("one time of half a nanosecond is enough for a waveform in picoseconds") {
+    const Grafcet grafcet = grafcet_of("input a\ngraph G { initial 0 }\n");
+    const auto timescale = [&](Time rise, Time fall, Time width, Time on_delay,
+                               std::string_view stimuli) {
+        SmallNetlist small;
+        small.netlist.has_modes = false;
+        small.input("a");
+        small.cell(CellType::high, "X0", {});
+        small.timed(CellType::rise_pulse, "p", {"a"}, {0, width, 0});
+        small.timed(CellType::timer, "t", {"a"}, {on_delay, 0, 0}, zero);
+        small.output("X0");
+        SimulateOptions options;
+        options.waveform = true;
+        const CellDelays delays{{1000, rise, 1000}, {1000, fall, 1000}};
+        const std::string vcd =
+            simulate(grafcet, small.netlist, delays, stimuli_of(stimuli, grafcet), options)
+                .waveform;
+        const std::size_t from = vcd.find("$timescale ") + 11;
+        return vcd.substr(from, vcd.find(" $end", from) - from);
+    };
+    CHECK(timescale(1000, 2000, 3000, 4000, "1us : a=1\n") == "1 ns");
+    CHECK(timescale(1500, 2000, 3000, 4000, "1us : a=1\n") == "1 ps");
+    CHECK(timescale(1000, 1500, 3000, 4000, "1us : a=1\n") == "1 ps");
+    CHECK(timescale(1000, 2000, 1500, 4000, "1us : a=1\n") == "1 ps");
+    CHECK(timescale(1000, 2000, 3000, 1500, "1us : a=1\n") == "1 ps");
+    CHECK(timescale(1000, 2000, 3000, 4000, "0.0015us : a=1\n1us : end\n") == "1 ps");
+    CHECK(timescale(1000, 2000, 3000, 4000, "1us : a=1\n1.0005us : end\n") == "1 ps");
+}

@@ -118,7 +118,8 @@ TEST_CASE("a delay that may or may not end leaves the output unknown") {
 }
 
 TEST_CASE("what another timer ends with is read, memories are read as they are") {
-    // outer is 1ms/(2ms/a . q), q a latch of NAND gates set by b: b = 1 at the end sets it too late.
+    // outer is 1ms/(2ms/a . q), q a latch of NAND gates set by b: b = 1 at the end sets it too
+    // late.
     SmallNetlist small;
     for (const char* input : {"a", "b"}) small.input(input);
     small.timed(CellType::timer, "outer", {"both"}, {millisecond, 0, 0}, zero);
@@ -300,7 +301,8 @@ TEST_CASE("the look-ahead of a clocked timer shows what that takes at the next r
                                : (choice % 4 != 0) == (i / 10 % 2 != 0) ? one
                                                                         : zero);
                 const Logic taken = timer.bench->get("t");
-                CHECK((timer.next == taken || (has_unknown && timer.next == unknown)));
+                const bool is_doubtful = timer.next == unknown || taken == unknown;
+                CHECK((timer.next == taken || (has_unknown && is_doubtful)));
                 if (taken != shown) ++changes;
                 shown = taken;
             }
