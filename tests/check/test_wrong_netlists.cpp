@@ -107,4 +107,41 @@ graph G { initial 0 step 1 : lamp
     CHECK(witness_of(grafcet, netlist) == "0s :\n40ms : end\n");
 }
 
+TEST_CASE("of the values that a memory may power up with any may be the one that shows a fault") {
+    // In three values the lamp of step 1 is unknown, in two it is right; the horn of step 2 is
+    // wrong with one power-up of the four.
+    const Grafcet grafcet = grafcet_of(R"(
+input a, b
+output lamp, horn
+graph G { initial 0 step 1 : lamp step 2
+  0 -> 1 : a
+  1 -> 2 : b }
+)");
+    Netlist memories = netlist_of(grafcet, Style::nand, false);
+    for (const std::string memory : {"p", "q"}) {
+        add_cell(memories, CellType::buffer, memory, {memory});
+        add_cell(memories, CellType::inverter, "not_" + memory, {memory});
+        add_cell(memories, CellType::or_gate, "some_" + memory, {memory, "not_" + memory});
+    }
+    put_gate_before(memories, "lamp", CellType::and_gate, {"some_p", "some_q"});
+    CHECK(check(grafcet, memories).verdict == Verdict::equivalent);
+    for (const std::string p : {"p", "not_p"}) {
+        for (const std::string q : {"q", "not_q"}) {
+            INFO(p << " and " << q);
+            Netlist netlist = memories;
+            add_cell(netlist, CellType::and_gate, "wrong", {"X2", p, q});
+            put_gate_before(netlist, "horn", CellType::or_gate, {"wrong"});
+            const CheckResult result = check(grafcet, netlist);
+            CHECK(result.verdict == Verdict::different);
+            REQUIRE(result.witness);
+            const std::vector<Netlist::InitialValue>& power_up = result.witness->power_up;
+            REQUIRE(power_up.size() == 2);
+            for (const Netlist::InitialValue& value : power_up) {
+                const std::string wrong = value.net == net_named(netlist, "p") ? p : q;
+                CHECK(value.value == !wrong.starts_with("not_"));
+            }
+        }
+    }
+}
+
 }  // namespace grafwire::testing
