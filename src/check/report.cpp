@@ -142,7 +142,7 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
 }
 
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result) {
+                             const CheckResult& result, const ToldWitness& told) {
     nlohmann::ordered_json json;
     json["verdict"] = verdict_name(result.verdict);
     for (const CheckSubject::Property& property : subject.properties) {
@@ -171,6 +171,9 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
             put(shown["expected"], value.name, value.expected);
             put(shown["got"], value.name, value.got);
         }
+        shown["cause"] = nullptr;
+        if (!told.cause.empty()) shown["cause"] = told.cause;
+        shown["story"] = told.story;
         shown["files"] = subject.witness_files;
         if (witness.scan_period != 0) shown["scan"] = format_duration(witness.scan_period);
         json["witness"] = std::move(shown);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "check/check_result.h"
+#include "check/told_witness.h"
 #include "grafcet/grafcet.h"
 #include "text/language.h"
 
@@ -39,7 +40,7 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
 
 /// The report for programs; its form is fixed (see the README).
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result);
+                             const CheckResult& result, const ToldWitness& told = {});
 
 /// One JUnit test suite with one test case: equivalent passes, different fails, undecided is an
 /// error.

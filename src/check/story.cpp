@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "check/told_witness.h"
 #include "evolution/run.h"
 
 namespace grafwire {
 
 namespace {
 
-constexpr std::size_t most_scans = 8;
+constexpr std::size_t most_scans = 8;     ///< that are told
+constexpr std::size_t most_noted = 1000;  ///< of an instant
 
 /// The inputs as the stimuli set them, moment after moment.
 class InputsOverTime {
@@ -33,7 +35,94 @@ class InputsOverTime {
     std::size_t next_ = 0;
 };
 
+/// One scan; false if it was the last of its instant.
+bool note_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
+               Time at, ReferenceEnd& end) {
+    ReferenceEnd::Scan scan;
+    scan.at = at;
+    scan.cleared = evolution.cleared_by_scan(state, {inputs}, at);
+    const EvolutionState before = state;
+    evolution.scan(state, {inputs}, at);
+    scan.situation = state.situation;
+    scan.changes = before.situation != state.situation || !scan.cleared.empty();
+    end.scans.push_back(std::move(scan));
+    return !Evolution::is_settled(before, state);
+}
+
+/// Up to the last instant of a run until stable, and the scans of that one.
+void follow_instants(const Evolution& evolution, const Witness& witness, ReferenceEnd& end) {
+    const RunResult run = run_until_stable(evolution.grafcet(), witness.stimuli);
+    InputsOverTime inputs(evolution.grafcet(), witness.stimuli);
+    EvolutionState state;
+    for (std::size_t row = 0; row < run.trace.row_count(); ++row) {
+        const Time at = run.trace.times[row];
+        const InputValues& values = inputs.at(at);
+        if (row == 0) {
+            state = evolution.start({values});
+        } else {
+            evolution.end_delays(state, {values}, at);
+        }
+        if (row + 1 < run.trace.row_count()) {
+            evolution.settle(state, {values}, at);
+            continue;
+        }
+        end.before = state.situation;
+        while (end.scans.size() < most_noted && note_scan(evolution, state, values, at, end)) {
+        }
+    }
+}
+
+/// The last scans of a run scan by scan: those since the inputs changed, but not too many.
+void follow_scans(const Evolution& evolution, const Witness& witness, ReferenceEnd& end) {
+    const Time period = witness.scan_period;
+    const auto& changes = witness.stimuli.changes;
+    const Time change = changes.empty() ? 0 : changes.back().at;
+    const Time last = witness.stimuli.end / period;
+    const Time first = std::max<Time>(
+        {0, (change + period - 1) / period, last - static_cast<Time>(most_scans) + 1});
+    InputsOverTime inputs(evolution.grafcet(), witness.stimuli);
+    EvolutionState state = evolution.start({inputs.at(0)});
+    for (Time scan = 0; scan <= last; ++scan) {
+        const InputValues& values = inputs.at(scan * period);
+        if (scan == first) end.before = state.situation;
+        if (scan < first) {
+            evolution.scan(state, {values}, scan * period);
+        } else {
+            note_scan(evolution, state, values, scan * period, end);
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+        text.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
+bool ReferenceEnd::clears(TransitionId transition) const {
+    return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
+        return std::find(scan.cleared.begin(), scan.cleared.end(), transition) !=
+               scan.cleared.end();
+    });
+}
+
+ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness) {
+    const Evolution evolution(grafcet);
+    ReferenceEnd end;
+    if (witness.scan_period == 0) {
+        follow_instants(evolution, witness, end);
+    } else {
+        follow_scans(evolution, witness, end);
+    }
+    return end;
+}
 
 void Story::tell_changes() {
     const Time last = witness_.stimuli.end;
@@ -74,83 +163,29 @@ std::string Story::transition_text(TransitionId id) const {
                        names(grafcet_.following(transition)));
 }
 
-/// One scan, if it does something; false if it was the last of its instant.
-bool Story::tell_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
-                      Time at, const std::string& label) {
-    const auto cleared = evolution.cleared_by_scan(state, {inputs}, at);
-    const EvolutionState before = state;
-    evolution.scan(state, {inputs}, at);
-    if (before.situation != state.situation || !cleared.empty()) {
+void Story::tell_reference() {
+    text_ += choose("The reference:\n", "La référence :\n");
+    const ReferenceEnd end = end_of_reference(grafcet_, witness_);
+    text_ += fmt::format("  {} {}\n", choose("before:", "avant :"), situation_text(end.before));
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < end.scans.size(); ++i) {
+        const ReferenceEnd::Scan& scan = end.scans[i];
+        if (!scan.changes) continue;
+        if (told++ == most_scans) {
+            text_ += "  …\n";
+            break;
+        }
+        const std::string label = witness_.scan_period == 0
+                                      ? fmt::format("{} {}", choose("scan", "cycle"), i + 1)
+                                      : fmt::format("{} {} ms", choose("scan at", "cycle à"),
+                                                    format_milliseconds(scan.at));
         std::vector<std::string> names;
-        for (const TransitionId id : cleared) names.push_back(transition_text(id));
+        for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
         text_ += fmt::format("  {}{} {}{} -> {}\n", label, choose(":", " :"),
                              names.empty() ? "" : choose("clears ", "franchit "),
                              names.empty() ? std::string(choose("orders", "ordres"))
                                            : fmt::format("{}", fmt::join(names, "; ")),
-                             situation_text(state.situation));
-    }
-    return !Evolution::is_settled(before, state);
-}
-
-/// Up to the last instant of a run until stable, and the scans of that one.
-void Story::follow_instants(const Evolution& evolution) {
-    const RunResult run = run_until_stable(grafcet_, witness_.stimuli);
-    InputsOverTime inputs(grafcet_, witness_.stimuli);
-    EvolutionState state;
-    for (std::size_t row = 0; row < run.trace.row_count(); ++row) {
-        const Time at = run.trace.times[row];
-        const InputValues& values = inputs.at(at);
-        if (row == 0) {
-            state = evolution.start({values});
-        } else {
-            evolution.end_delays(state, {values}, at);
-        }
-        if (row + 1 < run.trace.row_count()) {
-            evolution.settle(state, {values}, at);
-            continue;
-        }
-        text_ +=
-            fmt::format("  {}: {}\n", choose("before", "avant "), situation_text(state.situation));
-        for (std::size_t scan = 1; scan <= most_scans; ++scan) {
-            const std::string label = fmt::format("{} {}", choose("scan", "cycle"), scan);
-            if (!tell_scan(evolution, state, values, at, label)) break;
-        }
-    }
-}
-
-/// The last scans of a run scan by scan: those since the inputs changed, but not too many.
-void Story::follow_scans(const Evolution& evolution) {
-    const Time period = witness_.scan_period;
-    const auto& changes = witness_.stimuli.changes;
-    const Time change = changes.empty() ? 0 : changes.back().at;
-    const Time last = witness_.stimuli.end / period;
-    const Time first = std::max<Time>(
-        {0, (change + period - 1) / period, last - static_cast<Time>(most_scans) + 1});
-    InputsOverTime inputs(grafcet_, witness_.stimuli);
-    EvolutionState state = evolution.start({inputs.at(0)});
-    for (Time scan = 0; scan <= last; ++scan) {
-        const InputValues& values = inputs.at(scan * period);
-        if (scan < first) {
-            evolution.scan(state, {values}, scan * period);
-            continue;
-        }
-        if (scan == first) {
-            text_ += fmt::format("  {}: {}\n", choose("before", "avant "),
-                                 situation_text(state.situation));
-        }
-        const Time now = scan * period;
-        tell_scan(evolution, state, values, now,
-                  fmt::format("{} {} ms", choose("scan at", "cycle à"), format_milliseconds(now)));
-    }
-}
-
-void Story::tell_reference() {
-    text_ += choose("The reference:\n", "La référence :\n");
-    const Evolution evolution(grafcet_);
-    if (witness_.scan_period == 0) {
-        follow_instants(evolution);
-    } else {
-        follow_scans(evolution);
+                             situation_text(scan.situation));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "check/witness.h"
 #include "evolution/evolution.h"
@@ -9,6 +10,22 @@
 #include "text/language.h"
 
 namespace grafwire {
+
+/// What the reference does at the end of a witness: at its last instant, or in the scans since the
+/// inputs last changed.
+struct ReferenceEnd {
+    struct Scan {
+        Time at = 0;
+        std::vector<TransitionId> cleared;
+        BitTable situation;  ///< after it
+        bool changes = false;
+    };
+    BitTable before;
+    std::vector<Scan> scans;
+
+    bool clears(TransitionId transition) const;
+};
+ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness);
 
 /// A witness in words, part by part; what the other side did in between is told by whoever knows
 /// it.
@@ -32,10 +49,6 @@ class Story {
     std::string take() { return std::move(text_); }
 
   private:
-    void follow_instants(const Evolution& evolution);
-    void follow_scans(const Evolution& evolution);
-    bool tell_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
-                   Time at, const std::string& label);
     std::string situation_text(const BitTable& situation) const;
     std::string transition_text(TransitionId id) const;
 

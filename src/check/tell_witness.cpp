@@ -1,93 +1,266 @@
-// The last instant of a witness in words: what changed outside, what the reference made of it scan
-// by scan, which gates moved first, and where the two sides part.
+// The end of a witness in words: what changed outside, what the reference made of it scan by scan,
+// and then backwards from what differs: the equations with the values that decide, the way through
+// the gates, and the cause with what helps, where it is a known one.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check/netlist_witness.h"
 #include "check/story.h"
-#include "simulate/simulate.h"
 
 namespace grafwire {
 
 namespace {
 
-constexpr std::size_t most_gates = 12;
+using Fault = Explanation::Fault;
+using EquationPair = Explanation::EquationPair;
+using Part = Explanation::Part;
 
-struct GateChange {
-    Time at;
-    NetId net;
-    Logic value;
+constexpr std::size_t most_oscillating = 12;
+
+char digit(Logic value) {
+    return value == Logic::unknown ? 'x' : value == Logic::one ? '1' : '0';
+}
+
+class Telling {
+  public:
+    Telling(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
+            const Explanation& explanation, const TellingOptions& options)
+        : netlist_(netlist),
+          witness_(witness),
+          explanation_(explanation),
+          options_(options),
+          language_(options.language),
+          story_(grafcet, witness, options.language) {}
+
+    std::string make() {
+        story_.tell_changes();
+        story_.tell_reference();
+        tell_parts();
+        tell_chain();
+        tell_oscillation();
+        tell_cause();
+        return story_.take();
+    }
+
+  private:
+    std::string_view choose(std::string_view english, std::string_view french) const {
+        return story_.choose(english, french);
+    }
+    std::string_view colon() const { return choose(":", " :"); }
+
+    void tell_parts() {
+        if (explanation_.parts.empty()) return;
+        story_.add(witness_.kind == DifferenceKind::oscillation
+                       ? choose("What keeps changing:\n", "Ce qui change sans cesse :\n")
+                       : choose("Where they part:\n", "Où ils se séparent :\n"));
+        for (const Part& part : explanation_.parts) tell_part(part);
+    }
+
+    void tell_part(const Part& part) {
+        if (witness_.kind == DifferenceKind::oscillation) {
+            story_.add(fmt::format("  {}{} {} {}\n", part.name, colon(),
+                                   choose("the reference gives", "la référence donne"),
+                                   digit(part.expected)));
+        } else {
+            story_.add(fmt::format("  {}{} {} {}, {} {}\n", part.name, colon(),
+                                   choose("the reference gives", "la référence donne"),
+                                   digit(part.expected), choose("the netlist", "le câblage"),
+                                   digit(part.got)));
+        }
+        if (!part.follows_from.empty()) {
+            story_.add(fmt::format("    {} {}\n", choose("that follows from", "cela découle de"),
+                                   fmt::join(part.follows_from, ", ")));
+            return;
+        }
+        for (const EquationPair& pair : part.equations) tell_equation(part, pair);
+        tell_fault(part);
+    }
+
+    void tell_equation(const Part& part, const EquationPair& pair) {
+        std::string line = fmt::format("    {} = {}", pair.name, pair.expected);
+        std::vector<std::string> values;
+        for (const Explanation::Operand& operand : pair.operands) {
+            values.push_back(fmt::format("{}={}", operand.name, digit(operand.value)));
+        }
+        if (!values.empty()) {
+            line += fmt::format("   {} {}", choose("with", "avec"), fmt::join(values, " "));
+        }
+        story_.add(line + "\n");
+        if (part.fault == Fault::unread) return;
+        if (pair.is_same) return;
+        line = pair.got.empty()
+                   ? std::string(
+                         choose("    in the netlist another one", "    dans le câblage, une autre"))
+                   : fmt::format("    {} {} = {}", choose("in the netlist", "dans le câblage"),
+                                 pair.name, pair.got);
+        if (!pair.missing.empty()) {
+            line += fmt::format("{} {}", choose("; it has no", " ; il y manque"),
+                                fmt::join(pair.missing, ", "));
+        }
+        if (!pair.extra.empty()) {
+            line +=
+                fmt::format("{} {}", choose("; it should not have", " ; n'y ont pas leur place :"),
+                            fmt::join(pair.extra, ", "));
+        }
+        story_.add(line + "\n");
+    }
+
+    void tell_fault(const Part& part) {
+        switch (part.fault) {
+            case Fault::no_fault:
+                if (!part.equations.empty()) {
+                    story_.add(
+                        choose("    its gates have the same equations: it is a matter of delays\n",
+                               "    ses portes ont les mêmes équations : c'est une question de "
+                               "retards\n"));
+                }
+                break;
+            case Fault::priority:
+                story_.add(
+                    choose("    its gates have the same, but where CAX and CDX are both 1 "
+                           "deactivation wins\n",
+                           "    ses portes ont les mêmes, mais là où CAX et CDX valent 1 "
+                           "la désactivation l'emporte\n"));
+                break;
+            case Fault::unread:
+                story_.add(choose("    what the gates make of it cannot be compared; they read",
+                                  "    ce qu'en font les portes ne se compare pas ; elles lisent"));
+                for (const Explanation::Operand& operand : part.reads) {
+                    story_.add(fmt::format(" {}={}", operand.name, digit(operand.value)));
+                }
+                story_.add("\n");
+                break;
+            case Fault::equation:
+            case Fault::order:
+                break;
+        }
+        if (part.decided_at) {
+            story_.add(fmt::format("    {} {}\n", choose("it is decided at", "cela se décide à"),
+                                   moment(*part.decided_at)));
+        }
+        if (!part.lines.empty()) {
+            const std::string place = options_.source.empty() ? "" : options_.source + ", ";
+            story_.add(fmt::format(
+                "    {} {}{} {}\n", choose("its gates:", "ses portes :"), place,
+                part.lines.size() == 1 ? choose("line", "ligne") : choose("lines", "lignes"),
+                ranges(part.lines)));
+        }
+    }
+
+    /// `3, 7-9`.
+    static std::string ranges(const std::vector<std::uint32_t>& lines) {
+        std::string text;
+        for (std::size_t i = 0; i < lines.size();) {
+            std::size_t end = i + 1;
+            while (end < lines.size() && lines[end] == lines[end - 1] + 1) ++end;
+            if (!text.empty()) text += ", ";
+            text += end - i == 1 ? fmt::format("{}", lines[i])
+                                 : fmt::format("{}-{}", lines[i], lines[end - 1]);
+            i = end;
+        }
+        return text;
+    }
+
+    std::string moment(Time after) const {
+        if (after < 0) {
+            return fmt::format("{} ms", format_milliseconds(witness_.stimuli.end + after));
+        }
+        return fmt::format("+{} ns", after / nanosecond);
+    }
+
+    std::string_view verb_of(Logic value) const {
+        switch (value) {
+            case Logic::one:
+                return choose("rises", "monte");
+            case Logic::zero:
+                return choose("falls", "descend");
+            default:
+                return choose("becomes undefined", "devient indéterminée");
+        }
+    }
+
+    void tell_chain() {
+        const std::size_t most_links = options_.most_links;
+        story_.add(choose("How it came about, gate by gate:\n",
+                          "Comment on en arrive là, porte par porte :\n"));
+        const std::vector<Explanation::Link>& chain = explanation_.chain;
+        if (chain.empty()) {
+            story_.add(choose("  no gate changes\n", "  aucune porte ne change\n"));
+            return;
+        }
+        std::size_t first = 0;
+        if (most_links != 0 && chain.size() > most_links) {
+            first = chain.size() - most_links;
+            story_.add(fmt::format(
+                fmt::runtime(choose("  … {} links before these stand in witness.txt\n",
+                                    "  … {} maillons avant ceux-ci : voir witness.txt\n")),
+                first));
+        }
+        for (std::size_t i = first; i < chain.size(); ++i) tell_link(chain[i]);
+    }
+
+    void tell_link(const Explanation::Link& link) {
+        std::string line = fmt::format("  {}  ", moment(link.after));
+        if (link.cell == no_cell) {
+            line += fmt::format("{} {}", choose("input", "entrée"), link.net);
+        } else {
+            line += cell_description(netlist_, link.cell, language_);
+            const Origin& origin = netlist_.origin_of(netlist_.cells[link.cell]);
+            if (origin.kind == Origin::Kind::other && origin.where.is_known()) {
+                line += options_.source.empty()
+                            ? fmt::format(" ({} {})", choose("line", "ligne"), origin.where.line)
+                            : fmt::format(" ({}:{})", options_.source, origin.where.line);
+            }
+        }
+        line += fmt::format(" {}", verb_of(link.value));
+        if (!link.causes.empty()) {
+            line += fmt::format(", {} {}", choose("after", "après"), fmt::join(link.causes, ", "));
+        } else if (link.cell != no_cell && is_timer(netlist_.cells[link.cell].type)) {
+            line += choose(", its delay has ended", ", son retard est écoulé");
+        } else if (link.cell != no_cell) {
+            line += choose(", from the start", ", dès le départ");
+        }
+        story_.add(line + "\n");
+    }
+
+    void tell_oscillation() {
+        if (explanation_.oscillating.empty()) return;
+        story_.add(choose("The netlist does not settle. These keep changing:\n",
+                          "Le câblage ne se stabilise pas. Changent sans cesse :\n"));
+        std::size_t told = 0;
+        for (const CellId cell : explanation_.oscillating) {
+            if (told++ == most_oscillating) {
+                story_.add(fmt::format(fmt::runtime(choose("  and {} more\n", "  et {} autres\n")),
+                                       explanation_.oscillating.size() - most_oscillating));
+                break;
+            }
+            story_.add(fmt::format("  {}\n", cell_description(netlist_, cell, language_)));
+        }
+    }
+
+    void tell_cause() {
+        if (!explanation_.cause) return;
+        story_.add(fmt::format("{}\n  {}\n{}\n  {}\n", choose("Cause:", "Cause :"),
+                               cause_text(*explanation_.cause, language_),
+                               choose("What helps:", "Remède :"),
+                               remedy_text(*explanation_.cause, language_)));
+    }
+
+    const Netlist& netlist_;
+    const Witness& witness_;
+    const Explanation& explanation_;
+    const TellingOptions& options_;
+    Language language_;
+    Story story_;
 };
-
-std::string_view verb_of(Logic value, const Story& story) {
-    switch (value) {
-        case Logic::one:
-            return story.choose("rises", "monte");
-        case Logic::zero:
-            return story.choose("falls", "descend");
-        default:
-            return story.choose("is undefined", "est indéterminée");
-    }
-}
-
-void tell_gates(Story& story, const Netlist& netlist, const std::vector<GateChange>& changes,
-                Time instant) {
-    const Table<NetId, CellId> drivers = drivers_of(netlist);
-    story.add(story.choose("The netlist, gate by gate:\n", "Le câblage, porte par porte :\n"));
-    std::size_t shown = 0;
-    for (const GateChange& change : changes) {
-        const CellId driver = drivers[change.net];
-        if (driver == no_cell) continue;
-        if (shown++ == most_gates) {
-            story.add("  …\n");
-            break;
-        }
-        story.add(fmt::format("  +{} ns  {} {}\n", (change.at - instant) / nanosecond,
-                              cell_description(netlist, driver, story.language()),
-                              verb_of(change.value, story)));
-    }
-    if (shown == 0) story.add(story.choose("  no gate changes\n", "  aucune porte ne change\n"));
-}
-
-void tell_oscillation(Story& story, const Netlist& netlist, const std::vector<NetId>& nets) {
-    const Table<NetId, CellId> drivers = drivers_of(netlist);
-    story.add(story.choose("The netlist does not settle. These keep changing:\n",
-                           "Le câblage ne se stabilise pas. Changent sans cesse :\n"));
-    std::size_t shown = 0;
-    for (const NetId net : nets) {
-        const CellId driver = drivers[net];
-        if (driver == no_cell) continue;
-        if (shown++ == most_gates) {
-            story.add("  …\n");
-            break;
-        }
-        story.add(fmt::format("  {}\n", cell_description(netlist, driver, story.language())));
-    }
-}
 
 }  // namespace
 
-std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         const Witness& witness, Language language) {
-    Story story(grafcet, witness, language);
-    story.tell_changes();
-    story.tell_reference();
-
-    std::vector<GateChange> changes;
-    SimulateOptions options;
-    options.scan_period = witness.scan_period;
-    const Time last = witness.stimuli.end;
-    options.observer = [&](Time at, NetId net, Logic value) {
-        if (at >= last && changes.size() < 1000) changes.push_back({at, net, value});
-    };
-    const SimulateResult run = simulate(grafcet, netlist, delays, witness.stimuli, options);
-    tell_gates(story, netlist, changes, last);
-    if (witness.kind == DifferenceKind::oscillation) {
-        tell_oscillation(story, netlist, run.oscillating);
-    } else {
-        story.tell_difference(story.choose("the netlist", "le câblage"));
-    }
-    return story.take();
+std::string tell_witness(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
+                         const Explanation& explanation, const TellingOptions& options) {
+    return Telling(grafcet, netlist, witness, explanation, options).make();
 }
 
 }  // namespace grafwire

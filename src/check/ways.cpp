@@ -28,6 +28,21 @@ bool agree(const PartialInputs& inputs, const PartialInputs& wanted) {
 
 }  // namespace
 
+/// What a later step needs of the inputs that are open all through a step, before it as well, so
+/// that the step changes no more than it did; if the plant allows that.
+void Ways::close_all_along(PathStep& step, const PartialInputs& wanted, bool is_first) const {
+    PathStep closed = step;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (step.inputs[i] != Logic::unknown || wanted[i] == Logic::unknown) continue;
+        closed.inputs[i] = wanted[i];
+        closed.before[i] = wanted[i];
+    }
+    if (is_first) closed.before = closed.inputs;
+    if (assumptions_.can_hold(closed.inputs) && assumptions_.can_hold(closed.before)) {
+        step = std::move(closed);
+    }
+}
+
 void Ways::add(std::uint32_t parent, PathStep step) {
     steps_.push_back({parent, std::move(step)});
 }
@@ -41,11 +56,16 @@ std::vector<PathStep> Ways::path(std::uint32_t parent, PathStep last) const {
         // no effect.
         PathStep step = steps_[at].step;
         const PartialInputs wanted = path.back().before;
+        if (!inserts_) {
+            close_all_along(step, wanted, steps_[at].parent == start);
+            from_end[at] = path.size();
+            path.push_back(std::move(step));
+            continue;
+        }
         PartialInputs reached = merged(step.inputs, wanted);
         const bool can_be = assumptions_.can_hold(reached);
         if (!can_be) reached = step.inputs;
-        if (inserts_ && (!can_be || !agree(reached, wanted)))
-            path.push_back({reached, wanted, {}, {}});
+        if (!can_be || !agree(reached, wanted)) path.push_back({reached, wanted, {}, {}});
         step.inputs = reached;
         if (steps_[at].parent == start) step.before = step.inputs;
         from_end[at] = path.size();

@@ -29,6 +29,8 @@ class Ways {
     std::vector<PathStep> path(std::uint32_t parent, PathStep last) const;
 
   private:
+    void close_all_along(PathStep& step, const PartialInputs& wanted, bool is_first) const;
+
     struct Step {
         std::uint32_t parent;
         PathStep step;

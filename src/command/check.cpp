@@ -4,6 +4,7 @@
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
+#include "check/explain.h"
 #include "check/netlist_witness.h"
 #include "command/check_request.h"
 #include "command/command.h"
@@ -16,6 +17,9 @@
 namespace grafwire {
 
 namespace {
+
+/// Of the way through the gates, what a report for people shows.
+constexpr std::size_t most_links = 36;
 
 bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
     bool good = true;
@@ -71,15 +75,24 @@ int report(const CheckRequest& request, const LoadedGrafcet& loaded, const Netli
     const CheckSubject subject = netlist_subject(
         request.path, request.against.empty() ? request.netlist.style : request.against,
         std::string(request.netlist.cdx_name()), request.delay);
-    std::string story;
+    ToldWitness told;
     std::vector<WitnessFile> files;
     if (result.witness) {
-        story = tell_witness(loaded.grafcet, netlist, delays, *result.witness, language);
+        const Netlist powered = with_power_up(netlist, result.witness->power_up);
+        const Explanation explanation = explain(loaded.grafcet, powered, delays, *result.witness);
+        const auto tell = [&](Language in, std::size_t links) {
+            return tell_witness(loaded.grafcet, powered, *result.witness, explanation,
+                                {in, links, request.against});
+        };
+        told.text = tell(language, most_links);
+        if (explanation.cause) told.cause = identifier_of(explanation.cause->kind);
+        told.story = lines_of(tell(Language::english, 0));
         if (!request.witness.empty()) {
-            files = files_of_witness(loaded.grafcet, netlist, delays, *result.witness, story);
+            files = files_of_witness(loaded.grafcet, powered, delays, *result.witness,
+                                     tell(language, 0));
         }
     }
-    return report_check(request, loaded.grafcet, subject, result, story, files, language);
+    return report_check(request, loaded.grafcet, subject, result, told, files, language);
 }
 
 bool is_listing(const std::string& path) {

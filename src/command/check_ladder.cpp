@@ -57,14 +57,15 @@ int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, 
         return bad_request;
     const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Report, with the networks that a difference comes from.
-    std::string story;
+    ToldWitness told;
     std::vector<WitnessFile> files;
     if (result.witness) {
-        story = device.tell(*result.witness, language);
-        files = files_of_scans(grafcet, device, *result.witness, story);
+        told.text = device.tell(*result.witness, language);
+        told.story = lines_of(device.tell(*result.witness, Language::english));
+        files = files_of_scans(grafcet, device, *result.witness, told.text);
     }
     return report_check(request, grafcet, device_subject(request.path, request.against, *period),
-                        result, story, files, language);
+                        result, told, files, language);
 }
 
 }  // namespace grafwire

@@ -53,17 +53,21 @@ int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
         return bad_request;
     const CheckResult result = compare_scans(request, grafcet, device, *period);
     // Find the network that a difference comes from, and report.
-    std::string story;
+    ToldWitness told;
     std::vector<WitnessFile> files;
     if (result.witness) {
         const auto finding =
             find_cause(grafcet, *listing, cpu_named(request.cpu), *binding, *result.witness);
-        story = tell_listing_witness(grafcet, *listing, *result.witness, finding, device.error(),
-                                     language);
-        files = files_of_scans(grafcet, device, *result.witness, story);
+        const auto tell = [&](Language in) {
+            return tell_listing_witness(grafcet, *listing, *result.witness, finding, device.error(),
+                                        in);
+        };
+        told.text = tell(language);
+        told.story = lines_of(tell(Language::english));
+        files = files_of_scans(grafcet, device, *result.witness, told.text);
     }
     return report_check(request, grafcet, device_subject(request.path, request.against, *period),
-                        result, story, files, language);
+                        result, told, files, language);
 }
 
 }  // namespace grafwire

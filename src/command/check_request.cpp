@@ -172,18 +172,18 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 }
 
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const std::string& story,
+                 const CheckResult& result, const ToldWitness& told,
                  const std::vector<WitnessFile>& witness_files, Language language) {
     OutputFiles files({request.path, request.against, request.io});
     if (!request.witness.empty()) {
         subject.witness_files = add_witness(files, request.witness, witness_files);
     }
     if (request.format == "json") {
-        files.add(request.output, write_check_json(subject, grafcet, result));
+        files.add(request.output, write_check_json(subject, grafcet, result, told));
     } else if (request.format == "junit") {
-        files.add(request.output, write_check_junit(subject, grafcet, result, story));
+        files.add(request.output, write_check_junit(subject, grafcet, result, told.text));
     } else {
-        files.add(request.output, write_check_text(subject, grafcet, result, story, language));
+        files.add(request.output, write_check_text(subject, grafcet, result, told.text, language));
     }
     return finish(files, exit_status(result.verdict));
 }

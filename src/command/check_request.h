@@ -70,7 +70,7 @@ struct WitnessFile {
 /// Writes the report, and the files of the witness into the folder asked for, if one is, where
 /// those of an earlier witness go; returns what the program ends with.
 int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const std::string& story,
+                 const CheckResult& result, const ToldWitness& told,
                  const std::vector<WitnessFile>& witness_files, Language language);
 
 /// Whether the request makes sense for what is compared, and the GRAFCET gives a check something to

@@ -47,6 +47,7 @@ std::function<int()> declare_equations(const CommandLine& line, const Language& 
         if (!loaded) return static_cast<int>(bad_request);
         // Derive the equations.
         const CdxForm cdx = request->cdx == "successor" ? CdxForm::successor : CdxForm::transition;
+        show_wiring_warnings(*loaded, cdx);
         const Equations equations = equations_from(loaded->grafcet, {cdx, request->modes == "on"});
         // Write them down.
         OutputFiles files({request->path});

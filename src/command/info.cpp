@@ -12,6 +12,7 @@ std::function<int()> declare_info(const CommandLine& line, const Language& langu
         // Read and check; errors and warnings go to standard error.
         const auto loaded = load_grafcet(*path);
         if (!loaded) return static_cast<int>(bad_request);
+        show_wiring_warnings(*loaded, CdxForm::successor);
         // Describe it.
         OutputFiles files({*path});
         files.add("-", describe_grafcet(loaded->grafcet, language));

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "command/exit_status.h"
+#include "equations/wiring_hazards.h"
 #include "grafcet/parse_grafcet.h"
 #include "import/read_blif.h"
 #include "import/read_yosys_json.h"
@@ -44,6 +45,13 @@ std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
     show_diagnostics(diagnostics, source);
     if (!grafcet) return std::nullopt;
     return LoadedGrafcet{std::move(source), std::move(*grafcet)};
+}
+
+void show_wiring_warnings(const LoadedGrafcet& loaded, CdxForm cdx) {
+    Diagnostics diagnostics;
+    warn_of_wiring(loaded.grafcet, cdx, diagnostics);
+    diagnostics.sort_by_place();
+    show_diagnostics(diagnostics, loaded.source);
 }
 
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "command/files.h"
+#include "equations/equations.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "s7/machine/binding.h"
@@ -17,6 +18,9 @@ struct LoadedGrafcet {
     Grafcet grafcet;
 };
 std::optional<LoadedGrafcet> load_grafcet(const std::string& path);
+
+/// Shows what the structure of a GRAFCET puts at risk in asynchronous wiring with this form of CDX.
+void show_wiring_warnings(const LoadedGrafcet& loaded, CdxForm cdx);
 
 /// Stimuli for a GRAFCET, likewise.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);

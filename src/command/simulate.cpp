@@ -18,6 +18,7 @@ struct Request {
     std::string stimuli;
     NetlistRequest netlist;
     std::string against;
+    std::string power_up;  ///< empty: unknown
     std::string delay = "unit";
     std::string scan;
     TraceOutput output;
@@ -75,6 +76,10 @@ std::function<int()> declare_simulate(const CommandLine& line, const Language& l
     request->netlist.declare(line, false);
     line.add("--against", request->against,
              "simulate this .blif or .json netlist instead of a generated one");
+    line.add("--power-up", request->power_up,
+             "netlists from elsewhere without Init: how their steps start: unknown (the default), "
+             "or initial, taken as given")
+        .one_of({"unknown", "initial"});
     line.add("--delay", request->delay, "delay of every gate: unit (1 ns)")
         .one_of({"unit"})
         .shows_default();
@@ -90,13 +95,20 @@ std::function<int()> declare_simulate(const CommandLine& line, const Language& l
         if (!loaded) return static_cast<int>(bad_request);
         const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
         if (!stimuli) return static_cast<int>(bad_request);
+        if (request->against.empty() && !request->power_up.empty()) {
+            complain("--power-up has no effect here: it is for a netlist given with --against");
+            return static_cast<int>(bad_request);
+        }
         // Make the netlist, or read it.
         auto netlist = request->against.empty() ? make_netlist(*loaded, request->netlist)
                                                 : load_netlist(request->against);
         if (!netlist) return static_cast<int>(bad_request);
         if (!request->against.empty()) {
             const PortComparison ports = compare_ports(loaded->grafcet, *netlist);
-            if (ports.missing_outputs.empty()) adopt_ports(loaded->grafcet, *netlist);
+            if (ports.missing_outputs.empty()) {
+                adopt_ports(loaded->grafcet, *netlist);
+                netlist->starts_initially = request->power_up == "initial";
+            }
             if (!ports.fits()) warn("ports:\n" + write_port_table(ports, language));
         }
         warn_of_broken_assumptions(loaded->grafcet, broken_assumptions(loaded->grafcet, *stimuli));

@@ -81,8 +81,11 @@ void YosysCellWriter::write_attributes(const Cell& cell) {
     out_ += ", \"attributes\": { \"module\": \"";
     append_json_text(out_, module_);
     out_ += '"';
-    const Location where = netlist_.origin_of(cell).where;
-    if (where.is_known()) append(out_, ", \"grafcet_line\": \"line ", where.line, "\"");
+    const Origin& origin = netlist_.origin_of(cell);
+    const Location where = origin.where;
+    // A cell of a netlist that was read stands in another file than the GRAFCET.
+    if (where.is_known() && origin.kind != Origin::Kind::other)
+        append(out_, ", \"grafcet_line\": \"line ", where.line, "\"");
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
         if (is_timer(cell.type)) append(out_, ", \"RISE\": \"", format_duration(timing.rise), '"');

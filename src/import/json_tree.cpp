@@ -15,12 +15,37 @@ namespace {
 
 constexpr std::size_t deepest = 20;
 
+/// Walks through a text and counts its lines. The parser reads one character after the other and
+/// looks ahead by none where an object begins, so the line is that of its brace.
+class LineCounter {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    LineCounter(const char* place, std::uint32_t& line) : place_(place), line_(&line) {}
+    const char& operator*() const { return *place_; }
+    LineCounter& operator++() {
+        if (*place_++ == '\n') ++*line_;
+        return *this;
+    }
+    bool operator==(const LineCounter& other) const { return place_ == other.place_; }
+    bool operator!=(const LineCounter& other) const { return place_ != other.place_; }
+
+  private:
+    const char* place_;
+    std::uint32_t* line_;
+};
+
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   public:
     JsonValue root;
     bool too_deep = false;
     std::size_t error_position = 0;
     std::string error_message;
+    std::uint32_t line = 1;  ///< that the parser is in
 
     bool null() override { return add(JsonValue::Kind::null, {}); }
     bool boolean(bool value) override {
@@ -75,6 +100,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         }
         JsonValue& value = place();
         value.kind = kind;
+        value.line = line;
         // A parent gets no further members while its child is open, so the pointer stays good.
         open_.push_back(&value);
         return true;
@@ -127,7 +153,9 @@ const JsonValue* JsonValue::find(std::string_view name) const {
 std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnostics) {
     if (!check_utf8(text, diagnostics)) return std::nullopt;
     TreeBuilder builder;
-    if (nlohmann::json::sax_parse(text, &builder)) return std::move(builder.root);
+    const LineCounter begin(text.data(), builder.line);
+    const LineCounter end(text.data() + text.size(), builder.line);
+    if (nlohmann::json::sax_parse(begin, end, &builder)) return std::move(builder.root);
     if (builder.too_deep) {
         diagnostics.error(
             Code::nested_too_deep, {},

@@ -179,6 +179,20 @@ void NetlistAssembly::find_clock() {
     }
 }
 
+/// Every cell gets the place in the file that it came from.
+void NetlistAssembly::set_origins() {
+    for (std::size_t i = 0; i < netlist_.cells.size(); ++i) {
+        const Location where = cell_places_[i];
+        if (!where.is_known()) continue;
+        const Location last = netlist_.origins.back().where;
+        if (last.line != where.line || last.column != where.column) {
+            netlist_.origins.push_back({Origin::Kind::other, {}, where});
+        }
+        netlist_.cells[netlist_.cells.id_at(i)].origin =
+            static_cast<std::uint32_t>(netlist_.origins.size() - 1);
+    }
+}
+
 std::optional<Netlist> NetlistAssembly::finish() {
     name_inner_nets();
     // Cells that were refused leave nets without drivers; that need not be said as well.
@@ -186,6 +200,7 @@ std::optional<Netlist> NetlistAssembly::finish() {
     find_clock();
     if (diagnostics_.has_errors()) return std::nullopt;
     for (const Net& net : nets_) netlist_.names.add(net.name);
+    set_origins();
     if (!netlist_.cells.empty()) {
         netlist_.modules.push_back(
             {netlist_.name, {}, 0, static_cast<std::uint32_t>(netlist_.cells.size())});

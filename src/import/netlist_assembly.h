@@ -75,6 +75,7 @@ class NetlistAssembly {
     void name_inner_nets();
     void check_drivers();
     void find_clock();
+    void set_origins();
 
     Diagnostics& diagnostics_;
     Netlist netlist_;

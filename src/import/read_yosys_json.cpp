@@ -193,7 +193,7 @@ void give_nets_to_constants(NetlistAssembly& assembly, YosysCell& cell) {
     for (YosysCell::Connection& connection : cell.connections) {
         for (std::size_t i = 0; i < connection.bits.size(); ++i) {
             if (connection.constants[i] == '-' || takes_constants) continue;
-            connection.bits[i] = assembly.constant(connection.constants[i] == '1', {});
+            connection.bits[i] = assembly.constant(connection.constants[i] == '1', cell.where);
         }
     }
 }
@@ -227,6 +227,7 @@ void YosysReader::read_cells(const JsonValue& cells) {
     for (const auto& [name, value] : cells.members) {
         YosysCell cell;
         cell.name = name;
+        cell.where = {value.line, 1};
         if (const JsonValue* type = value.find("type")) cell.type = type->text;
         // What the black boxes say stands among the attributes.
         for (const std::string_view part : {"parameters", "attributes"}) {

@@ -41,10 +41,10 @@ class YosysCellReader {
     NetId bit(std::string_view port, bool is_high);
     std::vector<NetId> word(std::string_view port);
     NetId make(CellType type, std::vector<NetId> pins) {
-        return assembly_.gate(type, pins, output_, {});
+        return assembly_.gate(type, pins, output_, cell_.where);
     }
     void drive(CellType type, const std::vector<NetId>& pins) {
-        assembly_.add_cell(type, output_, pins, {}, {initial_, {}});
+        assembly_.add_cell(type, output_, pins, cell_.where, {initial_, {}});
     }
     bool is_positive(std::string_view parameter) const {
         return cell_.parameter(parameter).ends_with('1');

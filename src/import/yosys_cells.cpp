@@ -38,7 +38,7 @@ NetId YosysCellReader::bit(std::string_view port) {
 
 NetId YosysCellReader::bit(std::string_view port, bool is_high) {
     const NetId net = bit(port);
-    return net == no_net || is_high ? net : assembly_.inverted(net, {});
+    return net == no_net || is_high ? net : assembly_.inverted(net, cell_.where);
 }
 
 std::vector<NetId> YosysCellReader::word(std::string_view port) {
@@ -66,7 +66,7 @@ std::string YosysCellReader::add_helper(CellType type) {
     std::vector<NetId> pins;
     for (const std::string_view pin : helper_pin_names(type)) pins.push_back(bit(pin));
     if (!fault_.empty()) return fault_;
-    assembly_.add_cell(type, output_, pins, {}, details);
+    assembly_.add_cell(type, output_, pins, cell_.where, details);
     return {};
 }
 

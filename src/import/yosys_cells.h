@@ -14,6 +14,7 @@ namespace grafwire {
 struct YosysCell {
     std::string name;
     std::string type;
+    Location where;
     struct Connection {
         std::string port;
         std::vector<NetId> bits;

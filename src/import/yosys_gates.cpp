@@ -94,14 +94,15 @@ std::string YosysCellReader::add_comparison(bool is_equal) {
         const char constant = a_constants[i] != '-' ? a_constants[i] : b_constants[i];
         NetId other = a_constants[i] != '-' ? b[i] : a[i];
         if (a_constants[i] != '-' && b_constants[i] != '-') {
-            other = assembly_.constant(b_constants[i] == '1', {});
+            other = assembly_.constant(b_constants[i] == '1', cell_.where);
         }
         if (constant == '1') {
             equal_bits.push_back(other);
         } else if (constant == '0') {
-            equal_bits.push_back(assembly_.inverted(other, {}));
+            equal_bits.push_back(assembly_.inverted(other, cell_.where));
         } else {
-            equal_bits.push_back(assembly_.inverted(make(CellType::xor_gate, {a[i], b[i]}), {}));
+            equal_bits.push_back(
+                assembly_.inverted(make(CellType::xor_gate, {a[i], b[i]}), cell_.where));
         }
     }
     drive(is_equal ? CellType::and_gate : CellType::nand_gate, equal_bits);
@@ -124,7 +125,7 @@ std::string YosysCellReader::add_mux(bool inverts) {
     const NetId b = bit("B");
     const NetId select = bit("S");
     if (!fault_.empty()) return fault_;
-    const NetId low = make(CellType::and_gate, {a, assembly_.inverted(select, {})});
+    const NetId low = make(CellType::and_gate, {a, assembly_.inverted(select, cell_.where)});
     const NetId high = make(CellType::and_gate, {b, select});
     drive(inverts ? CellType::nor_gate : CellType::or_gate, {low, high});
     return {};
@@ -162,7 +163,7 @@ std::string YosysCellReader::add_lut() {
         if (entry != '0' && entry != '1') return "its table has undefined entries";
         (entry == '1' ? on : off).rows.push_back(row);
     }
-    add_cover(assembly_, on.rows.size() <= off.rows.size() ? on : off, output_, {});
+    add_cover(assembly_, on.rows.size() <= off.rows.size() ? on : off, output_, cell_.where);
     return {};
 }
 

@@ -27,13 +27,15 @@ std::string YosysCellReader::add_flip_flop() {
     if (!fault_.empty()) return fault_;
     const auto apply_reset = [&] {
         if (!has_reset) return;
-        data = letters[2] == '1' ? make(CellType::or_gate, {data, reset})
-                                 : make(CellType::and_gate, {data, assembly_.inverted(reset, {})});
+        data = letters[2] == '1'
+                   ? make(CellType::or_gate, {data, reset})
+                   : make(CellType::and_gate, {data, assembly_.inverted(reset, cell_.where)});
     };
     const auto apply_enable = [&] {
         if (!has_enable) return;
         const NetId taken = make(CellType::and_gate, {data, enable});
-        const NetId kept = make(CellType::and_gate, {output_, assembly_.inverted(enable, {})});
+        const NetId kept =
+            make(CellType::and_gate, {output_, assembly_.inverted(enable, cell_.where)});
         data = make(CellType::or_gate, {taken, kept});
     };
     if (kind == "SDFFCE") apply_reset();
@@ -66,7 +68,8 @@ std::string YosysCellReader::add_set_reset(bool set_is_high, bool reset_is_high)
     const NetId set = bit(is_word ? "SET" : "S", set_is_high);
     const NetId reset = bit(is_word ? "CLR" : "R", reset_is_high);
     if (!fault_.empty()) return fault_;
-    drive(CellType::latch, {make(CellType::and_gate, {set, assembly_.inverted(reset, {})}), reset});
+    drive(CellType::latch,
+          {make(CellType::and_gate, {set, assembly_.inverted(reset, cell_.where)}), reset});
     return {};
 }
 

@@ -35,7 +35,7 @@ struct Origin {
     };
     Kind kind = Kind::other;
     std::string name;  ///< the step, transition, … as written; an expression for edges and times
-    Location where;
+    Location where;    ///< in the GRAFCET; of kind other: in the file the netlist was read from
 };
 
 /// The parameters of cells that know of time.

@@ -30,7 +30,14 @@ void trim_end(std::string& text) {
     text.erase(text.find_last_not_of(' ') + 1);
 }
 
-std::string instruction_text(const Instruction& instruction, Mnemonics mnemonics) {
+void add_comment(std::string& out, const std::string& comment) {
+    if (!comment.empty()) out += " // " + comment;
+    out += '\n';
+}
+
+}  // namespace
+
+std::string write_instruction(const Instruction& instruction, Mnemonics mnemonics) {
     std::string text = fmt::format("{:<6}", mnemonic_of(instruction, mnemonics));
     const std::size_t count = instruction.operands.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -43,13 +50,6 @@ std::string instruction_text(const Instruction& instruction, Mnemonics mnemonics
     trim_end(text);
     return text;
 }
-
-void add_comment(std::string& out, const std::string& comment) {
-    if (!comment.empty()) out += " // " + comment;
-    out += '\n';
-}
-
-}  // namespace
 
 std::string write_listing(const Listing& listing, const WritingOptions& options) {
     std::string out;
@@ -66,7 +66,7 @@ std::string write_listing(const Listing& listing, const WritingOptions& options)
         add_comment(out, network.comment);
         for (const Instruction& instruction : instructions) {
             out += options.offsets ? fmt::format("{:>5} ", offset) : std::string(6, ' ');
-            out += instruction_text(instruction, options.mnemonics) + '\n';
+            out += write_instruction(instruction, options.mnemonics) + '\n';
             offset += size_of(instruction);
         }
     }

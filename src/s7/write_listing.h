@@ -12,6 +12,9 @@ struct WritingOptions {
     bool offsets = true;
 };
 
+/// One instruction as a listing has it, without offset: `S     M0.1    K1`.
+std::string write_instruction(const Instruction& instruction, Mnemonics mnemonics);
+
 /// The listing as text, aligned as in Cordier's: networks with their comments, offsets worked out
 /// from the sizes, a blank line before each subroutine. Reading it back gives the same listing
 /// (with those offsets; places apart).

@@ -4,12 +4,17 @@
 
 #include "check/story.h"
 #include "s7/operand_text.h"
+#include "s7/write_listing.h"
+#include "s7check/listing_excerpt.h"
 
 namespace grafwire {
 
 namespace {
 
 using Kind = Finding::Kind;
+
+constexpr std::size_t most_networks = 6;
+constexpr std::size_t most_instructions = 10;  ///< of a network
 
 std::string place_text(const s7::Operand& place) {
     return s7::write_operand(place, Mnemonics::simatic);
@@ -61,6 +66,33 @@ std::string network_text(const s7::Listing& listing, std::uint32_t number, const
     return text;
 }
 
+/// The instructions of the networks in question, with their lines.
+void tell_instructions(Story& story, const s7::Listing& listing, const Finding& finding) {
+    std::vector<s7::Operand> places{finding.place};
+    for (const Finding::Read& read : finding.reads) places.push_back(read.place);
+    story.add(story.choose("The instructions:\n", "Les instructions :\n"));
+    for (std::size_t i = 0; i < finding.networks.size(); ++i) {
+        if (i == most_networks) {
+            story.add("  …\n");
+            return;
+        }
+        for (const s7::Network& network : listing.networks) {
+            if (network.number != finding.networks[i]) continue;
+            story.add(fmt::format("  {}\n", network_text(listing, network.number, story)));
+            const auto shown = excerpt(network, places, most_instructions + 1);
+            for (std::size_t k = 0; k < shown.size(); ++k) {
+                if (k == most_instructions) {
+                    story.add("    …\n");
+                    break;
+                }
+                story.add(fmt::format("    {:>5}  {}\n", shown[k]->where.line,
+                                      s7::write_instruction(*shown[k], Mnemonics::simatic)));
+            }
+            break;
+        }
+    }
+}
+
 void tell_finding(Story& story, const s7::Listing& listing, const Finding& finding) {
     story.add(story.choose("Where it comes from in the listing:\n",
                            "D'où cela vient dans le programme :\n"));
@@ -100,6 +132,7 @@ void tell_finding(Story& story, const s7::Listing& listing, const Finding& findi
             is_one ? story.choose("network", "le réseau") : story.choose("networks", "les réseaux"),
             fmt::join(others, ", ")));
     }
+    tell_instructions(story, listing, finding);
 }
 
 }  // namespace

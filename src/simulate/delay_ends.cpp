@@ -98,6 +98,9 @@ void DelayEnds::add_timers_before(NetId net, std::vector<std::uint8_t>& seen) {
         if (timer != not_a_timer) {
             visits.push_back({visit.net, true});
             visits.push_back({netlist_.pins_of(cell)[0], false});
+            if (cell.type == CellType::scan_timer_next) {
+                visits.push_back({netlist_.pins_of(cell)[1], false});
+            }
         } else if (!row_of(cell.type).has_memory) {
             for (const NetId pin : netlist_.pins_of(cell)) visits.push_back({pin, false});
         }
@@ -120,6 +123,13 @@ Logic DelayEnds::gate_output(const Cell& cell) const {
     return cell.type == CellType::xor_gate ? xor_value(word) : static_cast<Logic>(look_up(word));
 }
 
+/// The net that holds what a memory has: of a look-ahead, which has none of its own, its timer's.
+NetId DelayEnds::shown_by(NetId net) const {
+    const CellId driver = drivers_[net];
+    if (driver == no_cell || netlist_.cells[driver].type != CellType::scan_timer_next) return net;
+    return netlist_.pins_of(netlist_.cells[driver])[1];
+}
+
 /// The value that a net is about to have while every memory holds what it has.
 Logic DelayEnds::read(const Simulator& simulator, NetId net) {
     waiting_.assign(1, net);
@@ -139,7 +149,7 @@ Logic DelayEnds::read(const Simulator& simulator, NetId net) {
             value = static_cast<std::uint8_t>(gate_output(netlist_.cells[driver]));
             worked_out_.push_back(next);
         } else if (value == unread) {
-            value = static_cast<std::uint8_t>(simulator.value(next));
+            value = static_cast<std::uint8_t>(simulator.value(shown_by(next)));
             worked_out_.push_back(next);
         }
         waiting_.pop_back();

@@ -28,6 +28,7 @@ class DelayEnds {
   private:
     Logic read(const Simulator& simulator, NetId net);
     Logic gate_output(const Cell& cell) const;
+    NetId shown_by(NetId net) const;
     bool keeps_value(CellId cell) const;
     void find_registers();
     void hold_edges();

@@ -149,8 +149,8 @@ class Run {
         simulator_.begin_instant(at);
         set_inputs();
         if (at > 0) delay_ends_.take_effect(simulator_, at);
-        return note(at, netlist_.is_clocked() ? cycle_until_stable()
-                                              : delay_ends_.settle(simulator_, at));
+        return note(
+            at, netlist_.is_clocked() ? cycle_until_stable() : delay_ends_.settle(simulator_, at));
     }
 
     bool scan(Time at) {

@@ -24,7 +24,7 @@ CellDelays unit_delays(const Netlist& netlist);
 /// What came of letting a netlist settle.
 struct Settling {
     bool settled = true;
-    bool broken_off = false;    ///< then it is not settled either; restore() before going on
+    bool broken_off = false;   ///< then it is not settled either; restore() before going on
     std::uint64_t events = 0;  ///< changes of nets that took place
     /// Not settled: the nets that keep changing, in the order of their ids.
     std::vector<NetId> oscillating;

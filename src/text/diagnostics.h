@@ -58,6 +58,7 @@ enum class Code {
     event_without_edge,
     unused_name,
     conflicting_writes,
+    wiring_hazard,
     // Stimuli.
     bad_time,
     time_order,

@@ -64,7 +64,8 @@ TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
     const Netlist netlist = netlist_of(grafcet, Style::gates);
     CHECK(replay(grafcet, netlist, unit_delays(netlist), gates.witness->stimuli, 0));
     const std::string story =
-        tell_witness(grafcet, netlist, unit_delays(netlist), *gates.witness, Language::english);
+        tell_witness(grafcet, netlist, *gates.witness,
+                     explain(grafcet, netlist, unit_delays(netlist), *gates.witness), {});
     CHECK(story.find("These keep changing:\n  AND gate X1 of step 1\n") != std::string::npos);
 
     const CheckResult nand = check(grafcet, Style::nand);

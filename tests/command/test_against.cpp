@@ -121,7 +121,8 @@ TEST_CASE("pulses of an input that the chart does not look at in that situation"
             grafwire_with({"netlist", own, "--style", "nand", "--modes", "off", "--to", "blif"})
                 .out;
         const auto check = [&](const std::string& file) {
-            return grafwire_with({"check", own, "--against", file, "--witness", folder.path("w")});
+            return grafwire_with({"check", own, "--against", file, "--changes", "many", "--witness",
+                                  folder.path("w")});
         };
         CHECK(check(folder.file("good.blif", good)).status == 0);
         // `n` changes 7 ns after a rise of c, and then `late` is 1, just as `w` is 1 some ns after

@@ -145,8 +145,8 @@ TEST_CASE("JSON: different, with a witness") {
     CHECK(json["complete"] == false);
     const Json& witness = json["witness"];
     REQUIRE(witness.is_object());
-    CHECK(keys_of(witness) ==
-          std::vector<std::string>{"kind", "stimuli", "expected", "got", "files"});
+    CHECK(keys_of(witness) == std::vector<std::string>{"kind", "stimuli", "expected", "got",
+                                                       "cause", "story", "files"});
     CHECK(witness["kind"] == "situation");
     const std::vector<std::string> names{"X1", "X2", "present", "loaded"};
     check_values(witness["expected"], names);
@@ -159,6 +159,13 @@ TEST_CASE("JSON: different, with a witness") {
     for (const std::string& file : files) CHECK(!text_of(file).empty());
     CHECK(text_of(folder.path("w/witness.stim")) == witness["stimuli"]);
     CHECK(report({chart, "--style", "nor"}, 1)["witness"]["files"] == Json::array());
+    // The story is in English whatever the language, and tells what the file tells.
+    CHECK(witness["cause"] == "reset-priority");
+    std::string story;
+    for (const Json& line : witness["story"]) story += line.get<std::string>() + "\n";
+    CHECK(story == text_of(folder.path("w/witness.txt")));
+    const Json french = report({chart, "--style", "nor", "--lang", "fr"}, 1)["witness"];
+    CHECK(french["story"] == witness["story"]);
 }
 
 TEST_CASE("JSON: a netlist that does not settle") {

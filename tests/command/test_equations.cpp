@@ -117,4 +117,21 @@ TEST_CASE("the other forms") {
           grafwire_with({"equations", example("single-sequence.grafcet")}).out.size());
 }
 
+TEST_CASE("equations and info warn of what wiring may get wrong, in the form asked for") {
+    const std::string warning = ": warning: steps 1 and 2 can be active together: with --cdx ";
+    const std::string chart = example("rule-5.grafcet");
+    const Ran successor = grafwire_with({"equations", chart, "--to", "csv"});
+    CHECK(contains(successor.err, warning));
+    CHECK(successor.status == 0);
+    const Ran transition =
+        grafwire_with({"equations", chart, "--to", "csv", "--cdx", "transition"});
+    CHECK_FALSE(contains(transition.err, warning));
+    const Ran info = grafwire_with({"info", chart});
+    CHECK(contains(info.err, warning));
+    CHECK(info.status == 0);
+    // The other commands have their own say.
+    CHECK_FALSE(contains(grafwire_with({"plc", chart, "--to", "st"}).err, warning));
+    CHECK(grafwire_with({"info", example("nine-steps.grafcet")}).err.empty());
+}
+
 }  // namespace grafwire::test

@@ -168,6 +168,22 @@ TEST_CASE("the steps of a netlist come first") {
     CHECK_FALSE(netlist->is_clocked());
 }
 
+TEST_CASE("every cell knows its line") {
+    const SourceFile source{"x.blif",
+                            ".model m\n.inputs a b c\n.outputs y z\n"
+                            ".names a b c y\n11- 1\n0-1 1\n# and\n.latch a z re b 0\n.end\n"};
+    Diagnostics diagnostics;
+    const std::optional<Netlist> netlist = read_blif(source, diagnostics);
+    REQUIRE(netlist);
+    CHECK(fault_of(*netlist) == "");
+    REQUIRE(netlist->cells.size() > 3);
+    for (const Cell& cell : netlist->cells) {
+        const Origin& origin = netlist->origin_of(cell);
+        CHECK(origin.kind == Origin::Kind::other);
+        CHECK(origin.where.line == (cell.type == CellType::flip_flop ? 8 : 4));
+    }
+}
+
 TEST_CASE("refusals name the place and the cause") {
     CHECK(error_of(".names a b y\n111 1") ==
           "x.blif:5:1: error: expected a row of 2 characters 0, 1 or - and a 0 or 1\n111 1\n^\n");

@@ -47,6 +47,22 @@ const std::string abcd = R"("A": [2], "B": [3], "C": [4], "D": [5], "Y": [6])";
 
 }  // namespace
 
+TEST_CASE("every cell knows the line at which it begins") {
+    const std::string two = cell("$_ANDNOT_", ab) + ",\n\n" +
+                            R"("h": {"type": "$_OR_", "connections": )"
+                            "\n"
+                            R"({"A": [2], "B": [3], "Y": [7]}})";
+    const SourceFile source{"x.json", module_with(two)};
+    Diagnostics diagnostics;
+    const std::optional<Netlist> netlist = read_yosys_json(source, diagnostics);
+    REQUIRE(netlist);
+    // The ports take four lines before.
+    for (const Cell& cell : netlist->cells) {
+        CHECK(netlist->origin_of(cell).where.line == (cell.type == CellType::or_gate ? 6 : 4));
+    }
+    CHECK(netlist->cells.size() == 3);
+}
+
 TEST_CASE("gates") {
     CHECK(cells_of("$_BUF_", R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
     CHECK(cells_of("$_NOT_", R"("A": [2], "Y": [6])") == "  y = not(a)\n");

@@ -68,6 +68,10 @@ std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
         return {};
     }
     if (!result.witness) return "no witness";
+    for (const Stimuli::Change& change : result.witness->stimuli.changes) {
+        if (netlist->is_clocked() || change.at == 0 || change.assignments.size() < 2) continue;
+        if (grafcet->assumptions.empty()) return "changes several inputs at once";
+    }
     const Time period = result.witness->scan_period;
     const auto again =
         replay(*grafcet, *netlist, unit_delays(*netlist), result.witness->stimuli, period);

@@ -5,12 +5,12 @@
 #include <doctest/doctest.h>
 
 #include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
 #include "evolution/run.h"
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
-#include "simulate/simulate.h"
 
 namespace grafwire::testing {
 
@@ -27,10 +27,7 @@ bool stimuli_show_it(const Grafcet& grafcet, const Netlist& netlist, const Stimu
     const RunResult expected =
         period == 0 ? run_until_stable(grafcet, stimuli) : run_scans(grafcet, stimuli, period);
     if (!expected.broken_assumptions.empty()) return false;
-    SimulateOptions options;
-    options.scan_period = period;
-    const SimulateResult got = simulate(grafcet, netlist, unit_delays(netlist), stimuli, options);
-    return first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at).has_value();
+    return replay(grafcet, netlist, unit_delays(netlist), stimuli, period).has_value();
 }
 
 /// Some mutants of a netlist, a few cells apart.

@@ -98,6 +98,18 @@ Where it comes from in the listing:
   network 3 reads M1.0 = 1, written by network 2
   network 3 reads M1.1 = 1, written by network 2
   if it is right, look at network 2
+The instructions:
+  network 3 (Steps), line 10
+       11  LD    M1.0
+       13  R     M0.0    K1
+       14  LD    M1.1
+       15  S     M0.0    K1
+  network 2 (Both transitions, from the steps as they were), line 4
+        5  LD    M0.0
+        6  U     E0.0
+        7  =     M1.0
+        8  LD    E0.1
+        9  =     M1.1
 )");
 }
 
@@ -139,6 +151,10 @@ Where they part:
 Where it comes from in the listing:
   Tf0 of X0 (V70.0) is 1 after the scan at 0 ms, and should be 0
   it was written by: network 49 (Traitement des forçages etape par etape), line 187
+The instructions:
+  network 49 (Traitement des forçages etape par etape), line 187
+      188  LD    V20.0
+      189  S     V70.0   K4
 )");
 }
 

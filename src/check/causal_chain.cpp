@@ -1,0 +1,179 @@
+// Why a gate changed, walked back through what the simulation did.
+//
+// A gate changes one delay after the pin that made it change. Where its output is the one that a
+// single pin decides (a 0 at an AND), that pin alone is the cause. Where all pins had to agree (the
+// 1 of an AND) those that came earlier in the same instant had their part in it too, so the way
+// back is a tree; in clocked netlists, where every cycle follows from the one before, only the last
+// to come is followed. Of a pulse (a net that changes and changes back in one instant) both ends
+// belong to the way. A flip-flop changes because of its data, a pulse ends because it began, and
+// the end of a delay is where a way begins, as the change of an input is.
+
+#include "check/causal_chain.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace grafwire {
+
+namespace {
+
+class WayBack {
+  public:
+    WayBack(const Netlist& netlist, const CellDelays& delays, const NetHistory& history)
+        : netlist_(netlist),
+          delays_(delays),
+          history_(history),
+          drivers_(drivers_of(netlist)),
+          of_net_(netlist.net_count()) {
+        for (std::size_t i = 0; i < history.changes.size(); ++i) {
+            of_net_[index_of(history.changes[i].net)].push_back(i);
+        }
+    }
+
+    std::vector<std::size_t> causes_of(std::size_t index) const {
+        const NetChange& change = history_.changes[index];
+        const CellId driver = drivers_[change.net];
+        if (driver == no_cell) return {};
+        const Cell& cell = netlist_.cells[driver];
+        const Time delay = change.value == Logic::zero ? delays_.fall[index_of(driver)]
+                                                       : delays_.rise[index_of(driver)];
+        switch (cell.type) {
+            case CellType::flip_flop:
+            case CellType::scan_timer:
+                return of_data(cell, index);
+            case CellType::timer:
+            case CellType::scan_timer_next:
+                return at_once(cell, change.at - delay, index);
+            case CellType::rise_pulse:
+            case CellType::fall_pulse:
+                return change.value == Logic::zero ? list(last_before(change.net, index))
+                                                   : list(last_before(pin_of(cell, 0), index));
+            default:
+                return of_gate(cell, change, change.at - delay, index);
+        }
+    }
+
+    /// The change of the same net that this one ends, if it belongs to the same instant.
+    std::optional<std::size_t> pulse_before(std::size_t index) const {
+        const auto before = last_before(history_.changes[index].net, index);
+        const bool is_pulse = before && *before >= history_.first_of_end &&
+                              drivers_[history_.changes[index].net] != no_cell &&
+                              !netlist_.is_clocked();
+        return is_pulse ? before : std::nullopt;
+    }
+
+  private:
+    static std::vector<std::size_t> list(std::optional<std::size_t> index) {
+        if (!index) return {};
+        return {*index};
+    }
+    NetId pin_of(const Cell& cell, std::size_t pin) const { return netlist_.pins_of(cell)[pin]; }
+
+    /// The last change of a net before another change.
+    std::optional<std::size_t> last_before(NetId net, std::size_t index) const {
+        const std::vector<std::size_t>& changes = of_net_[index_of(net)];
+        const auto after = std::lower_bound(changes.begin(), changes.end(), index);
+        if (after == changes.begin()) return std::nullopt;
+        return *(after - 1);
+    }
+    /// The last change of a net up to a moment, among those before another change.
+    std::optional<std::size_t> last_until(NetId net, Time moment, std::size_t index) const {
+        auto found = last_before(net, index);
+        while (found && history_.changes[*found].at > moment) found = last_before(net, *found);
+        return found;
+    }
+
+    /// The data; the clock where that has never changed.
+    std::vector<std::size_t> of_data(const Cell& cell, std::size_t index) const {
+        const auto data = last_before(pin_of(cell, 0), index);
+        return list(data ? data : last_before(netlist_.clock, index));
+    }
+
+    /// A timer that follows its operand at once has it as its cause; else its delay has ended.
+    std::vector<std::size_t> at_once(const Cell& cell, Time moment, std::size_t index) const {
+        const auto cause = last_until(pin_of(cell, 0), moment, index);
+        if (cause && history_.changes[*cause].at == moment) return {*cause};
+        return {};
+    }
+
+    /// Whether a pin at this value decides the output of a gate by itself.
+    static bool decides(CellType type, Logic pin) {
+        switch (type) {
+            case CellType::and_gate:
+            case CellType::nand_gate:
+                return pin == Logic::zero;
+            case CellType::or_gate:
+            case CellType::nor_gate:
+                return pin == Logic::one;
+            default:
+                return false;
+        }
+    }
+
+    std::vector<std::size_t> of_gate(const Cell& cell, const NetChange& change, Time moment,
+                                     std::size_t index) const {
+        std::vector<std::size_t> just;    // changed as the gate was evaluated
+        std::vector<std::size_t> before;  // earlier in the instant
+        for (const NetId pin : netlist_.pins_of(cell)) {
+            const auto last = last_until(pin, moment, index);
+            if (!last || pin == change.net) continue;
+            const bool is_just = history_.changes[*last].at == moment;
+            (is_just ? just : before).push_back(*last);
+        }
+        const auto decisive = std::find_if(just.begin(), just.end(), [&](std::size_t i) {
+            return decides(cell.type, history_.changes[i].value);
+        });
+        if (decisive != just.end()) return {*decisive};
+        if (just.empty() && !before.empty()) {
+            just.push_back(*std::max_element(before.begin(), before.end()));
+        }
+        const bool all_have_a_part =
+            cell.type == CellType::and_gate || cell.type == CellType::nand_gate ||
+            cell.type == CellType::or_gate || cell.type == CellType::nor_gate;
+        if (all_have_a_part && !netlist_.is_clocked()) {
+            for (const std::size_t i : before) {
+                if (i >= history_.first_of_end) just.push_back(i);
+            }
+        }
+        std::sort(just.begin(), just.end());
+        just.erase(std::unique(just.begin(), just.end()), just.end());
+        return just;
+    }
+
+    const Netlist& netlist_;
+    const CellDelays& delays_;
+    const NetHistory& history_;
+    Table<NetId, CellId> drivers_;
+    std::vector<std::vector<std::size_t>> of_net_;
+};
+
+}  // namespace
+
+std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& delays,
+                                     const NetHistory& history,
+                                     const std::vector<std::size_t>& targets) {
+    const WayBack way(netlist, delays, history);
+    std::vector<bool> seen(history.changes.size(), false);
+    std::vector<std::size_t> open;
+    const auto add = [&](std::size_t change) {
+        if (seen[change]) return;
+        seen[change] = true;
+        open.push_back(change);
+    };
+    for (const std::size_t target : targets) add(target);
+    std::vector<CausalLink> links;
+    while (!open.empty()) {
+        const std::size_t change = open.back();
+        open.pop_back();
+        links.push_back({change, way.causes_of(change)});
+        for (const std::size_t cause : links.back().causes) add(cause);
+        // A net that changes back had to change first.
+        const auto first = way.pulse_before(change);
+        if (first) add(*first);
+    }
+    std::sort(links.begin(), links.end(),
+              [](const CausalLink& a, const CausalLink& b) { return a.change < b.change; });
+    return links;
+}
+
+}  // namespace grafwire
