@@ -21,7 +21,7 @@ output dark, lamp
 assume /b
 graph G { step 0 : dark initial 1 : lamp step 2
   (off) 1 -> 0 : b
-  (on) 0 -> 1 : a
+  (again) 0 -> 1 : a
   (go) 1 -> 2 : a
   (back) 2 -> 1 : /a })";
     for (const Style style : {Style::nand, Style::clocked}) {

@@ -108,14 +108,14 @@ graph G { initial 0 step 1 : lamp
 }
 
 TEST_CASE("of the values that a memory may power up with any may be the one that shows a fault") {
-    // In three values the lamp of step 1 is unknown, in two it is right; the horn of step 2 is
-    // wrong with one power-up of the four.
+    // In three values the lamp of step 1 is unknown, in two it is right; the horn of step 2, which
+    // comes after it only, is wrong with one power-up of the four.
     const Grafcet grafcet = grafcet_of(R"(
-input a, b
+input a
 output lamp, horn
 graph G { initial 0 step 1 : lamp step 2
   0 -> 1 : a
-  1 -> 2 : b }
+  1 -> 2 : /a }
 )");
     Netlist memories = netlist_of(grafcet, Style::nand, false);
     for (const std::string memory : {"p", "q"}) {
