@@ -18,11 +18,11 @@ void ReferenceRun::start(const InputValues& inputs) {
 
 bool ReferenceRun::instant(Time now, const InputValues& inputs) {
     if (is_plain_) {
-        if (now != 0) plain_.end_delays(plain_state_, now);
+        if (now != 0) plain_.end_delays(plain_state_, inputs, now);
         std::vector<std::string> changing;
         return plain_.settle(plain_state_, inputs, now, changing);
     }
-    if (now != 0) evolution_.end_delays(state_, now);
+    if (now != 0) evolution_.end_delays(state_, {inputs}, now);
     return evolution_.settle(state_, {inputs}, now).stable;
 }
 

@@ -31,10 +31,10 @@ bool RandomInputs::begin() {
     return false;
 }
 
-bool RandomInputs::change(Changes changes) {
+bool RandomInputs::change(Happens happens) {
     for (int attempt = 0; attempt < 100; ++attempt) {
         InputValues values = values_;
-        if (changes == Changes::one || random_.flip()) {
+        if (happens == Happens::one_thing || random_.flip()) {
             const std::size_t input = random_.below(values.size());
             if (may_change(values, input)) values[input] ^= 1U;
         } else {
@@ -64,10 +64,10 @@ namespace {
 
 class Walker {
   public:
-    Walker(const Grafcet& grafcet, const Netlist& netlist, Changes changes, RandomSource& random)
+    Walker(const Grafcet& grafcet, const Netlist& netlist, Happens happens, RandomSource& random)
         : grafcet_(grafcet),
           netlist_(netlist),
-          changes_(changes),
+          happens_(happens),
           random_(random),
           pair_(grafcet, netlist, random.one_in(4)),
           inputs_(grafcet, random, netlist.has_modes) {}
@@ -95,7 +95,7 @@ class Walker {
 
     bool change_inputs() {
         const InputValues before = inputs_.values();
-        if (!inputs_.change(changes_)) return false;
+        if (!inputs_.change(happens_)) return false;
         note_change(before);
         return true;
     }
@@ -116,10 +116,7 @@ class Walker {
     /// To the next instant: the next end of a delay, or a change of inputs somewhere before it.
     bool go_on() {
         const Time end = pair_.next_end();
-        if (end != never && random_.flip()) {
-            now_ = end;
-            return true;
-        }
+        if (end != never && random_.flip()) return end_delay(end);
         const Time left = end == never ? 4 * millisecond : end - now_;
         Time step = left / 2;
         switch (random_.below(4)) {
@@ -136,12 +133,16 @@ class Walker {
                 break;
         }
         step = std::clamp(step / microsecond * microsecond, microsecond, left);
-        if (end != never && step >= left) {
-            now_ = end;
-            return true;
-        }
+        if (end != never && step >= left) return end_delay(end);
         now_ += step;
         return change_inputs();
+    }
+
+    /// A delay ends, and now and then inputs change at that very moment.
+    bool end_delay(Time end) {
+        now_ = end;
+        if (happens_ == Happens::many_things && random_.one_in(3)) change_inputs();
+        return true;
     }
 
     bool judge(Comparison comparison) {
@@ -156,7 +157,7 @@ class Walker {
 
     const Grafcet& grafcet_;
     const Netlist& netlist_;
-    Changes changes_;
+    Happens happens_;
     RandomSource& random_;
     PairRun pair_;
     RandomInputs inputs_;
@@ -166,9 +167,9 @@ class Walker {
 
 }  // namespace
 
-Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Changes changes, Time scan_period,
+Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Happens happens, Time scan_period,
                  RandomSource& random, std::size_t length) {
-    return Walker(grafcet, netlist, changes, random).make(scan_period, length);
+    return Walker(grafcet, netlist, happens, random).make(scan_period, length);
 }
 
 Time random_period(const Grafcet& grafcet, RandomSource& random) {

@@ -13,9 +13,9 @@
 namespace grafwire::testing {
 
 /// What may happen at an instant after the first one.
-enum class Changes {
-    one,   ///< one input changes, or running delays end
-    many,  ///< any inputs change, or running delays end
+enum class Happens {
+    one_thing,    ///< one input changes, or running delays end
+    many_things,  ///< any inputs change, and running delays end with them
 };
 
 /// The inputs of a random run, which keep to the assumptions of the GRAFCET.
@@ -27,7 +27,7 @@ class RandomInputs {
     /// Some values that keep to the assumptions; false where none were found.
     bool begin();
     /// Other values; false where none were found.
-    bool change(Changes changes);
+    bool change(Happens happens);
 
     const InputValues& values() const { return values_; }
 
@@ -52,7 +52,7 @@ struct Walk {
 };
 
 /// Scan by scan where `scan_period` is not 0; else until stable. At most so many scans or instants.
-Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Changes changes, Time scan_period,
+Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Happens happens, Time scan_period,
                  RandomSource& random, std::size_t length);
 
 /// A period that fits the delays of the GRAFCET in some way or other.

@@ -30,7 +30,7 @@ ScanWalk random_scans(const Grafcet& grafcet, ScannedProgram& program, Time peri
     reference.start(inputs.values());
     program.start();
     for (Time now = 0; walk.scans < length && walk.contradiction.empty(); now += period) {
-        if (walk.scans != 0 && random.flip()) inputs.change(Changes::many);
+        if (walk.scans != 0 && random.flip()) inputs.change(Happens::many_things);
         Stimuli::Change change = change_between(before, inputs.values(), now);
         if (!change.assignments.empty()) walk.stimuli.changes.push_back(std::move(change));
         before = inputs.values();

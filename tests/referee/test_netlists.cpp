@@ -71,7 +71,6 @@ std::string told(const Item& item, const std::string& what, const Grafcet& grafc
                        item.chart, write_stimuli(stimuli, grafcet));
 }
 
-/// The verdict of the check, which explores any changes at once.
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {
     CheckOptions options;
     options.max_cases = max_cases;
@@ -80,12 +79,11 @@ CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_
 
 /// Runs in search of a difference; the first that shows one.
 std::optional<Walk> contradicting_walk(const Item& item, const Grafcet& grafcet,
-                                       const Netlist& netlist, Changes changes, Counts& counts) {
+                                       const Netlist& netlist, Happens happens, Counts& counts) {
     RandomSource random(item.seed);
     for (std::size_t i = 0; i < walks; ++i) {
-        const bool by_scan = netlist.is_clocked() && i % 4 != 0;
-        const Time period = by_scan ? random_period(grafcet, random) : 0;
-        Walk walk = random_walk(grafcet, netlist, changes, period, random, walk_length);
+        const Time period = netlist.is_clocked() ? random_period(grafcet, random) : 0;
+        Walk walk = random_walk(grafcet, netlist, happens, period, random, walk_length);
         ++counts.runs;
         counts.instants += walk.instants;
         if (!walk.contradiction.empty()) return walk;
@@ -94,9 +92,9 @@ std::optional<Walk> contradicting_walk(const Item& item, const Grafcet& grafcet,
 }
 
 void judge_equivalent(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-                      Changes changes, Counts& counts) {
+                      Happens happens, Counts& counts) {
     ++counts.equivalent;
-    const auto walk = contradicting_walk(item, grafcet, netlist, changes, counts);
+    const auto walk = contradicting_walk(item, grafcet, netlist, happens, counts);
     if (!walk) return;
     ++counts.contradicted;
     FAIL_CHECK(told(item, "called equivalent, but " + walk->contradiction, grafcet, walk->stimuli,
@@ -106,6 +104,12 @@ void judge_equivalent(const Item& item, const Grafcet& grafcet, const Netlist& n
 /// Whether a witness shows its difference from some state at power-up.
 bool shows(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
            std::uint64_t seed) {
+    if (!witness.power_up.empty()) {
+        std::vector<bool> values(netlist.net_count());
+        for (const auto& initial : witness.power_up) values[index_of(initial.net)] = initial.value;
+        return replayed(grafcet, netlist, witness.stimuli, witness.scan_period, false, values)
+            .has_value();
+    }
     RandomSource random(seed);
     InputValues inputs(grafcet.all_input_count(), 0);
     for (const Stimuli::Change& change : witness.stimuli.changes) {
@@ -125,9 +129,9 @@ bool shows(const Grafcet& grafcet, const Netlist& netlist, const Witness& witnes
 /// three values do so now and then where two would not. Then another run has to differ. If none
 /// does, the verdict rests on the three values alone.
 void judge_different(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-                     const Witness& witness, Changes changes, Counts& counts) {
+                     const Witness& witness, Happens happens, Counts& counts) {
     ++counts.different;
-    const bool differs = contradicting_walk(item, grafcet, netlist, changes, counts).has_value();
+    const bool differs = contradicting_walk(item, grafcet, netlist, happens, counts).has_value();
     counts.found += differs ? 1 : 0;
     if (shows(grafcet, netlist, witness, item.seed)) {
         ++counts.replayed;
@@ -144,18 +148,32 @@ void judge_different(const Item& item, const Grafcet& grafcet, const Netlist& ne
                     witness.stimuli, witness.scan_period));
 }
 
+void judge_verdict(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
+                   Verdict verdict, const std::optional<Witness>& witness, Happens happens,
+                   Counts& counts) {
+    switch (verdict) {
+        case Verdict::undecided:
+            ++counts.undecided;
+            break;
+        case Verdict::equivalent:
+            judge_equivalent(item, grafcet, netlist, happens, counts);
+            break;
+        case Verdict::different:
+            REQUIRE(witness);
+            judge_different(item, grafcet, netlist, *witness, happens, counts);
+            break;
+    }
+}
+
+/// What the check says of one change at a time, and where that is equivalent of many at once.
 void judge(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
            std::uint64_t max_cases, Counts& counts) {
-    const Changes changes = Changes::many;
     const CheckResult result = checked(grafcet, netlist, max_cases);
-    if (result.verdict == Verdict::undecided) ++counts.undecided;
-    if (result.verdict == Verdict::equivalent) {
-        judge_equivalent(item, grafcet, netlist, changes, counts);
-    }
-    if (result.verdict == Verdict::different) {
-        REQUIRE(result.witness);
-        judge_different(item, grafcet, netlist, *result.witness, changes, counts);
-    }
+    const Happens happens = netlist.is_clocked() ? Happens::many_things : Happens::one_thing;
+    judge_verdict(item, grafcet, netlist, result.verdict, result.witness, happens, counts);
+    if (!result.together) return;
+    judge_verdict(item, grafcet, netlist, result.together->verdict, result.together->witness,
+                  Happens::many_things, counts);
 }
 
 std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style, bool modes) {
