@@ -107,6 +107,26 @@ graph G { initial 0 step 1 : lamp
     CHECK(witness_of(grafcet, netlist) == "0s :\n40ms : end\n");
 }
 
+TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    for (const Style style : {Style::nand, Style::clocked}) {
+        INFO(style_table[static_cast<std::size_t>(style)].name);
+        const auto with_lamp_lit_in = [&](const std::string& step) {
+            Netlist netlist = netlist_of(grafcet, style, false);
+            add_cell(netlist, CellType::buffer, "memory", {"memory"});
+            add_cell(netlist, CellType::and_gate, "lit", {step, "memory"});
+            put_gate_before(netlist, "lamp", CellType::or_gate, {"lit"});
+            return check(grafcet, netlist);
+        };
+        const CheckResult result = with_lamp_lit_in("X0");
+        CHECK(result.verdict == Verdict::different);
+        REQUIRE(result.witness);
+        CHECK(result.witness->kind == DifferenceKind::power_up);
+        // In step 1 it is lit anyway.
+        CHECK(with_lamp_lit_in("X1").verdict == Verdict::equivalent);
+    }
+}
+
 TEST_CASE("of the values that a memory may power up with any may be the one that shows a fault") {
     // In three values the lamp of step 1 is unknown, in two it is right; the horn of step 2, which
     // comes after it only, is wrong with one power-up of the four.
