@@ -25,6 +25,7 @@ iverilog             /usr/bin/iverilog
 libxml2-utils        /usr/bin/xmllint
 ngspice              /usr/bin/ngspice
 python3              /usr/bin/python3
+python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py
 yosys                /usr/bin/yosys
 '
 packages_to_check='

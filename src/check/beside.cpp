@@ -75,6 +75,20 @@ std::optional<Stimuli> walk(const Grafcet& grafcet, const Assumptions& assumptio
     return stimuli;
 }
 
+/// The values at power-up without which it would not oscillate.
+std::vector<Netlist::InitialValue> values_needed(const Grafcet& grafcet, const Netlist& netlist,
+                                                 const CellDelays& delays, const Witness& witness,
+                                                 std::vector<Netlist::InitialValue> power_up) {
+    for (std::size_t i = power_up.size(); i-- > 0;) {
+        std::vector<Netlist::InitialValue> rest = power_up;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto again = replay(grafcet, with_power_up(netlist, rest), delays, witness.stimuli,
+                                  witness.scan_period);
+        if (again && again->kind == DifferenceKind::oscillation) power_up = std::move(rest);
+    }
+    return power_up;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> relevant_nets(const Netlist& netlist, const std::vector<NetId>& roots) {
@@ -110,7 +124,8 @@ std::optional<Witness> oscillation_beside(const Grafcet& grafcet, const Netlist&
         const Netlist powered = with_power_up(netlist, power_up);
         auto witness = replay(grafcet, powered, delays, *stimuli, period);
         if (!witness || witness->kind != DifferenceKind::oscillation) continue;
-        witness->power_up = power_up;
+        witness->power_up = values_needed(grafcet, netlist, delays, *witness, power_up);
+        for (Witness::Value& value : witness->values) value.got = value.expected;
         return witness;
     }
     return std::nullopt;

@@ -102,6 +102,7 @@ void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const 
     }
     result.verdict = Verdict::equivalent;
     result.complete = true;
+    result.is_unexplained = false;
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
                                                      rest_of(options, result.coverage.cases));
         if (result.witness) result.verdict = Verdict::different;
     }
-    if (explored.is_unexplained && !result.witness) {
+    if (result.is_unexplained && !result.witness) {
         go_through_power_ups(grafcet, netlist, delays, options, result);
     }
     if (result.witness && result.witness->power_up.empty()) {

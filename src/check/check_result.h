@@ -73,6 +73,8 @@ struct CheckResult {
     std::optional<Together> together;
     /// undecided though complete: differences were found for which no scan period was.
     bool depends_on_period = false;
+    /// undecided though complete: a difference in three values was found that no run shows.
+    bool is_unexplained = false;
 };
 
 /// Counts the cases of an exploration and keeps it within its bounds.

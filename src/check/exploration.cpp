@@ -105,7 +105,7 @@ class Exploration {
         result.never = exercised_.never();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
         const bool is_complete =
-            waiting_.empty() && !done_ && !explored_.is_unexplained && !no_period_shows_it_;
+            waiting_.empty() && !done_ && !explored_.result.is_unexplained && !no_period_shows_it_;
         conclude(result, is_complete, waiting_.size());
         return std::move(explored_);
     }
@@ -356,7 +356,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& shared) {
         explored_.needs_lengths = true;
         done_ = true;
     } else {
-        explored_.is_unexplained = true;
+        explored_.result.is_unexplained = true;
     }
     return false;
 }
@@ -367,7 +367,7 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
         explored_.result.witness =
             replay(grafcet_, netlist_, delays_, scans->stimuli, scans->period);
         if (explored_.result.witness) return true;
-        explored_.is_unexplained = true;
+        explored_.result.is_unexplained = true;
     } else if (plan_.passing == Passing::free) {
         explored_.needs_lengths = true;
         done_ = true;

@@ -19,9 +19,6 @@ struct ExplorationResult {
     CheckResult result;
     /// Ended without a verdict, because the lengths of delays were ignored and matter.
     bool needs_lengths = false;
-    /// A difference in three values was found that no run shows. That comes from memories that
-    /// nothing is known of at power-up; the case counts neither as right nor as wrong.
-    bool is_unexplained = false;
 };
 
 /// Goes through every case that can be reached, asynchronous netlists instant by instant, clocked

@@ -95,17 +95,6 @@ void follow_scans(const Evolution& evolution, const Witness& witness, ReferenceE
 
 }  // namespace
 
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        lines.emplace_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
-        text.remove_prefix(end + 1);
-    }
-    return lines;
-}
-
 bool ReferenceEnd::clears(TransitionId transition) const {
     return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
         return std::find(scan.cleared.begin(), scan.cleared.end(), transition) !=

@@ -35,13 +35,18 @@ ExprId variable_of(Grafcet& grafcet, std::uint32_t input) {
                                             : Variable{VariableKind::control, input - declared});
 }
 
-/// "Not all of these together", as an expression of the GRAFCET.
+/// "Not all of these together", as an expression of the GRAFCET: `/(a . /b)`, or `a + b` where all
+/// become 0.
 ExprId never_together(Grafcet& grafcet, const std::vector<Stimuli::Assignment>& assignments) {
+    const bool all_fall = std::none_of(assignments.begin(), assignments.end(),
+                                       [](const auto& set) { return set.value; });
     std::vector<ExprId> literals;
     for (const Stimuli::Assignment& set : assignments) {
         const ExprId variable = variable_of(grafcet, set.input);
-        literals.push_back(set.value ? variable : grafcet.expressions.negation(variable));
+        const bool as_it_is = set.value || all_fall;
+        literals.push_back(as_it_is ? variable : grafcet.expressions.negation(variable));
     }
+    if (all_fall) return grafcet.expressions.disjunction(literals);
     return grafcet.expressions.negation(grafcet.expressions.conjunction(literals));
 }
 
@@ -80,7 +85,10 @@ Together look_at_many(const Grafcet& grafcet, const Netlist& netlist, const Cell
     for (const Stimuli::Assignment& set : line->assignments) together.inputs.push_back(set.input);
     std::sort(together.inputs.begin(), together.inputs.end());
     together.with_delay = line->assignments.size() == 1;
-    if (line->assignments.size() > 1) {
+    const bool is_of_the_plant = std::all_of(
+        line->assignments.begin(), line->assignments.end(),
+        [&](const Stimuli::Assignment& set) { return set.input < grafcet.inputs.size(); });
+    if (line->assignments.size() > 1 && is_of_the_plant) {
         together.assumption =
             assumption_against(grafcet, netlist, delays, options, unexercised, line->assignments);
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 
 #include "check/check_equivalence.h"
@@ -8,7 +9,6 @@
 #include "check/netlist_witness.h"
 #include "command/check_request.h"
 #include "command/command.h"
-#include "command/exit_status.h"
 #include "evolution/run.h"
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"
@@ -41,8 +41,8 @@ std::optional<Netlist> netlist_to_compare(const CheckRequest& request, const Loa
     if (!netlist) return std::nullopt;
     const PortComparison ports = compare_ports(loaded.grafcet, *netlist);
     if (!ports.fits()) {
-        fmt::print(stderr, "{}: the ports do not fit {}:\n{}", visible(request.against),
-                   visible(request.path), write_port_table(ports, language));
+        show(fmt::format("{}: the ports do not fit {}:\n{}", visible(request.against),
+                         visible(request.path), write_port_table(ports, language)));
     }
     if (!ports.can_compare()) return std::nullopt;
     adopt_ports(loaded.grafcet, *netlist);
@@ -70,33 +70,87 @@ std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const Netlist&
             {"got.vcd", simulated.waveform}};
 }
 
-int report(const CheckRequest& request, const LoadedGrafcet& loaded, const Netlist& netlist,
-           const CellDelays& delays, const CheckResult& result, Language language) {
-    const CheckSubject subject = netlist_subject(
-        request.path, request.against.empty() ? request.netlist.style : request.against,
-        std::string(request.netlist.cdx_name()), request.delay);
-    ToldWitness told;
-    std::vector<WitnessFile> files;
-    if (result.witness) {
-        const Netlist powered = with_power_up(netlist, result.witness->power_up);
-        const Explanation explanation = explain(loaded.grafcet, powered, delays, *result.witness);
-        const auto tell = [&](Language in, std::size_t links) {
-            return tell_witness(loaded.grafcet, powered, *result.witness, explanation,
-                                {in, links, request.against});
-        };
-        told.text = tell(language, most_links);
-        if (explanation.cause) told.cause = identifier_of(explanation.cause->kind);
-        told.story = lines_of(tell(Language::english, 0));
-        if (!request.witness.empty()) {
-            files = files_of_witness(loaded.grafcet, powered, delays, *result.witness,
-                                     tell(language, 0));
-        }
-    }
-    return report_check(request, loaded.grafcet, subject, result, told, files, language);
+/// How the steps of a netlist get their first values.
+PowerUp power_up_of(const CheckRequest& request, const Grafcet& grafcet, const Netlist& netlist) {
+    const NetId init = map_ports(grafcet, netlist).inputs[grafcet.inputs.size()];
+    if (init != no_net) return PowerUp::init;
+    if (request.against.empty()) return PowerUp::initial_values;
+    return netlist.starts_initially ? PowerUp::given : PowerUp::unknown;
 }
 
-bool is_listing(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".awl";
+CheckSubject netlist_subject(const CheckRequest& request, const LoadedGrafcet& loaded,
+                             const Netlist& netlist) {
+    CheckSubject subject = subject_of(request);
+    if (netlist.is_clocked()) {
+        subject.period = request.scan.empty() ? "every" : request.scan;
+    } else {
+        subject.changes = request.changes == "many" ? Changes::many : Changes::one;
+    }
+    subject.power_up = power_up_of(request, loaded.grafcet, netlist);
+    subject.warnings = loaded.warnings;
+    return subject;
+}
+
+/// Compares a netlist with the GRAFCET; empty, with the reason shown, where that is not possible.
+std::optional<Judgement> judge_netlist(const CheckRequest& request, const LoadedGrafcet& loaded,
+                                       Language language) {
+    // Make the netlist, or read the one to compare with.
+    const Grafcet& grafcet = loaded.grafcet;
+    const auto netlist = netlist_to_compare(request, loaded, language);
+    if (!netlist) return std::nullopt;
+    Judgement judgement{netlist_subject(request, loaded, *netlist), {}, {}, {}};
+    if (!can_check(request, grafcet, judgement.subject, netlist->has_modes)) return std::nullopt;
+    const CellDelays delays = unit_delays(*netlist);
+    // Compare it with the reference in every reachable case.
+    {
+        Progress progress(request.max_seconds, memory_of(request));
+        CheckOptions options = check_options(request, progress);
+        if (!request.scan.empty()) {
+            options.scan_period = parse_period(request.scan);
+            if (!options.scan_period) return std::nullopt;
+            judgement.subject.period = format_duration(*options.scan_period);
+        }
+        judgement.result = check_equivalence(grafcet, *netlist, delays, options);
+    }
+    // Tell a difference.
+    if (const auto& witness = judgement.result.witness) {
+        const Netlist powered = with_power_up(*netlist, witness->power_up);
+        const Explanation explanation = explain(grafcet, powered, delays, *witness);
+        const auto tell = [&](Language in, std::size_t links) {
+            return tell_witness(grafcet, powered, *witness, explanation,
+                                {in, links, request.against});
+        };
+        judgement.told.text = tell(language, most_links);
+        for (const Netlist::InitialValue& initial : witness->power_up) {
+            judgement.told.power_up.emplace_back(netlist->names[initial.net], initial.value);
+        }
+        if (explanation.cause) judgement.told.cause = identifier_of(explanation.cause->kind);
+        judgement.told.story = lines_of(tell(Language::english, 0));
+        if (!request.witness.empty()) {
+            judgement.witness_files =
+                files_of_witness(grafcet, powered, delays, *witness, tell(language, 0));
+        }
+    }
+    return judgement;
+}
+
+std::optional<Judgement> judge(const CheckRequest& request, const LoadedGrafcet& loaded,
+                               Language language) {
+    const std::filesystem::path extension = std::filesystem::path(request.against).extension();
+    if (extension == ".awl") return judge_listing(request, loaded, language);
+    if (extension == ".xml") return judge_ladder(request, loaded, language);
+    return judge_netlist(request, loaded, language);
+}
+
+/// The GRAFCET, with all that the plant never does; empty, and shown, if that or a bound of the
+/// exploration is wrong.
+std::optional<LoadedGrafcet> load_plant(const CheckRequest& request) {
+    auto loaded = load_grafcet(request.path);
+    if (!loaded || !add_assumptions(request.assumptions, loaded->grafcet) ||
+        (!request.max_memory.empty() && !parse_memory(request.max_memory))) {
+        return std::nullopt;
+    }
+    return loaded;
 }
 
 void declare_options(const CommandLine& line, CheckRequest& request) {
@@ -149,36 +203,16 @@ std::function<int()> declare_check(const CommandLine& line, const Language& lang
     const auto request = std::make_shared<CheckRequest>();
     declare_options(line, *request);
     return [request, &language] {
-        // Read the GRAFCET, and what the plant never does.
-        auto loaded = load_grafcet(request->path);
-        if (!loaded || !add_assumptions(request->assumptions, loaded->grafcet) ||
-            (!request->max_memory.empty() && !parse_memory(request->max_memory))) {
-            return static_cast<int>(bad_request);
-        }
-        if (is_listing(request->against)) return check_listing_file(*request, *loaded, language);
-        if (request->against.ends_with(".xml")) {
-            return check_ladder_file(*request, *loaded, language);
-        }
-        // Make the netlist, or read the one to compare with.
-        const auto netlist = netlist_to_compare(*request, *loaded, language);
-        if (!netlist || !can_check(*request, loaded->grafcet, netlist->is_clocked(),
-                                   !request->against.empty(), netlist->has_modes)) {
-            return static_cast<int>(bad_request);
-        }
-        const CellDelays delays = unit_delays(*netlist);
-        // Compare it with the reference in every reachable case.
-        CheckResult result;
-        {
-            Progress progress(request->max_seconds, memory_of(*request));
-            CheckOptions options = check_options(*request, progress);
-            if (!request->scan.empty()) {
-                options.scan_period = parse_period(request->scan);
-                if (!options.scan_period) return static_cast<int>(bad_request);
-            }
-            result = check_equivalence(loaded->grafcet, *netlist, delays, options);
-        }
+        const auto began = std::chrono::steady_clock::now();
+        const MessageRecord messages;
+        // Read the GRAFCET, and judge what is to be compared with it.
+        const auto loaded = load_plant(*request);
+        auto judgement = loaded ? judge(*request, *loaded, language) : std::nullopt;
         // Report.
-        return report(*request, *loaded, *netlist, delays, result, language);
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        if (!judgement) return report_refused(*request, messages.text(), seconds);
+        return report_check(*request, loaded->grafcet, std::move(*judgement), seconds, language);
     };
 }
 

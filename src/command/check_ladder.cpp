@@ -2,7 +2,6 @@
 
 #include "check/ladder_device.h"
 #include "command/check_request.h"
-#include "command/exit_status.h"
 #include "ladder/plcopen/read_plcopen_ladder.h"
 
 namespace grafwire {
@@ -17,7 +16,7 @@ std::optional<ladder::Ladder> load_ladder(const std::string& path, const std::st
         ladder = ladder::read_plcopen_ladder(source, diagnostics, program);
     }
     diagnostics.sort_by_place();
-    std::fputs(format_diagnostics(diagnostics, source, 20).c_str(), stderr);
+    show_diagnostics(diagnostics, source);
     return ladder;
 }
 
@@ -43,29 +42,27 @@ bool can_compare(const std::string& path, const LadderNames& names, Language lan
 
 }  // namespace
 
-int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language) {
+std::optional<Judgement> judge_ladder(const CheckRequest& request, const LoadedGrafcet& loaded,
+                                      Language language) {
     const Grafcet& grafcet = loaded.grafcet;
     // Read the diagram, and find everything the GRAFCET names in it.
     const auto ladder = load_ladder(request.against, request.program);
-    if (!ladder) return bad_request;
+    if (!ladder) return std::nullopt;
     const LadderNames names = find_names(grafcet, *ladder);
-    if (!can_compare(request.against, names, language)) return bad_request;
+    if (!can_compare(request.against, names, language)) return std::nullopt;
     // Compare it with the reference after every scan, in every reachable state.
     const LadderDevice device(grafcet, *ladder, names);
     const auto period = scan_period(request, grafcet, device);
-    if (!period || !can_check(request, grafcet, true, false, device.has_modes()))
-        return bad_request;
-    const CheckResult result = compare_scans(request, grafcet, device, *period);
+    if (!period) return std::nullopt;
+    Judgement judgement{program_subject(request, loaded, device, *period), {}, {}, {}};
+    if (!can_check(request, grafcet, judgement.subject, device.has_modes())) return std::nullopt;
+    judgement.result = compare_scans(request, grafcet, device, *period);
     // Report, with the networks that a difference comes from.
-    ToldWitness told;
-    std::vector<WitnessFile> files;
-    if (result.witness) {
-        told.text = device.tell(*result.witness, language);
-        told.story = lines_of(device.tell(*result.witness, Language::english));
-        files = files_of_scans(grafcet, device, *result.witness, told.text);
+    if (const auto& witness = judgement.result.witness) {
+        judgement.told = told_by([&](Language in) { return device.tell(*witness, in); }, language);
+        judgement.witness_files = files_of_scans(grafcet, device, *witness, judgement.told.text);
     }
-    return report_check(request, grafcet, device_subject(request.path, request.against, *period),
-                        result, told, files, language);
+    return judgement;
 }
 
 }  // namespace grafwire

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "command/check_request.h"
-#include "command/exit_status.h"
 #include "s7check/blame.h"
 #include "s7check/listing_device.h"
 #include "s7check/listing_story.h"
@@ -29,45 +28,41 @@ bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
 
 }  // namespace
 
-int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded,
-                       Language language) {
+std::optional<Judgement> judge_listing(const CheckRequest& request, const LoadedGrafcet& loaded,
+                                       Language language) {
     const Grafcet& grafcet = loaded.grafcet;
     if (request.io.empty()) {
         complain(
             fmt::format("--io: {} needs a table that says which address is which input, "
                         "output and step",
                         request.against));
-        return bad_request;
+        return std::nullopt;
     }
     // Read the table of assignment and the listing, and find everything the GRAFCET names in it.
     const auto io = load_assignment(request.io);
-    if (!io) return bad_request;
+    if (!io) return std::nullopt;
     const auto listing = load_listing(request.against, request.cpu, &io->assignment);
-    if (!listing) return bad_request;
+    if (!listing) return std::nullopt;
     const auto binding = bind_listing(grafcet, io->assignment, io->source);
-    if (!binding || !has_all_modes_or_none(grafcet, *binding)) return bad_request;
+    if (!binding || !has_all_modes_or_none(grafcet, *binding)) return std::nullopt;
     // Compare it with the reference after every scan, in every reachable state.
     const ListingDevice device(*listing, cpu_named(request.cpu), *binding);
     const auto period = scan_period(request, grafcet, device);
-    if (!period || !can_check(request, grafcet, true, false, device.has_modes()))
-        return bad_request;
-    const CheckResult result = compare_scans(request, grafcet, device, *period);
+    if (!period) return std::nullopt;
+    Judgement judgement{program_subject(request, loaded, device, *period), {}, {}, {}};
+    if (!can_check(request, grafcet, judgement.subject, device.has_modes())) return std::nullopt;
+    judgement.result = compare_scans(request, grafcet, device, *period);
     // Find the network that a difference comes from, and report.
-    ToldWitness told;
-    std::vector<WitnessFile> files;
-    if (result.witness) {
+    if (const auto& witness = judgement.result.witness) {
         const auto finding =
-            find_cause(grafcet, *listing, cpu_named(request.cpu), *binding, *result.witness);
+            find_cause(grafcet, *listing, cpu_named(request.cpu), *binding, *witness);
         const auto tell = [&](Language in) {
-            return tell_listing_witness(grafcet, *listing, *result.witness, finding, device.error(),
-                                        in);
+            return tell_listing_witness(grafcet, *listing, *witness, finding, device.error(), in);
         };
-        told.text = tell(language);
-        told.story = lines_of(tell(Language::english));
-        files = files_of_scans(grafcet, device, *result.witness, told.text);
+        judgement.told = told_by(tell, language);
+        judgement.witness_files = files_of_scans(grafcet, device, *witness, judgement.told.text);
     }
-    return report_check(request, grafcet, device_subject(request.path, request.against, *period),
-                        result, told, files, language);
+    return judgement;
 }
 
 }  // namespace grafwire

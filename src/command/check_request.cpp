@@ -79,7 +79,7 @@ Progress::Progress(double max_seconds, std::uint64_t max_memory)
     is_interrupted = 0;
     struct sigaction once {};
     once.sa_handler = note_interrupt;
-    once.sa_flags = SA_RESETHAND;
+    once.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &once, nullptr);
 }
 
@@ -126,14 +126,17 @@ bool refuse(bool is_given, std::string_view option, std::string_view why) {
 
 }  // namespace
 
-bool can_check(const CheckRequest& request, const Grafcet& grafcet, bool is_scanned,
-               bool is_from_elsewhere, bool has_modes) {
-    if (refuse(is_scanned && !request.changes.empty(), "--changes",
+bool can_check(const CheckRequest& request, const Grafcet& grafcet, const CheckSubject& subject,
+               bool has_modes) {
+    if (refuse(subject.is_scanned() && !request.changes.empty(), "--changes",
                "inputs are sampled, and any of them change between two scans")) {
         return false;
     }
-    if (refuse(!is_scanned && !request.scan.empty(), "--scan", "nothing is scanned")) return false;
-    if (refuse(!(is_from_elsewhere && !has_modes) && !request.power_up.empty(), "--power-up",
+    if (refuse(!subject.is_scanned() && !request.scan.empty(), "--scan", "nothing is scanned"))
+        return false;
+    const bool is_set =
+        subject.power_up == PowerUp::init || subject.power_up == PowerUp::initial_values;
+    if (refuse(is_set && !request.power_up.empty(), "--power-up",
                "it is for a netlist from elsewhere without an input Init")) {
         return false;
     }
@@ -171,9 +174,35 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
     return parse_period(request.scan);
 }
 
-int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const ToldWitness& told,
-                 const std::vector<WitnessFile>& witness_files, Language language) {
+CheckSubject subject_of(const CheckRequest& request) {
+    CheckSubject subject;
+    subject.file = request.path;
+    subject.against = request.against;
+    if (request.against.empty()) {
+        subject.style = request.netlist.style;
+        subject.cdx = request.netlist.cdx_name();
+    }
+    subject.delay = request.delay;
+    subject.name = request.against.empty() ? subject.style + " " + subject.cdx : request.against;
+    for (const std::string* asked : {&request.changes, &request.power_up, &request.scan}) {
+        if (!asked->empty()) subject.name += " " + *asked;
+    }
+    return subject;
+}
+
+CheckSubject program_subject(const CheckRequest& request, const LoadedGrafcet& loaded,
+                             const ScannedDevice& device, Time period) {
+    CheckSubject subject = subject_of(request);
+    subject.is_program = true;
+    subject.period = format_duration(period);
+    subject.power_up = device.has_modes() ? PowerUp::init : PowerUp::initial_values;
+    subject.warnings = loaded.warnings;
+    return subject;
+}
+
+int report_check(const CheckRequest& request, const Grafcet& grafcet, Judgement judgement,
+                 double seconds, Language language) {
+    auto& [subject, result, told, witness_files] = judgement;
     OutputFiles files({request.path, request.against, request.io});
     if (!request.witness.empty()) {
         subject.witness_files = add_witness(files, request.witness, witness_files);
@@ -181,11 +210,22 @@ int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubje
     if (request.format == "json") {
         files.add(request.output, write_check_json(subject, grafcet, result, told));
     } else if (request.format == "junit") {
-        files.add(request.output, write_check_junit(subject, grafcet, result, told.text));
+        files.add(request.output, write_check_junit(subject, grafcet, result, told, seconds));
     } else {
-        files.add(request.output, write_check_text(subject, grafcet, result, told.text, language));
+        files.add(request.output, write_check_text(subject, grafcet, result, told, language));
     }
     return finish(files, exit_status(result.verdict));
+}
+
+int report_refused(const CheckRequest& request, const std::string& messages, double seconds) {
+    if (request.format != "junit") return bad_request;
+    OutputFiles files({request.path, request.against, request.io});
+    files.add(request.output, write_refused_junit(subject_of(request), messages, seconds));
+    return finish(files, bad_request);
+}
+
+ToldWitness told_by(const std::function<std::string(Language)>& tell, Language language) {
+    return {tell(language), "", lines_of(tell(Language::english)), {}};
 }
 
 CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,17 +69,35 @@ struct WitnessFile {
     std::string text;
 };
 
+/// What a check came to, and all that its reports say.
+struct Judgement {
+    CheckSubject subject;
+    CheckResult result;
+    ToldWitness told;
+    std::vector<WitnessFile> witness_files;  ///< for the folder, if one is asked for
+};
+
+/// What the reports say of a request before anything has been read.
+CheckSubject subject_of(const CheckRequest& request);
+/// The same of a program, which is scanned.
+CheckSubject program_subject(const CheckRequest& request, const LoadedGrafcet& loaded,
+                             const ScannedDevice& device, Time period);
+
 /// Writes the report, and the files of the witness into the folder asked for, if one is, where
-/// those of an earlier witness go; returns what the program ends with.
-int report_check(const CheckRequest& request, const Grafcet& grafcet, CheckSubject subject,
-                 const CheckResult& result, const ToldWitness& told,
-                 const std::vector<WitnessFile>& witness_files, Language language);
+/// those of an earlier witness go; returns what the program ends with. `seconds`: what the check
+/// took.
+int report_check(const CheckRequest& request, const Grafcet& grafcet, Judgement judgement,
+                 double seconds, Language language);
+
+/// Where no check could be made for the reasons that the messages say: a JUnit report, if one is
+/// asked for, has them too, since whoever reads these reports may see nothing else. Returns what
+/// the program ends with.
+int report_refused(const CheckRequest& request, const std::string& messages, double seconds);
 
 /// Whether the request makes sense for what is compared, and the GRAFCET gives a check something to
-/// say; shows why not. A clocked netlist and a program are scanned; a netlist from elsewhere is one
-/// that was not generated.
-bool can_check(const CheckRequest& request, const Grafcet& grafcet, bool is_scanned,
-               bool is_from_elsewhere, bool has_modes);
+/// say; shows why not. A clocked netlist and a program are scanned.
+bool can_check(const CheckRequest& request, const Grafcet& grafcet, const CheckSubject& subject,
+               bool has_modes);
 
 /// The bounds of an exploration, as asked for.
 CheckOptions check_options(const CheckRequest& request, Progress& progress);
@@ -95,15 +115,21 @@ std::optional<Time> scan_period(const CheckRequest& request, const Grafcet& graf
 CheckResult compare_scans(const CheckRequest& request, const Grafcet& grafcet,
                           const ScannedDevice& device, Time period);
 
+/// A witness as the reports tell it, put into words by `tell`.
+ToldWitness told_by(const std::function<std::string(Language)>& tell, Language language);
+
 /// The files that show the witness of a program: stimuli, what reference and program make of them,
 /// the story.
 std::vector<WitnessFile> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
                                         const Witness& witness, const std::string& story);
 
-/// Compares an S7-200 listing with the GRAFCET, and reports.
-int check_listing_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
+/// Compares an S7-200 listing with the GRAFCET; empty, with the reason shown, where that is not
+/// possible.
+std::optional<Judgement> judge_listing(const CheckRequest& request, const LoadedGrafcet& loaded,
+                                       Language language);
 
-/// Compares a ladder diagram in a PLCopen project with the GRAFCET, and reports.
-int check_ladder_file(const CheckRequest& request, const LoadedGrafcet& loaded, Language language);
+/// The same of a ladder diagram in a PLCopen project.
+std::optional<Judgement> judge_ladder(const CheckRequest& request, const LoadedGrafcet& loaded,
+                                      Language language);
 
 }  // namespace grafwire

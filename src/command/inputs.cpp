@@ -22,19 +22,36 @@ constexpr std::size_t most_errors = 100;
 /// Messages may hold a list of all steps, say.
 constexpr std::size_t most_of_message = 4000;
 
+/// Who keeps the messages, if anybody does. Any part of a command may have one to show, so they are
+/// caught where they leave the program.
+std::string* kept_messages = nullptr;
+
 }  // namespace
 
+MessageRecord::MessageRecord() {
+    kept_messages = &text_;
+}
+
+MessageRecord::~MessageRecord() {
+    kept_messages = nullptr;
+}
+
+void show(std::string_view text) {
+    fmt::print(stderr, "{}", text);
+    if (kept_messages != nullptr) *kept_messages += text;
+}
+
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
-    std::fputs(format_diagnostics(diagnostics, source, most_errors).c_str(), stderr);
+    show(format_diagnostics(diagnostics, source, most_errors));
 }
 
 void complain(std::string_view message) {
-    fmt::print(stderr, "grafwire: error: {}\n",
-               visible(shortened(message, most_of_message), "\t\n"));
+    show(
+        fmt::format("grafwire: error: {}\n", visible(shortened(message, most_of_message), "\t\n")));
 }
 
 void warn(std::string_view message) {
-    fmt::print(stderr, "grafwire: warning: {}\n", visible(message, "\t\n"));
+    show(fmt::format("grafwire: warning: {}\n", visible(message, "\t\n")));
 }
 
 std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
@@ -44,7 +61,7 @@ std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
     if (!diagnostics.has_errors()) grafcet = parse_grafcet(source, diagnostics);
     show_diagnostics(diagnostics, source);
     if (!grafcet) return std::nullopt;
-    return LoadedGrafcet{std::move(source), std::move(*grafcet)};
+    return LoadedGrafcet{std::move(source), std::move(*grafcet), diagnostics.items()};
 }
 
 void show_wiring_warnings(const LoadedGrafcet& loaded, CdxForm cdx) {

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "command/files.h"
 #include "equations/equations.h"
@@ -16,6 +18,7 @@ namespace grafwire {
 struct LoadedGrafcet {
     SourceFile source;
     Grafcet grafcet;
+    std::vector<Diagnostic> warnings;
 };
 std::optional<LoadedGrafcet> load_grafcet(const std::string& path);
 
@@ -43,6 +46,23 @@ std::optional<s7::Listing> load_listing(const std::string& path, const std::stri
                                         const s7::IoAssignment* io);
 std::optional<s7::Binding> bind_listing(const Grafcet& grafcet, const s7::IoAssignment& io,
                                         const SourceFile& source);
+
+/// Keeps what is shown on standard error while it lives; one at a time.
+class MessageRecord {
+  public:
+    MessageRecord();
+    ~MessageRecord();
+    MessageRecord(const MessageRecord&) = delete;
+    MessageRecord& operator=(const MessageRecord&) = delete;
+
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+/// Shows lines on standard error; so do all functions that show something.
+void show(std::string_view text);
 
 /// Shows messages about a source file on standard error.
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);

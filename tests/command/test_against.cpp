@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command/json_schema.h"
 #include "command/run_program.h"
 
 namespace grafwire::test {
@@ -58,7 +59,7 @@ TEST_CASE("the netlist that was written, read back") {
             const Ran ran = check_against(file);
             CHECK(ran.status == 0);
             CHECK(ran.err.empty());
-            CHECK(contains(ran.out, ": equivalent (style " + file));
+            CHECK(contains(ran.out, ": equivalent (netlist " + file));
         }
     }
 }
@@ -72,7 +73,7 @@ TEST_CASE("a wiring by hand: a good one, and one with a slip") {
     const std::string slip = folder.file("slip.blif", students_wiring("X1"));
     const Ran wrong = check_against(slip);
     CHECK(wrong.status == 1);
-    CHECK(contains(wrong.out, ": different (style " + slip));
+    CHECK(contains(wrong.out, ": different (netlist " + slip));
     CHECK(contains(wrong.out, "\nWitness:\n"));
     // Its witness replays on the same netlist.
     const Ran with_files =
@@ -84,6 +85,41 @@ TEST_CASE("a wiring by hand: a good one, and one with a slip") {
     CHECK(run.status == 0);
     CHECK(run.out != gates.out);
     CHECK(text_of(folder.path("w/got.csv")) == gates.out);
+}
+
+TEST_CASE("a wiring without Init: at power-up anything, or the initial situation as given") {
+    const ScratchFolder folder;
+    const std::string file = folder.file("bare.blif",
+                                         ".model bare\n"
+                                         ".inputs m a b\n"
+                                         ".outputs X0 X1 X2\n"
+                                         ".names X2 b X1 X0 X0\n11-- 1\n--01 1\n"
+                                         ".names X0 m X2 X1 X1\n11-- 1\n--01 1\n"
+                                         ".names X1 a X0 X2 X2\n11-- 1\n--01 1\n"
+                                         ".end\n");
+    const auto checked = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"check", chart, "--against", file});
+        return grafwire_with(arguments);
+    };
+    const Ran unknown = checked({});
+    CHECK(unknown.status == 1);
+    CHECK(contains(unknown.out, "; power-up: unknown\n"));
+    CHECK(contains(unknown.out, "Give it an input Init or\ninitial values; or check with "));
+    const Ran given = checked({"--power-up", "initial"});
+    CHECK(given.status == 0);
+    CHECK(contains(given.out, "; power-up: initial situation, taken as given\n"));
+    for (const bool is_given : {false, true}) {
+        const Ran ran = checked({"--to", "json", "--power-up", is_given ? "initial" : "unknown"});
+        CHECK(schema_problems(ran.out) == "");
+        const auto json = nlohmann::json::parse(ran.out);
+        CHECK(json["power_up"] == (is_given ? "given" : "unknown"));
+        if (!is_given) CHECK(json["witness"]["kind"] == "power-up");
+    }
+    // Nothing is to be said of the power-up of a netlist that has an Init.
+    const Ran refused = grafwire_with({"check", chart, "--power-up", "initial", "--against",
+                                       folder.file("good.blif", students_wiring("X0"))});
+    CHECK(refused.status == 2);
+    CHECK(contains(refused.err, "--power-up has no effect here"));
 }
 
 TEST_CASE("a wrong gate in a JSON netlist") {

@@ -23,7 +23,7 @@ TEST_CASE("a chart's own ladder diagram is equivalent, a damaged one is not") {
     const Ran run = grafwire_with(
         {"check", chart, "--against", wrong, "--scan", "20ms", "--witness", folder.path("w")});
     CHECK(run.status == 1);
-    CHECK(contains(run.out, "a scan every 20ms"));
+    CHECK(contains(run.out, "  scan period: 20ms; "));
     CHECK(contains(run.out, "X0 was last written in network 6"));
     const std::string stimuli = folder.path("w/witness.stim");
     const Ran replayed = grafwire_with({"run", chart, stimuli, "--scan", "20ms"});

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command/json_schema.h"
 #include "command/run_program.h"
 
 namespace grafwire::test {
@@ -84,13 +85,14 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
     CHECK(good.status == 0);
     CHECK(good.err.empty());
     CHECK(contains(good.out, "manipulator.grafcet: equivalent (program "));
-    CHECK(contains(good.out, "a scan every 100ms)"));
+    CHECK(contains(good.out, "  scan period: 100ms; "));
     const ScratchFolder folder;
     const Ran bad = grafwire_with({"check", chart, "--against", listing("manipulator.printed.awl"),
                                    "--io", listing("manipulator.io"), "--scan", "500ms",
                                    "--witness", folder.path("w"), "--to", "json", "--lang", "fr"});
     CHECK(bad.status == 1);
     const auto report = nlohmann::json::parse(bad.out);
+    CHECK(schema_problems(bad.out) == "");
     CHECK(report["verdict"] == "different");
     CHECK(report["period"] == "500ms");
     CHECK(report["witness"]["files"].size() == 6);

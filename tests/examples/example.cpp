@@ -33,27 +33,31 @@ std::vector<std::string> styles_in(std::string cell) {
     return styles;
 }
 
-Example load_example(const std::string& name, const std::string& sound_in) {
+Example load_example(const std::string& name) {
     Example result;
     result.name = name;
     result.grafcet = load_grafcet(example(name + ".grafcet"));
     result.stimuli = load_stimuli(example(name + ".stim"), result.grafcet);
     result.reference = run_until_stable(result.grafcet, result.stimuli);
-    result.sound_in = styles_in(sound_in);
     return result;
 }
 
 std::vector<Example> load_examples() {
     std::vector<Example> examples;
     std::istringstream readme(text_of(example("README.md")));
-    std::size_t column = 0;
+    std::size_t sound_in = 0;
+    std::size_t one_at_a_time = 0;
     for (std::string line; std::getline(readme, line);) {
         const std::vector<std::string> cells = cells_of(line);
-        const auto head = std::find(cells.begin(), cells.end(), "sound in");
-        if (head != cells.end()) column = static_cast<std::size_t>(head - cells.begin());
-        if (column == 0 || line.rfind("| `", 0) != 0) continue;
-        REQUIRE(cells.size() > column);
-        examples.push_back(load_example(cells[1], cells[column]));
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (cells[i] == "sound in") sound_in = i;
+            if (cells[i] == "one at a time") one_at_a_time = i;
+        }
+        if (sound_in == 0 || one_at_a_time == 0 || line.rfind("| `", 0) != 0) continue;
+        REQUIRE(cells.size() > std::max(sound_in, one_at_a_time));
+        examples.push_back(load_example(cells[1]));
+        examples.back().sound_in = styles_in(cells[sound_in]);
+        examples.back().sound_one_at_a_time = styles_in(cells[one_at_a_time]);
     }
     REQUIRE(examples.size() == 13);
     return examples;

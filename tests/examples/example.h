@@ -18,8 +18,9 @@ struct Example {
     std::string name;
     Grafcet grafcet;
     Stimuli stimuli;
-    RunResult reference;                ///< until stable
-    std::vector<std::string> sound_in;  ///< the styles in the README's column "sound in"
+    RunResult reference;                           ///< until stable
+    std::vector<std::string> sound_in;             ///< the styles in the README's column "sound in"
+    std::vector<std::string> sound_one_at_a_time;  ///< and those in "one at a time"
 };
 
 /// All of them, in the order of the README's table. There are thirteen, or the test fails.

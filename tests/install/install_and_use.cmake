@@ -22,6 +22,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
 expect_file(bin/grafwire)
 expect_file(include/grafwire/grafcet/grafcet.h)
 expect_file(include/grafwire/check/check_equivalence.h)
+expect_file(share/doc/grafwire/report.schema.json)
 
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G ${GENERATOR}
   -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix

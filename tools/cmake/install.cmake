@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place: the program, the libraries, their headers by folder, and the
-# package that lets others write find_package(grafwire) and link to grafwire::check.
+# What `cmake --install` puts in place: the program, the libraries, their headers by folder, the schema
+# of the reports of `check`, and the package that lets others write find_package(grafwire) and link to grafwire::check.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -13,6 +13,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDE
   FILES_MATCHING PATTERN "*.h" PATTERN command EXCLUDE)
 install(TARGETS ${libraries} EXPORT grafwireTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT grafwireTargets NAMESPACE grafwire:: DESTINATION ${package_folder})
+install(FILES ${PROJECT_SOURCE_DIR}/src/check/report.schema.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET grafwire)
   install(TARGETS grafwire RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

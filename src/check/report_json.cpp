@@ -1,0 +1,174 @@
+// The report of a check for programs. Its keys and values do not depend on the language; whoever
+// adds one adds it to report.schema.json, against which the tests hold every report.
+
+#include <nlohmann/json.hpp>
+
+#include "check/report.h"
+#include "grafcet/write_grafcet.h"
+
+namespace grafwire {
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::equivalent:
+            return "equivalent";
+        case Verdict::different:
+            return "different";
+        case Verdict::undecided:
+            return "undecided";
+    }
+    return "";
+}
+
+std::string_view name_of(DifferenceKind kind) {
+    switch (kind) {
+        case DifferenceKind::situation:
+            return "situation";
+        case DifferenceKind::output:
+            return "output";
+        case DifferenceKind::oscillation:
+            return "oscillation";
+        case DifferenceKind::race:
+            return "race";
+        case DifferenceKind::power_up:
+            return "power-up";
+    }
+    return "";
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view name_of(PowerUp power_up) {
+    switch (power_up) {
+        case PowerUp::init:
+            return "Init";
+        case PowerUp::initial_values:
+            return "initial values";
+        case PowerUp::given:
+            return "given";
+        case PowerUp::unknown:
+            return "unknown";
+    }
+    return "";
+}
+
+/// What was compared, and what the verdict rests on.
+void put_subject(Json& json, const CheckSubject& subject, const Grafcet& grafcet) {
+    if (subject.is_program) {
+        json["device"] = subject.against;
+    } else if (!subject.against.empty()) {
+        json["against"] = subject.against;
+    } else {
+        json["style"] = subject.style;
+        json["cdx"] = subject.cdx;
+    }
+    if (!subject.is_program) json["delay"] = subject.delay;
+    if (subject.changes) json["changes"] = *subject.changes == Changes::one ? "one" : "many";
+    if (subject.is_scanned()) json["period"] = subject.period;
+    json["power_up"] = name_of(subject.power_up);
+    json["assumptions"] = Json::array();
+    for (const Assumption& assumption : grafcet.assumptions) {
+        json["assumptions"].push_back(
+            write_expression(grafcet, grafcet.expressions, assumption.expression));
+    }
+    json["method"] = "exploration";
+}
+
+void put_together(Json& json, const Grafcet& grafcet, const CheckResult& result) {
+    json["together"] = nullptr;
+    if (!result.together || result.together->verdict == Verdict::undecided) return;
+    const Together& together = *result.together;
+    json["together"] = together.verdict == Verdict::equivalent;
+    if (together.verdict == Verdict::equivalent) return;
+    json["together_inputs"] = Json::array();
+    for (const std::uint32_t input : together.inputs) {
+        json["together_inputs"].push_back(input_name(grafcet, input));
+    }
+    json["together_stimuli"] = write_stimuli(together.witness->stimuli, grafcet);
+    json["together_assume"] = nullptr;
+    if (!together.assumption.empty()) json["together_assume"] = together.assumption;
+}
+
+Json place(std::uint32_t number) {
+    return number == 0 ? Json(nullptr) : Json(number);
+}
+
+Json diagnostics(const std::vector<Diagnostic>& items) {
+    Json list = Json::array();
+    for (const Diagnostic& item : items) {
+        list.push_back({{"severity", item.severity == Severity::error ? "error" : "warning"},
+                        {"line", place(item.where.line)},
+                        {"column", place(item.where.column)},
+                        {"message", item.message}});
+    }
+    return list;
+}
+
+Json never_exercised(const NeverExercised& never, const Grafcet& grafcet) {
+    Json json = {{"steps", Json::array()},
+                 {"transitions", Json::array()},
+                 {"inputs", Json::array()},
+                 {"outputs", Json::array()}};
+    for (const StepId id : never.steps) json["steps"].push_back(grafcet.steps[id].name);
+    for (const TransitionId id : never.transitions) {
+        json["transitions"].push_back(grafcet.transitions[id].name);
+    }
+    for (const std::uint32_t input : never.inputs) {
+        json["inputs"].push_back(input_name(grafcet, input));
+    }
+    for (const OutputId id : never.outputs) json["outputs"].push_back(grafcet.outputs[id].name);
+    return json;
+}
+
+Json value_of(Logic value) {
+    if (value == Logic::unknown) return "x";
+    return value == Logic::one ? 1 : 0;
+}
+
+Json told_witness(const Witness& witness, const CheckSubject& subject, const Grafcet& grafcet,
+                  const ToldWitness& told) {
+    Json json;
+    json["kind"] = name_of(witness.kind);
+    json["stimuli"] = write_stimuli(witness.stimuli, grafcet);
+    json["expected"] = Json::object();
+    json["got"] = Json::object();
+    for (const Witness::Value& value : witness.values) {
+        json["expected"][value.name] = value_of(value.expected);
+        json["got"][value.name] = value_of(value.got);
+    }
+    if (!told.power_up.empty()) {
+        for (const auto& [net, value] : told.power_up) json["power_up"][net] = value ? 1 : 0;
+    }
+    if (witness.scan_period != 0) json["scan"] = format_duration(witness.scan_period);
+    json["cause"] = nullptr;
+    if (!told.cause.empty()) json["cause"] = told.cause;
+    json["story"] = told.story;
+    json["files"] = subject.witness_files;
+    return json;
+}
+
+}  // namespace
+
+std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
+                             const CheckResult& result, const ToldWitness& told) {
+    Json json;
+    json["grafwire"] = GRAFWIRE_VERSION;
+    json["chart"] = grafcet.name;
+    json["file"] = subject.file;
+    json["verdict"] = name_of(result.verdict);
+    put_subject(json, subject, grafcet);
+    put_together(json, grafcet, result);
+    json["situations"] = result.coverage.situations;
+    json["cases"] = result.coverage.cases;
+    json["unstable"] = result.coverage.unstable;
+    json["complete"] = result.complete;
+    json["diagnostics"] = diagnostics(subject.warnings);
+    json["never"] = never_exercised(result.never, grafcet);
+    json["witness"] = nullptr;
+    if (result.witness) json["witness"] = told_witness(*result.witness, subject, grafcet, told);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace grafwire

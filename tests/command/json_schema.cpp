@@ -1,0 +1,33 @@
+#include "command/json_schema.h"
+
+#include <doctest/doctest.h>
+
+#include "command/run_program.h"
+
+namespace grafwire::test {
+
+namespace {
+
+const char* const validator = R"(
+import json, sys
+from jsonschema import Draft202012Validator
+with open(sys.argv[1]) as file:
+    schema = json.load(file)
+Draft202012Validator.check_schema(schema)
+for error in Draft202012Validator(schema).iter_errors(json.load(sys.stdin)):
+    print("/".join(map(str, error.absolute_path)) + ": " + error.message)
+)";
+
+}  // namespace
+
+std::string schema_problems(const std::string& json) {
+    // The Python of the system: its packages are those that tools/test installs.
+    const Ran ran = run_program({"/usr/bin/python3", "-c", validator,
+                                 std::string(GRAFWIRE_ROOT) + "/src/check/report.schema.json"},
+                                json, {"LC_ALL=C.UTF-8"});
+    INFO(ran.err);
+    CHECK(ran.status == 0);
+    return ran.out;
+}
+
+}  // namespace grafwire::test
