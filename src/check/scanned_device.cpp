@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "check/story.h"
 #include "evolution/run.h"
 
 namespace grafwire {
@@ -58,15 +57,6 @@ std::optional<Witness> replay_scans(const Grafcet& grafcet, const ScannedDevice&
                                     run_device(grafcet, device, stimuli, period));
     if (witness) witness->scan_period = period;
     return witness;
-}
-
-std::string tell_device_witness(const Grafcet& grafcet, const Witness& witness,
-                                const std::string& name, Language language) {
-    Story story(grafcet, witness, language);
-    story.tell_changes();
-    story.tell_reference();
-    story.tell_difference(name);
-    return story.take();
 }
 
 }  // namespace grafwire

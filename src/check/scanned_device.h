@@ -63,8 +63,4 @@ Trace run_device(const Grafcet& grafcet, const ScannedDevice& device, const Stim
 std::optional<Witness> replay_scans(const Grafcet& grafcet, const ScannedDevice& device,
                                     const Stimuli& stimuli, Time period);
 
-/// A witness in words. `name`: what the device is called, "the list".
-std::string tell_device_witness(const Grafcet& grafcet, const Witness& witness,
-                                const std::string& name, Language language);
-
 }  // namespace grafwire

@@ -5,7 +5,8 @@
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
-#include "check/explain.h"
+#include "explain/explain.h"
+#include "explain/tell_witness.h"
 #include "check/netlist_witness.h"
 #include "command/check_request.h"
 #include "command/command.h"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "check/ladder_device.h"
+#include "laddercheck/ladder_device.h"
 #include "command/check_request.h"
 #include "ladder/plcopen/read_plcopen_ladder.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "check/story.h"
+#include "explain/story.h"
 #include "s7/operand_text.h"
 #include "s7/write_listing.h"
 #include "s7check/listing_excerpt.h"

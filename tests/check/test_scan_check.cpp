@@ -82,14 +82,6 @@ TEST_CASE("a delay that is a scan too long shows itself in the scan in which it 
 
     CHECK(replay_scans(grafcet, device, witness.stimuli, witness.scan_period));
     CHECK_FALSE(replay_scans(grafcet, NaiveDevice(grafcet), witness.stimuli, witness.scan_period));
-    CHECK(tell_device_witness(grafcet, witness, "the list", Language::english) ==
-          R"(At 30 ms, no input changes.
-The reference:
-  before: X0
-  scan at 0 ms: clears (0) 0 -> 1 -> X1
-Where they part:
-  lamp: the reference gives 1, the list 0
-)");
 }
 
 TEST_CASE("a program that reads an input where the GRAFCET does not is found out") {

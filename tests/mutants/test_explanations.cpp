@@ -11,7 +11,8 @@
 #include <sstream>
 
 #include "check/check_equivalence.h"
-#include "check/explain.h"
+#include "explain/explain.h"
+#include "explain/tell_witness.h"
 #include "check/netlist_witness.h"
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "check/ladder_device.h"
+#include "laddercheck/ladder_device.h"
 #include "check/scan_check.h"
 #include "ladder/ladder_from.h"
 #include "random/random_cases.h"

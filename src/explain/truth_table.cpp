@@ -3,7 +3,7 @@
 // where it is 1 needs a product with its negation, likewise the other way round, and the rest is
 // covered without the variable.
 
-#include "check/truth_table.h"
+#include "explain/truth_table.h"
 
 #include <algorithm>
 

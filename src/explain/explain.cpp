@@ -6,15 +6,15 @@
 // Then the way by which it came about (causal_chain). Where a value is wrong because it did not
 // change, the way is the one to what should have changed it. Last the cause, if it is a known one.
 
-#include "check/explain.h"
+#include "explain/explain.h"
 
 #include <algorithm>
 
-#include "check/causal_chain.h"
-#include "check/cause_search.h"
-#include "check/compare_functions.h"
-#include "check/net_history.h"
-#include "check/story.h"
+#include "explain/causal_chain.h"
+#include "explain/cause_search.h"
+#include "explain/compare_functions.h"
+#include "explain/net_history.h"
+#include "explain/story.h"
 
 namespace grafwire {
 

@@ -9,7 +9,7 @@
 // of priority. AUdur, forcing and enclosing act outside the memory; where they do, CAX and CDX are
 // left open as well.
 
-#include "check/compare_functions.h"
+#include "explain/compare_functions.h"
 
 #include <fmt/format.h>
 

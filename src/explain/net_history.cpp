@@ -1,4 +1,4 @@
-#include "check/net_history.h"
+#include "explain/net_history.h"
 
 #include <algorithm>
 

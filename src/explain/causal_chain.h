@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "check/net_history.h"
+#include "explain/net_history.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {

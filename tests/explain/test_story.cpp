@@ -4,9 +4,10 @@
 
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
-#include "check/explain.h"
 #include "check/netlist_witness.h"
 #include "check/told_witness.h"
+#include "explain/explain.h"
+#include "explain/tell_witness.h"
 #include "import/read_blif.h"
 #include "netlist/netlists.h"
 

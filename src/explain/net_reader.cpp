@@ -11,7 +11,7 @@
 // The functions are truth tables; whoever reads one need not know whether it was wired with NAND,
 // NOR or AND and OR.
 
-#include "check/net_reader.h"
+#include "explain/net_reader.h"
 
 #include <fmt/format.h>
 

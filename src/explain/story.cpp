@@ -1,4 +1,4 @@
-#include "check/story.h"
+#include "explain/story.h"
 
 #include <fmt/format.h>
 

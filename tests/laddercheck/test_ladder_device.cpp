@@ -2,11 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include "check/ladder_device.h"
 #include "check/scan_check.h"
 #include "evolution/run.h"
 #include "ladder/chart_files.h"
 #include "ladder/ladder_from.h"
+#include "laddercheck/ladder_device.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 

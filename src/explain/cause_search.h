@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "check/cause.h"
-#include "check/compare_functions.h"
-#include "check/net_history.h"
-#include "check/story.h"
+#include "explain/cause.h"
+#include "explain/compare_functions.h"
+#include "explain/net_history.h"
+#include "explain/story.h"
 
 namespace grafwire {
 

@@ -1,4 +1,4 @@
-#include "check/cause.h"
+#include "explain/cause.h"
 
 #include <fmt/format.h>
 

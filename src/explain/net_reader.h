@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "check/truth_table.h"
 #include "equations/equations.h"
+#include "explain/truth_table.h"
 #include "netlist/netlist.h"
 #include "simulate/simulate.h"
 

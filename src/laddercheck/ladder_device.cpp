@@ -1,4 +1,4 @@
-#include "check/ladder_device.h"
+#include "laddercheck/ladder_device.h"
 
 #include <fmt/format.h>
 

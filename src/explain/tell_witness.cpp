@@ -2,12 +2,13 @@
 // and then backwards from what differs: the equations with the values that decide, the way through
 // the gates, and the cause with what helps, where it is a known one.
 
+#include "explain/tell_witness.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "check/netlist_witness.h"
-#include "check/story.h"
+#include "explain/story.h"
 
 namespace grafwire {
 

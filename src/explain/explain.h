@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "check/cause.h"
 #include "check/witness.h"
+#include "explain/cause.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"

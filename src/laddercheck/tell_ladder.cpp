@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "check/ladder_device.h"
-#include "check/story.h"
+#include "explain/story.h"
 #include "ladder/draw/write_drawings.h"
+#include "laddercheck/ladder_device.h"
 
 namespace grafwire {
 

@@ -1,10 +1,10 @@
-#include "check/cause_search.h"
+#include "explain/cause_search.h"
 
 #include <algorithm>
 
-#include "check/causal_chain.h"
 #include "equations/wiring_hazards.h"
 #include "evolution/run.h"
+#include "explain/causal_chain.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {

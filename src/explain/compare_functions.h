@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "check/explain.h"
-#include "check/net_reader.h"
+#include "explain/explain.h"
+#include "explain/net_reader.h"
 
 namespace grafwire {
 

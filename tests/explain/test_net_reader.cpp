@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "check/compare_functions.h"
+#include "explain/compare_functions.h"
 #include "netlist/netlists.h"
 
 namespace grafwire::testing {

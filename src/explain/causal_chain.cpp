@@ -8,7 +8,7 @@
 // belong to the way. A flip-flop changes because of its data, a pulse ends because it began, and
 // the end of a delay is where a way begins, as the change of an input is.
 
-#include "check/causal_chain.h"
+#include "explain/causal_chain.h"
 
 #include <algorithm>
 #include <optional>
