@@ -49,7 +49,12 @@ std::vector<Netlist::InitialValue> power_up_values(const Netlist& netlist, int n
     for (const Netlist::InitialValue& initial : netlist.initial_values) {
         is_known[index_of(initial.net)] = 1;
     }
-    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
+    // A net that is held at its initial value until the others rest closes no loop for them.
+    Netlist cut = netlist;
+    for (Cell& cell : cut.cells) {
+        if (is_known[index_of(cell.output)] != 0) cell.pin_count = 0;
+    }
+    const std::vector<std::uint8_t> on_loop = cells_on_loops(cut);
     std::vector<Netlist::InitialValue> values;
     for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
         const Cell& cell = netlist.cells.items()[i];

@@ -58,6 +58,19 @@ graph G { initial 0 : lamp step 2 : bell
     CHECK(write_port_table(ports, Language::english) != write_port_table(ports, Language::french));
 }
 
+TEST_CASE("clk is the clock among the inputs of a clocked netlist, and anywhere else too many") {
+    const Grafcet grafcet = grafcet_of(chart);
+    Netlist clocked = netlist_of(grafcet, Style::clocked);
+    CHECK(compare_ports(grafcet, clocked).extra_inputs.empty());
+    clocked.outputs.push_back({"clk", clocked.outputs[0].net});
+    CHECK(compare_ports(grafcet, clocked).extra_outputs == Names{"clk"});
+    const Netlist gates =
+        netlist_of(grafcet_of("input clk output lamp graph G { initial 0 : lamp step 1 0 -> 1 : "
+                              "clk . 2s/X0 }"),
+                   Style::gates);
+    CHECK(compare_ports(grafcet, gates).extra_inputs == Names{"clk"});
+}
+
 TEST_CASE("an input that is not wired does not prevent the comparison") {
     const Grafcet grafcet = grafcet_of(chart);
     const Netlist netlist = netlist_of(grafcet_of(R"(

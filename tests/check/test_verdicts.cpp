@@ -319,6 +319,25 @@ TEST_CASE("without modes only the declared inputs are varied") {
     const CheckResult result = check(grafcet, netlist_of(grafcet, Style::gates, false));
     CHECK(result.verdict == Verdict::equivalent);
     CHECK(result.coverage.situations == 3);
+    // Nor does any that is forgotten on the way come back: AUdoux would put out the lamp.
+    const Grafcet lit = grafcet_of(R"(
+input a
+output lamp
+graph G { initial 0 step 1 : lamp step 2
+  0 -> 1 : ↑a
+  1 -> 2 : ↓a
+  2 -> 0 : ↑a })");
+    for (const StyleRow& row : style_table) {
+        for (const Changes changes : {Changes::one, Changes::many}) {
+            CheckOptions options;
+            options.changes = changes;
+            const Netlist netlist = netlist_of(lit, row.style, false);
+            const CheckResult of_lit =
+                check_equivalence(lit, netlist, unit_delays(netlist), options);
+            CHECK(of_lit.verdict == Verdict::equivalent);
+            CHECK(of_lit.coverage.situations == 3);
+        }
+    }
 }
 
 }  // namespace grafwire::testing

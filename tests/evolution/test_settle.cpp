@@ -35,6 +35,27 @@ TEST_CASE("the last repetition is one without edges that changes nothing") {
     CHECK(repetitions_at_start("input a graph G { initial 1 step 2 1 -> 2 : 1s/a . 0 }", {1}) == 1);
 }
 
+TEST_CASE("whoever waits for a stable situation is asked now and then, and can break off") {
+    const Grafcet grafcet =
+        grafcet_from("counter c : 0..20000 graph G { initial 1 1 -> 1 : 1 do c := c + 1 }");
+    const Evolution evolution(grafcet);
+    const std::vector<std::uint8_t> inputs(grafcet.all_input_count(), 0);
+    for (const int patience : {1, 2, 1000}) {
+        int asked = 0;
+        EvolutionState state = evolution.start({inputs});
+        const SettleResult result =
+            evolution.settle(state, {inputs}, 0, [&] { return ++asked < patience; });
+        CHECK(result.broken_off == (patience != 1000));
+        CHECK(result.stable);
+        if (result.broken_off) {
+            CHECK(asked == patience);
+            CHECK(result.repetitions < 20001);
+        } else {
+            CHECK(result.repetitions == 20001);
+        }
+    }
+}
+
 TEST_CASE("a long way to a stable situation is walked to its end") {
     CHECK(repetitions_at_start(
               "counter c : 0..20000 graph G { initial 1 1 -> 1 : 1 do c := c + 1 }", {}) == 20001);

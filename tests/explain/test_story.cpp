@@ -271,6 +271,17 @@ TEST_CASE("a wrong output") {
     CHECK(part.lines == std::vector<std::uint32_t>{40});
 }
 
+TEST_CASE("an output that no equation can be read off is told by its name") {
+    // P is a latch of gates instead of X1 + X4.
+    const Told told = told_of_blif(
+        chart, replaced(wiring, ".names X1 X4 P\n00 0\n",
+                        ".names X1 X4 p0\n00 0\n.names p0 kept P\n00 0\n.names P m kept\n11 1\n"));
+    const Explanation::Part& part = told.part("P");
+    CHECK(part.fault == Fault::unread);
+    CHECK(equation(part, "P").expected == "X1 + X4");
+    CHECK(told.text().find("P") != std::string::npos);
+}
+
 TEST_CASE("the way is told from the change that began it, however long it is") {
     const std::string steps = R"(
 input a

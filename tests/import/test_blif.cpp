@@ -73,6 +73,24 @@ TEST_CASE("other covers") {
     CHECK(cells_of("a b c y", "11- 0\n--1 0") == "  y$1 = and(a, b)\n  y = nor(y$1, c)\n");
 }
 
+TEST_CASE("a row that stands twice makes no exclusive or") {
+    CHECK(cells_of("a b y", "01 1\n01 1") ==
+          "  a$1 = not(a)\n  y$1 = and(a$1, b)\n  y$2 = and(a$1, b)\n  y = or(y$1, y$2)\n");
+    CHECK(cells_of("a b c y", "001 1\n010 1\n100 1\n100 1").find("xor") == std::string::npos);
+}
+
+TEST_CASE("the value of a parameter stands between two quotes or none") {
+    const auto timer = [](const std::string& value) {
+        return read(
+            ".model m\n.inputs a\n.outputs t\n.subckt grafwire_timer a=a q=t\n.param RISE " +
+            value + "\n.end\n");
+    };
+    for (const char* good : {"2s", "\"2s\""}) CHECK(timer(good).find("2s") != std::string::npos);
+    for (const char* bad : {"\"2s", "2s\"", "\"", "\"\""}) {
+        CHECK(timer(bad).starts_with("x.blif:5:1: error: the value of RISE does not fit"));
+    }
+}
+
 TEST_CASE("inner nets stay clear of the names in the file") {
     CHECK(read(".model m\n.inputs a b b$1\n.outputs y y$1\n.names a b y\n10 1\n.names b$1 y$1\n1 "
                "1\n.end") ==

@@ -220,6 +220,9 @@ TEST_CASE("texts that are not JSON are refused with the place") {
     CHECK(read("").starts_with("x.json:1:1: error: not JSON: "));
     CHECK(read(std::string(100000, '[')) ==
           "x.json: error: values are nested more than 20 deep: not a netlist\n");
+    CHECK(read(std::string(5000, '[') + std::string(5000, ']')) ==
+          "x.json: error: values are nested more than 20 deep: not a netlist\n");
+    CHECK(read(std::string(20, '[') + std::string(20, ']')).find("nested") == std::string::npos);
     CHECK(read("{\"modules\": 1").starts_with("x.json:1:"));
     CHECK(read("\"\xff\"").starts_with("x.json:1:2: error: "));
 }

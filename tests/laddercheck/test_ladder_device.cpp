@@ -148,6 +148,55 @@ TEST_CASE("a rung that is missing is found, and what is not written is named") {
     CHECK(dropped == 3);
 }
 
+TEST_CASE("a fault in a rung that counts is named behind the output that compares the count") {
+    const auto grafcet = read_grafcet(R"(
+        input a
+        output lamp
+        counter n : 0..3
+        graph G {
+          initial 0 : lamp if [n > 0]
+          step 1 : n := n + 1
+          0 -> 1 : a
+          1 -> 0 : /a
+        })");
+    const Ladder right = ladder_of(*grafcet);
+    std::size_t faults = 0;
+    for (std::size_t r = 0; r < right.rungs.size(); ++r) {
+        const ladder::Rung& rung = right.rungs[r];
+        const bool counts = std::any_of(
+            rung.blocks.begin(), rung.blocks.end(),
+            [&](const ladder::Block& block) { return right.variable(block.target).name == "n"; });
+        Ladder faulty = right;
+        Power* contact = first_contact(faulty.rungs[r].power);
+        if (!counts || contact == nullptr) continue;
+        contact->contact =
+            contact->contact == ContactKind::normal ? ContactKind::negated : ContactKind::normal;
+        must_be_found(*grafcet, faulty, rung.number);
+        ++faults;
+    }
+    CHECK(faults != 0);
+}
+
+TEST_CASE("networks of a file are named with their lines, in both languages") {
+    const auto grafcet = read_grafcet(chart_named("single-sequence"));
+    Ladder faulty = ladder_of(*grafcet);
+    for (std::size_t r = 0; r < faulty.rungs.size(); ++r) {
+        faulty.rungs[r].origin = {static_cast<std::uint32_t>(100 + r), 1};
+        if (r != 0 && faulty.rungs[r].coils.front().kind == CoilKind::set) {
+            faulty.rungs[r].coils.front().kind = CoilKind::reset;
+        }
+    }
+    const LadderDevice device(*grafcet, faulty, find_names(*grafcet, faulty));
+    const CheckResult result = check(*grafcet, device);
+    REQUIRE(result.witness);
+    const std::string english = device.tell(*result.witness, Language::english);
+    CHECK_MESSAGE(english.find(", line 1") != std::string::npos, english);
+    CHECK(english.find(", ligne 1") == std::string::npos);
+    const std::string french = device.tell(*result.witness, Language::french);
+    CHECK_MESSAGE(french.find(", ligne 1") != std::string::npos, french);
+    CHECK(french.find(", line 1") == std::string::npos);
+}
+
 // The form of the course without bits for the transitions: each step is set by CAX and reset by CDX
 // in the order of the steps. A scan then sees steps that an earlier rung of it has changed.
 TEST_CASE("set and reset by CAX and CDX alone let a token run through the chart in one scan") {

@@ -19,12 +19,14 @@
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"
 #include "random/read_text.h"
+#include "reviewed_file.h"
 #include "slow_build.h"
 
 namespace grafwire::testing {
 
 namespace {
 
+constexpr const char* file_name = "mutants/no_difference.txt";
 constexpr std::size_t sparser = test::is_slow_build ? 14 : 1;
 
 /// How the mutants of a netlist are dealt with where looking at all of them would take too long.
@@ -57,12 +59,31 @@ Sampling sampling_for(const std::string& example, Style style) {
     return {found->second * sparser, style == Style::clocked};
 }
 
-struct Counts {
+/// What came out for a netlist; one line of the reviewed file.
+struct Row {
+    std::string head;    ///< example and style
+    std::string remark;  ///< instead of numbers
     std::size_t mutants = 0;
     std::size_t tried = 0;
-    std::size_t different = 0;
-    std::size_t equivalent = 0;
+    std::vector<std::size_t> equivalent;  ///< the numbers of the mutants that make no difference
 };
+
+std::string text_of(const Row& row) {
+    if (!row.remark.empty()) return row.head + row.remark + "\n";
+    return fmt::format("{}{:>7}{:>7}{:>10}{:>11} :{}{}\n", row.head, row.mutants, row.tried,
+                       row.tried - row.equivalent.size(), row.equivalent.size(),
+                       row.equivalent.empty() ? "" : " ", fmt::join(row.equivalent, " "));
+}
+
+/// Of the numbers that a line of the reviewed file ends with, those that this build tries.
+std::vector<std::size_t> expected_of(const std::string& line, std::size_t every) {
+    std::istringstream numbers(line.substr(std::min(line.size(), line.find(':') + 1)));
+    std::vector<std::size_t> expected;
+    for (std::size_t number = 0; numbers >> number;) {
+        if (number % every == 0) expected.push_back(number);
+    }
+    return expected;
+}
 
 std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
@@ -72,38 +93,38 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
 }
 
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist) {
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), {});
+    CheckOptions options;
+    options.looks_at_many = false;
+    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
 }
 
-void try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& mutation,
-                Counts& counts) {
+/// Whether the mutant is different.
+bool try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& mutation) {
     const Netlist wrong = mutated(netlist, mutation);
     INFO(describe(netlist, mutation));
     REQUIRE(fault_of(wrong) == "");
     const CheckResult result = checked(grafcet, wrong);
-    ++counts.tried;
     switch (result.verdict) {
         case Verdict::different:
-            ++counts.different;
             REQUIRE(result.witness);
             CHECK(replay(grafcet, with_power_up(wrong, result.witness->power_up),
                          unit_delays(wrong), result.witness->stimuli,
                          result.witness->scan_period));
-            break;
+            return true;
         case Verdict::equivalent:
-            ++counts.equivalent;
             CHECK(result.complete);
             break;
         case Verdict::undecided:
             FAIL_CHECK("undecided without a bound");
             break;
     }
+    return false;
 }
 
-/// One line of the table.
-std::string try_mutants(const std::string& example, const std::string& text, Style style) {
+Row try_mutants(const std::string& example, const std::string& text, Style style) {
     const std::string_view style_name = style_table[static_cast<std::size_t>(style)].name;
-    const std::string head = fmt::format("{:<22}{:<9}", example, style_name);
+    Row row;
+    row.head = fmt::format("{:<22}{:<9}", example, style_name);
     const Sampling sampling = sampling_for(example, style);
     std::optional<Grafcet> grafcet = read_grafcet(text);
     REQUIRE(grafcet);
@@ -113,22 +134,26 @@ std::string try_mutants(const std::string& example, const std::string& text, Sty
         REQUIRE_FALSE(diagnostics.has_errors());
     }
     const auto netlist = netlist_in(*grafcet, style);
-    if (!netlist) return head + "refused by the style\n";
+    if (!netlist) {
+        row.remark = "refused by the style";
+        return row;
+    }
     const Verdict base = checked(*grafcet, *netlist).verdict;
-    if (base == Verdict::different) return head + "different itself, no mutants\n";
+    if (base == Verdict::different) {
+        row.remark = "different itself, no mutants";
+        return row;
+    }
     CHECK(base == Verdict::equivalent);
 
     INFO(example << " as " << style_name);
-    Counts counts;
     const std::vector<Mutation> mutations = mutations_of(*netlist);
-    counts.mutants = mutations.size();
+    row.mutants = mutations.size();
     for (std::size_t i = 0; i < mutations.size(); i += sampling.every) {
-        try_mutant(*grafcet, *netlist, mutations[i], counts);
+        ++row.tried;
+        if (!try_mutant(*grafcet, *netlist, mutations[i])) row.equivalent.push_back(i);
     }
-    CHECK(counts.different != 0);
-    return head + fmt::format("{:>7}{:>7}{:>10}{:>11}  {}\n", counts.mutants, counts.tried,
-                              counts.different, counts.equivalent,
-                              sampling.controls_at_rest ? "Init, AUdur, AUdoux at 0" : "");
+    CHECK(row.equivalent.size() < row.tried);
+    return row;
 }
 
 }  // namespace
@@ -144,14 +169,25 @@ TEST_CASE("the check finds wrong wiring of the examples") {
         texts[entry.path().stem().string()] = text.str();
     }
     REQUIRE(texts.size() == 13);
-    // Row by row as they come: the whole takes minutes.
-    fmt::print("{:<31}{:>7}{:>7}{:>10}{:>11}\n", "", "mutants", "tried", "different", "equivalent");
+    const std::vector<std::string> reviewed = test::reviewed_lines(file_name);
+    std::string table = fmt::format("{:<31}{:>7}{:>7}{:>10}{:>11}\n", "", "mutants", "tried",
+                                    "different", "equivalent");
+    std::size_t line = 0;
     for (const auto& [name, text] : texts) {
         for (const Style style : {Style::gates, Style::nand, Style::nor, Style::clocked}) {
-            fmt::print("{}", try_mutants(name, text, style));
+            const Row row = try_mutants(name, text, style);
+            table += text_of(row);
+            // Row by row as they come: the whole takes minutes.
+            fmt::print("{}", text_of(row));
             std::fflush(stdout);
+            ++line;
+            if (test::renews_reviewed_files()) continue;
+            REQUIRE(line < reviewed.size());
+            CHECK(row.equivalent == expected_of(reviewed[line], sampling_for(name, style).every));
         }
     }
+    // Fewer are tried in a slow build.
+    if (!test::is_slow_build) test::check_reviewed(file_name, table);
 }
 
 }  // namespace grafwire::testing

@@ -122,6 +122,23 @@ TEST_CASE("flip-flops on a common clock") {
     CHECK(text.find("module lamp # lamp = X1\n  lamp = buf(X1)\n") != std::string::npos);
 }
 
+TEST_CASE("in gates what an order clears and what it lists come through as many gates") {
+    // One would otherwise be ahead of the other, and the listed step fall for that long.
+    const std::string forced = "input a, b graph G1 { initial 0 step 1 step 2 0 -> 1 : a } ";
+    const auto has = [&](const std::string& orders, const std::string& line) {
+        const Grafcet grafcet = grafcet_of(forced + orders);
+        const std::string text = write_netlist_text(netlist_of(grafcet, Style::gates, false));
+        CHECK(text.find("\n  " + line + "\n") != std::string::npos);
+    };
+    has("graph G2 { initial 10 : G1{1} step 11 10 -> 11 : b }", "X1$free = or(X10$not, X10$buf)");
+    const std::string three =
+        "graph G2 { initial 10 : G1{1} step 11 : G1{2} step 12 : G1{2} 10 -> 11 : b 11 -> 12 : a }";
+    has(three, "X0$1 = or(X10, X11, X12)");
+    has(three, "X1$free = or(X0$1$not, X10$buf$buf)");
+    has(three, "X2$1 = or(X11, X12)");
+    has(three, "X2$free = or(X0$1$not, X2$1$buf)");
+}
+
 TEST_CASE("the control inputs are ports with modes only") {
     const Grafcet grafcet = grafcet_of(sequence);
     for (const StyleRow& row : style_table) {

@@ -182,3 +182,24 @@ TEST_CASE("what a pulse cell is told to remember outlives the time it is held") 
     CHECK(held.bench->get("down") == zero);
     CHECK(held.seen("up", {one}) == "1@1 0@11");
 }
+
+TEST_CASE("powering up is no edge: there is no pulse, and nothing that one would set is set") {
+    for (const CellType type : {CellType::rise_pulse, CellType::fall_pulse}) {
+        for (const Logic value : {zero, one}) {
+            SmallNetlist small;
+            small.input("a");
+            small.timed(type, "p", {"a"}, {0, 10 * nanosecond, 0});
+            small.cell(CellType::low, "never", {});
+            small.cell(CellType::latch, "q", {"p", "never"});
+            Bench bench(small);
+            bench.record("p");
+            bench.simulator.hold_pulses(true);
+            bench.step("a", value);
+            bench.simulator.hold_pulses(false);
+            bench.simulator.settle();
+            CHECK(bench.get("p") == zero);
+            CHECK(bench.get("q") == unknown);
+            CHECK(bench.changes.empty());
+        }
+    }
+}

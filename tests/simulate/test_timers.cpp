@@ -326,3 +326,43 @@ TEST_CASE("a look-ahead knows when its timer is ended before the clock") {
     CHECK(timer.scan(18, zero) == "01");
     CHECK(timer.next == zero);
 }
+
+TEST_CASE(
+    "of timers that end together the one that another reads comes first, wherever it stands") {
+    // outer is `1s/(a . /(2s/b))`, and ends just when inner puts its operand out: it does not.
+    for (const bool inner_is_first : {true, false}) {
+        SmallNetlist small;
+        small.input("a");
+        small.input("b");
+        const auto add = [&](bool inner) {
+            if (inner) small.timed(CellType::timer, "inner", {"b"}, {2 * second, 0, 0}, zero);
+            if (!inner) small.timed(CellType::timer, "outer", {"op"}, {1 * second, 0, 1}, zero);
+        };
+        add(inner_is_first);
+        add(!inner_is_first);
+        small.cell(CellType::inverter, "not", {"inner"});
+        small.cell(CellType::and_gate, "op", {"a", "not"});
+        Bench bench(small);
+        DelayEnds delay_ends(small.netlist);
+        bench.step("a", zero);
+        bench.step("b", zero);
+        bench.simulator.restart_clock();
+        const auto at = [&](Time moment) {
+            bench.simulator.begin_instant(moment);
+            delay_ends.take_effect(bench.simulator, moment);
+            CHECK(delay_ends.settle(bench.simulator, moment).settled);
+        };
+        bench.set("b", one);
+        at(0);
+        bench.set("a", one);
+        at(1 * second);
+        CHECK(bench.get("op") == one);
+        bench.record("outer");
+        at(2 * second);
+        CHECK(bench.get("inner") == one);
+        CHECK(bench.get("outer") == zero);
+        CHECK(bench.changes.empty());
+        bench.simulator.settle();
+        CHECK(bench.simulator.next_due() == never);
+    }
+}

@@ -1,0 +1,91 @@
+// What each style is made to get right, in charts so small that the check says so in a moment. The
+// examples would show it as well, but only as other gates in netlists/.
+
+#include "check/check_equivalence.h"
+#include "netlist/netlists.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+void is_equivalent_in(const std::string& chart, std::initializer_list<Style> styles) {
+    const Grafcet grafcet = grafcet_of(chart);
+    for (const Style style : styles) {
+        for (const bool has_modes : {true, false}) {
+            const Netlist netlist = netlist_of(grafcet, style, has_modes);
+            INFO(style_table[static_cast<std::size_t>(style)].name << (has_modes ? ", modes" : ""));
+            CheckOptions options;
+            options.looks_at_many = false;
+            const CheckResult result =
+                check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+            CHECK(result.verdict == Verdict::equivalent);
+            CHECK(result.coverage.cases > result.coverage.unstable);
+        }
+    }
+}
+
+void is_equivalent_in_every_style(const std::string& chart) {
+    is_equivalent_in(chart, {Style::gates, Style::nand, Style::nor, Style::clocked});
+}
+
+}  // namespace
+
+TEST_CASE("a source transition whose receptivity is always true sets its step for good") {
+    is_equivalent_in_every_style(R"(
+input a
+output lamp
+graph G { initial 0 step 1 : lamp
+  -> 1 : =1
+  0 -> : a })");
+}
+
+TEST_CASE("an order that lists a step outweighs Init and yields to AUdur") {
+    is_equivalent_in_every_style(R"(
+input a, b, c
+output lamp
+graph G1 { initial 0 step 1 : lamp step 2
+  0 -> 1 : a
+  1 -> 2 : b
+  2 -> 0 : c }
+graph G2 { initial 10 step 11 : G1{1} step 12
+  10 -> 11 : c
+  11 -> 12 : b
+  12 -> 10 : a })");
+}
+
+TEST_CASE("a freezing order and an empty one") {
+    is_equivalent_in_every_style(R"(
+input a, b, c
+output lamp
+graph G1 { initial 0 step 1 : lamp step 2
+  0 -> 1 : a
+  1 -> 2 : b
+  2 -> 0 : c }
+graph G2 { initial 10 step 11 : G1{*} step 12 : G1{}
+  10 -> 11 : c
+  11 -> 12 : b
+  12 -> 10 : a })");
+}
+
+TEST_CASE("the pulse of an edge is long enough to set a step, and too short for two") {
+    is_equivalent_in_every_style(R"(
+input a
+output lamp
+graph G { initial 0 step 1 : lamp step 2
+  0 -> 1 : ↑a
+  1 -> 2 : ↑a
+  2 -> 0 : ↓a })");
+}
+
+TEST_CASE("an edge that clears simultaneous sequences together") {
+    is_equivalent_in_every_style(R"(
+input a, b
+output lamp
+graph G { initial 0 step 1 step 2 : lamp step 3 step 4
+  0 -> 1, 2 : ↑a
+  1 -> 3 : ↑a
+  3, 2 -> 4 : ↓b
+  4 -> 0 : b })");
+}
+
+}  // namespace grafwire::testing

@@ -1,0 +1,167 @@
+// Wrong netlists that only one line of the check stands against.
+
+#include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
+#include "check/wrong_wiring.h"
+#include "netlist/netlists.h"
+#include "trace/stimuli.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
+    REQUIRE(fault_of(netlist) == "");
+    return check_equivalence(grafcet, netlist, unit_delays(netlist), {});
+}
+
+/// The stimuli of the witness, which replays; "" where there is none.
+std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == (result.witness ? Verdict::different : Verdict::equivalent));
+    if (!result.witness) return {};
+    CHECK(replay(grafcet, netlist, unit_delays(netlist), result.witness->stimuli,
+                 result.witness->scan_period));
+    return write_stimuli(result.witness->stimuli, grafcet);
+}
+
+const std::string a_sets_step_1 = R"(
+input a
+output lamp
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : a
+  1 -> 0 : /a }
+)";
+
+}  // namespace
+
+TEST_CASE("a timer is too short or too long by any length, whether or not one divides the other") {
+    const auto chart = [](const std::string& condition) {
+        return grafcet_of(
+            "input a output lamp graph G { initial 0 step 1 : lamp 0 -> 1 : " + condition + " }");
+    };
+    const auto differs = [](const Grafcet& right, const Grafcet& wrong) {
+        for (const Style style : {Style::nand, Style::clocked}) {
+            CHECK(witness_of(right, netlist_of(wrong, style)) != "");
+            CHECK(witness_of(right, netlist_of(right, style)) == "");
+        }
+    };
+    for (const std::string length : {"1s", "2s", "4s", "6s", "2999ms", "3001ms"}) {
+        INFO(length << " for 3s");
+        differs(chart("3s/X0"), chart(length + "/X0"));
+        differs(chart("3s/a"), chart(length + "/a"));
+        differs(chart("2s/a/3s"), chart("2s/a/" + length));
+        differs(chart("3s/a/2s"), chart(length + "/a/2s"));
+    }
+}
+
+TEST_CASE("wiring that oscillates until the edge of the clock stops it") {
+    // The ring runs while a is 1 and step 1 is not active yet.
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    add_cell(netlist, CellType::inverter, "early", {"X1"});
+    add_cell(netlist, CellType::and_gate, "go", {"early", "a"});
+    add_ring(netlist, "go");
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::oscillation);
+}
+
+TEST_CASE("wiring that oscillates from the edge of the clock on") {
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    SUBCASE("to the next") {
+        add_cell(netlist, CellType::inverter, "late", {"a"});
+        add_cell(netlist, CellType::and_gate, "go", {"X1", "late"});
+        add_ring(netlist, "go");
+    }
+    SUBCASE("while the clock is 1") {
+        add_cell(netlist, CellType::and_gate, "go", {"X1", "clk"});
+        add_ring(netlist, "go");
+    }
+    const CheckResult result = check(grafcet, netlist);
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::oscillation);
+}
+
+TEST_CASE("a flip-flop too many shows itself some scans into an evolution that never rests") {
+    // The lamp stays dark from the fifth scan on; no input ever changes.
+    const Grafcet grafcet = grafcet_of(R"(
+output lamp
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : =1
+  1 -> 0 : =1 }
+)");
+    Netlist netlist = netlist_of(grafcet, Style::clocked, false);
+    CHECK(witness_of(grafcet, netlist) == "");
+    add_cell(netlist, CellType::high, "late0", {});
+    for (int i = 1; i <= 5; ++i) {
+        const std::string before = "late" + std::to_string(i - 1);
+        add_cell(netlist, CellType::flip_flop, "late" + std::to_string(i), {before, "clk"},
+                 Logic::zero);
+    }
+    add_cell(netlist, CellType::inverter, "early", {"late5"});
+    put_gate_before(netlist, "lamp", CellType::and_gate, {"early"});
+    CHECK(witness_of(grafcet, netlist) == "0s :\n40ms : end\n");
+}
+
+TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
+    const Grafcet grafcet = grafcet_of(a_sets_step_1);
+    for (const Style style : {Style::nand, Style::clocked}) {
+        INFO(style_table[static_cast<std::size_t>(style)].name);
+        const auto with_lamp_lit_in = [&](const std::string& step) {
+            Netlist netlist = netlist_of(grafcet, style, false);
+            add_cell(netlist, CellType::buffer, "memory", {"memory"});
+            add_cell(netlist, CellType::and_gate, "lit", {step, "memory"});
+            put_gate_before(netlist, "lamp", CellType::or_gate, {"lit"});
+            return check(grafcet, netlist);
+        };
+        const CheckResult result = with_lamp_lit_in("X0");
+        CHECK(result.verdict == Verdict::different);
+        REQUIRE(result.witness);
+        CHECK(result.witness->kind == DifferenceKind::power_up);
+        // In step 1 it is lit anyway.
+        CHECK(with_lamp_lit_in("X1").verdict == Verdict::equivalent);
+    }
+}
+
+TEST_CASE("of the values that a memory may power up with any may be the one that shows a fault") {
+    // In three values the lamp of step 1 is unknown, in two it is right; the horn of step 2, which
+    // comes after it only, is wrong with one power-up of the four.
+    const Grafcet grafcet = grafcet_of(R"(
+input a
+output lamp, horn
+graph G { initial 0 step 1 : lamp step 2
+  0 -> 1 : a
+  1 -> 2 : /a }
+)");
+    Netlist memories = netlist_of(grafcet, Style::nand, false);
+    for (const std::string memory : {"p", "q"}) {
+        add_cell(memories, CellType::buffer, memory, {memory});
+        add_cell(memories, CellType::inverter, "not_" + memory, {memory});
+        add_cell(memories, CellType::or_gate, "some_" + memory, {memory, "not_" + memory});
+    }
+    put_gate_before(memories, "lamp", CellType::and_gate, {"some_p", "some_q"});
+    CHECK(check(grafcet, memories).verdict == Verdict::equivalent);
+    for (const std::string p : {"p", "not_p"}) {
+        for (const std::string q : {"q", "not_q"}) {
+            INFO(p << " and " << q);
+            Netlist netlist = memories;
+            add_cell(netlist, CellType::and_gate, "wrong", {"X2", p, q});
+            put_gate_before(netlist, "horn", CellType::or_gate, {"wrong"});
+            const CheckResult result = check(grafcet, netlist);
+            CHECK(result.verdict == Verdict::different);
+            REQUIRE(result.witness);
+            const std::vector<Netlist::InitialValue>& power_up = result.witness->power_up;
+            REQUIRE(power_up.size() == 2);
+            for (const Netlist::InitialValue& value : power_up) {
+                const std::string wrong = value.net == net_named(netlist, "p") ? p : q;
+                CHECK(value.value == !wrong.starts_with("not_"));
+            }
+        }
+    }
+}
+
+}  // namespace grafwire::testing
