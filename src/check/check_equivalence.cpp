@@ -142,8 +142,8 @@ CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const CheckOptions& options) {
     CheckResult result = check_changes(grafcet, netlist, delays, options);
     if (result.verdict == Verdict::equivalent) {
-        result.witness = oscillation_beside(grafcet, netlist, delays, options,
-                                            result.has_open_memory);
+        result.witness =
+            oscillation_beside(grafcet, netlist, delays, options, result.has_open_memory);
         if (result.witness) result.verdict = Verdict::different;
     }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&

@@ -43,6 +43,7 @@ void NetlistCases::find_remembered_nets() {
     for (std::size_t i = 0; i < netlist_.cells.size(); ++i) {
         const Cell& cell = netlist_.cells.items()[i];
         if (is_relevant_[index_of(cell.output)] == 0) continue;
+        if (on_loop[i] != 0) on_loops_.push_back(cell.output);
         if (on_loop[i] != 0 || row_of(cell.type).has_memory) remembered_.push_back(cell.output);
         if (cell.type == CellType::timer) remembered_.push_back(netlist_.pins_of(cell)[0]);
     }
@@ -235,12 +236,42 @@ NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInput
     } else {
         leave(*start, left, step);
     }
-    settling =
-        netlist_.is_clocked() ? simulator_.clock_cycle() : delay_ends_.settle(simulator_, instant_);
+    if (netlist_.is_clocked()) return clock(step, expected);
+    settling = delay_ends_.settle(simulator_, instant_);
     if (!settling.settled) return not_settled(settling, step);
+    return after_gates(step, expected);
+}
+
+/// What is to be compared, and kept, once the gates have come to rest.
+NetlistOutcome NetlistCases::after_gates(const PathStep& step, const ReferenceOutcome& expected) {
     NetlistOutcome outcome = look(expected.state.situation, expected.outputs, step);
     if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();
     return outcome;
+}
+
+/// An open input behind a loop of gates that is unknown: in two values it may run round and round.
+std::optional<NetlistOutcome> NetlistCases::open_input_of_loops(const PathStep& step) const {
+    std::vector<NetId> unknown;
+    for (const NetId net : on_loops_) {
+        if (simulator_.value(net) == Logic::unknown) unknown.push_back(net);
+    }
+    if (unknown.empty()) return std::nullopt;
+    const NetlistOutcome outcome = blame(unknown, step);
+    if (outcome.kind != NetlistOutcome::Kind::open) return std::nullopt;
+    return outcome;
+}
+
+/// A clock cycle. Loops of gates have to come to rest before each of its edges, which may hide that
+/// they did not.
+NetlistOutcome NetlistCases::clock(const PathStep& step, const ReferenceOutcome& expected) {
+    Settling settling = simulator_.settle();
+    if (!settling.settled) return not_settled(settling, step);
+    for (const Logic level : {Logic::one, Logic::zero}) {
+        if (const auto open = open_input_of_loops(step)) return *open;
+        settling = simulator_.set_clock(level);
+        if (!settling.settled) return not_settled(settling, step);
+    }
+    return after_gates(step, expected);
 }
 
 }  // namespace grafwire

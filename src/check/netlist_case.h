@@ -27,8 +27,8 @@ struct NetlistOutcome {
     bool split_before = false;
     /// agrees: the state reached, with `due` as RunningDelays wants it.
     SimulatorState state;
-    /// agrees: a memory is unknown that no open input explains. It has never been given a value, and
-    /// nothing that is compared depends on it in this state.
+    /// agrees: a memory is unknown that no open input explains. It has never been given a value,
+    /// and nothing that is compared depends on it in this state.
     bool has_open_memory = false;
 };
 
@@ -67,6 +67,9 @@ class NetlistCases {
     void set_inputs(const PartialInputs& inputs);
     NetlistOutcome look(const BitTable& situation, const OutputValues& outputs,
                         const PathStep& step) const;
+    NetlistOutcome after_gates(const PathStep& step, const ReferenceOutcome& expected);
+    NetlistOutcome clock(const PathStep& step, const ReferenceOutcome& expected);
+    std::optional<NetlistOutcome> open_input_of_loops(const PathStep& step) const;
     NetlistOutcome not_settled(const Settling& settling, const PathStep& step) const;
     bool same(const BitTable& situation, const OutputValues& outputs) const;
     NetlistOutcome blame(const std::vector<NetId>& nets, const PathStep& step) const;
@@ -87,6 +90,7 @@ class NetlistCases {
     /// What the future depends on, besides the inputs: memories, loops of gates, operands of
     /// timers; as far as they are relevant.
     std::vector<NetId> remembered_;
+    std::vector<NetId> on_loops_;  ///< those of remembered_ that lie on loops of gates
 };
 
 }  // namespace grafwire

@@ -30,6 +30,7 @@ class Simulator::Kernel {
     void force(std::uint32_t net, Logic value);
     void release_all();
     Settling settle();
+    Settling set_clock(Logic level);
     Settling clock_cycle();
 
     const std::vector<CellId>& timer_cells() const { return timer_cells_; }

@@ -83,17 +83,22 @@ void Simulator::Kernel::release_all() {
     forced_.clear();
 }
 
+Settling Simulator::Kernel::set_clock(Logic level) {
+    Settling before = settle();
+    if (!before.settled || clock_ == no_memory) return before;
+    ++tick_;
+    set_input(clock_, level);
+    Settling after = settle();
+    after.events += before.events;
+    return after;
+}
+
 Settling Simulator::Kernel::clock_cycle() {
-    Settling cycle = settle();
-    for (const Logic level : {Logic::one, Logic::zero}) {
-        if (!cycle.settled || clock_ == no_memory) break;
-        ++tick_;
-        set_input(clock_, level);
-        Settling half = settle();
-        half.events += cycle.events;
-        cycle = std::move(half);
-    }
-    return cycle;
+    Settling rise = set_clock(Logic::one);
+    if (!rise.settled) return rise;
+    Settling fall = set_clock(Logic::zero);
+    fall.events += rise.events;
+    return fall;
 }
 
 Time Simulator::Kernel::next_due() const {
@@ -164,6 +169,9 @@ void Simulator::release_all() {
 }
 Settling Simulator::settle() {
     return kernel_->settle();
+}
+Settling Simulator::set_clock(Logic level) {
+    return kernel_->set_clock(level);
 }
 Settling Simulator::clock_cycle() {
     return kernel_->clock_cycle();

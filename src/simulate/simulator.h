@@ -88,8 +88,10 @@ class Simulator {
     /// (a state of values and pending events that comes back) and ends there.
     Settling settle();
 
-    /// One cycle of the clock of a clocked netlist, settled before, after the rise and after the
-    /// fall.
+    /// Half a cycle of the clock of a clocked netlist: settled, then the rise or the fall, and
+    /// settled again.
+    Settling set_clock(Logic level);
+    /// One cycle: the rise, then the fall.
     Settling clock_cycle();
 
     /// The cells that are timers (is_timer), in order; their numbers are used below.

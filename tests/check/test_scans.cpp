@@ -172,6 +172,36 @@ TEST_CASE("a memory that powers up either way and makes no difference is none") 
     CHECK(result.witness->kind == DifferenceKind::power_up);
 }
 
+TEST_CASE("a ring that runs before the edge of the clock, and rests after it") {
+    // Step 0 is left at every scan and entered while a is 0: a rises while it is active, and the
+    // edge stops what that sets going.
+    const Grafcet grafcet = grafcet_of(R"(
+input a
+output lamp
+graph G { initial 0 : lamp if a step 1
+  0 -> 1 : 1
+  1 -> 0 : /a }
+)");
+    const std::string head = R"(
+.model m
+.inputs a clk
+.outputs X0 X1 lamp
+.names X1 a d0
+10 1
+.names d0 d1
+0 1
+.latch d0 X0 re clk 1
+.latch d1 X1 re clk 0
+)";
+    const std::string rest = ".names X0 a lamp\n11 1\n.end\n";
+    CHECK(check(grafcet, blif(grafcet, head + rest)).verdict == Verdict::equivalent);
+    const std::string ring = ".names X0 a lamp ring\n111 0\n.names X0 a ring lamp\n111 1\n.end\n";
+    const CheckResult result = check(grafcet, blif(grafcet, head + ring));
+    CHECK(result.verdict == Verdict::different);
+    REQUIRE(result.witness);
+    CHECK(result.witness->kind == DifferenceKind::oscillation);
+}
+
 TEST_CASE("what no case exercises is listed") {
     const Grafcet grafcet = grafcet_of(R"(
 input a, b

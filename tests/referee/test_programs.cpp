@@ -6,9 +6,9 @@
 
 #include <memory>
 
-#include "laddercheck/ladder_device.h"
 #include "check/scan_check.h"
 #include "ladder/ladder_from.h"
+#include "laddercheck/ladder_device.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "referee/charts.h"
