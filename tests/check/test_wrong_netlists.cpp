@@ -144,6 +144,29 @@ graph G { initial 0 step 1 : lamp
     }
 }
 
+TEST_CASE("a counter matters if another takes its value, and if that takes part in a sum") {
+    // The netlist stores 1 where the GRAFCET stores what m has counted, which is 1 the first time.
+    const auto chart = [](const std::string& stored) {
+        return grafcet_of(R"(
+input a, b
+output lamp
+counter m : 0..3
+counter n : 0..6
+graph G { initial 0 step 1 : m := m + 1 step 2 : n := )" +
+                          stored + R"(, lamp if [n > 1]
+  0 -> 1 : a
+  1 -> 0 : /a
+  1 -> 2 : b . a }
+)");
+    };
+    for (const std::string right : {"m", "m + 0", "m + m - m"}) {
+        INFO(right);
+        const Grafcet grafcet = chart(right);
+        CHECK(witness_of(grafcet, netlist_of(grafcet, Style::clocked, false)).empty());
+        CHECK_FALSE(witness_of(grafcet, netlist_of(chart("1"), Style::clocked, false)).empty());
+    }
+}
+
 TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
     const Grafcet grafcet = grafcet_of(a_sets_step_1);
     for (const Style style : {Style::nand, Style::clocked}) {
