@@ -18,8 +18,8 @@ namespace grafwire {
 
 namespace {
 
-constexpr int walks = 8;
-constexpr int instants = 40;
+constexpr int walks = 16;
+constexpr int instants = 60;
 
 bool has_loops_beside(const Grafcet& grafcet, const Netlist& netlist) {
     const PortMap ports = map_ports(grafcet, netlist);
@@ -111,8 +111,9 @@ std::vector<std::uint8_t> relevant_nets(const Netlist& netlist, const std::vecto
 }
 
 std::optional<Witness> oscillation_beside(const Grafcet& grafcet, const Netlist& netlist,
-                                          const CellDelays& delays, const CheckOptions& options) {
-    if (!has_loops_beside(grafcet, netlist)) return std::nullopt;
+                                          const CellDelays& delays, const CheckOptions& options,
+                                          bool has_open_memory) {
+    if (!has_open_memory && !has_loops_beside(grafcet, netlist)) return std::nullopt;
     const Assumptions assumptions(grafcet);
     const Time period = !netlist.is_clocked() ? 0 : options.scan_period.value_or(10 * millisecond);
     for (int number = 0; number < walks; ++number) {

@@ -78,9 +78,9 @@ void add(Coverage& all, const Coverage& more) {
     all.waiting += more.waiting;
 }
 
-/// Memories that nothing is known of at power-up are unknown in three values, which may be too
-/// pessimistic: where that leaves no verdict and they are few, every value that they can have is
-/// gone through by itself.
+/// Memories that nothing is known of at power-up are unknown in three values. That may be too
+/// pessimistic, and it does not tell whether a part comes to rest that stays unknown. So where they
+/// are few, every value that they can have is gone through by itself.
 void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                           const CheckOptions& options, CheckResult& result) {
     std::vector<Netlist::InitialValue> power_up = power_up_values(netlist, 0);
@@ -127,7 +127,9 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
                                                      rest_of(options, result.coverage.cases));
         if (result.witness) result.verdict = Verdict::different;
     }
-    if (result.is_unexplained && !result.witness) {
+    const bool is_open =
+        result.verdict == Verdict::equivalent ? result.has_open_memory : result.is_unexplained;
+    if (is_open && !result.witness) {
         go_through_power_ups(grafcet, netlist, delays, options, result);
     }
     if (result.witness && result.witness->power_up.empty()) {
@@ -140,7 +142,8 @@ CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const CheckOptions& options) {
     CheckResult result = check_changes(grafcet, netlist, delays, options);
     if (result.verdict == Verdict::equivalent) {
-        result.witness = oscillation_beside(grafcet, netlist, delays, options);
+        result.witness = oscillation_beside(grafcet, netlist, delays, options,
+                                            result.has_open_memory);
         if (result.witness) result.verdict = Verdict::different;
     }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&

@@ -75,6 +75,9 @@ struct CheckResult {
     bool depends_on_period = false;
     /// undecided though complete: a difference in three values was found that no run shows.
     bool is_unexplained = false;
+    /// Some state was reached in which a memory has never been given a value. Every X and output is
+    /// right all the same; whether everything comes to rest three values cannot tell.
+    bool has_open_memory = false;
 };
 
 /// Counts the cases of an exploration and keeps it within its bounds.

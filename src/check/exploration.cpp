@@ -258,6 +258,7 @@ void Exploration::compare(const Departure& departure, const ReferenceOutcome& ex
         }
         count(expected);
         exercised_.note(expected, step.inputs);
+        if (outcome.has_open_memory) explored_.result.has_open_memory = true;
         if (outcome.kind == NetlistOutcome::Kind::agrees) {
             arrive(departure, step, expected, std::move(outcome.state));
         } else if (show_difference(departure, step)) {

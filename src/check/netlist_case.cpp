@@ -219,6 +219,7 @@ NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues&
         const bool is_visible =
             std::find(compared_.begin(), compared_.end(), unknown.front()) != compared_.end();
         if (is_visible) return outcome;
+        outcome.has_open_memory = true;
     }
     outcome.kind =
         same(situation, outputs) ? NetlistOutcome::Kind::agrees : NetlistOutcome::Kind::differs;

@@ -27,6 +27,9 @@ struct NetlistOutcome {
     bool split_before = false;
     /// agrees: the state reached, with `due` as RunningDelays wants it.
     SimulatorState state;
+    /// agrees: a memory is unknown that no open input explains. It has never been given a value, and
+    /// nothing that is compared depends on it in this state.
+    bool has_open_memory = false;
 };
 
 /// Takes a netlist through cases: restores the state left, applies the change, lets it settle (an

@@ -197,7 +197,10 @@ class StepComparison {
         const TruthTable wrong_reset = (reset ^ should_reset) & care & ~should_set;
         // Of CAX only that part is certain in which CDX is 0, unless nothing else is wrong.
         const bool has_certain = !(wrong_set & ~should_reset).is(false) || !wrong_reset.is(false);
-        const TruthTable open_set = has_certain ? reset | ~care : ~care;
+        // Gates that remember nothing have one function for both.
+        const bool has_memory = !(set ^ ~reset).is(false);
+        const TruthTable open_set = has_certain && has_memory ? reset | ~care : ~care;
+        const TruthTable open_reset = has_memory ? set | ~care : ~care;
         const bool same_set =
             !is_equation || (has_certain ? wrong_set & ~should_reset : wrong_set).is(false);
         const bool same_reset = !is_equation || wrong_reset.is(false);
@@ -208,7 +211,7 @@ class StepComparison {
                      : different_pair(wanted_cax, set & care, set | open_set, variables, {}));
         add(same_reset
                 ? same_pair(wanted_cdx, variables)
-                : different_pair(wanted_cdx, reset & care, reset | set | ~care, variables, factor));
+                : different_pair(wanted_cdx, reset & care, reset | open_reset, variables, factor));
         if (result_.fault == Fault::order) {
             add(different_pair({own_, equation_text(equations_, whole_), expected}, got, got,
                                variables, {}));
