@@ -48,6 +48,9 @@ class Reduction {
             Stimuli trial = stimuli;
             auto& assignments = trial.changes[line].assignments;
             assignments.erase(assignments.begin() + static_cast<std::ptrdiff_t>(i));
+            if (assignments.empty() && line != 0) {
+                trial.changes.erase(trial.changes.begin() + static_cast<std::ptrdiff_t>(line));
+            }
             if (is_still_a_witness(std::move(trial))) return true;
         }
         return false;

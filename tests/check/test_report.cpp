@@ -257,4 +257,18 @@ TEST_CASE("a witness, and what the story does not say of its kind") {
     CHECK(rest_of_text(result) == stimuli + "The story.\n");
 }
 
+TEST_CASE("what memories hold at power-up stands before the story") {
+    const CheckResult result = different(DifferenceKind::situation);
+    const ToldWitness told{"The story.\n", "", {}, {{"q", true}, {"p", false}}};
+    const auto text = [&](Language language) {
+        return write_check_text(wiring(), grafcet_of(chart), result, told, language);
+    };
+    const std::string english = text(Language::english);
+    CHECK(english.find("  at power-up: q = 1\n  at power-up: p = 0\n") <
+          english.find("The story."));
+    const std::string french = text(Language::french);
+    CHECK(french.find("  à la mise sous tension: q = 1\n  à la mise sous tension: p = 0\n") <
+          french.find("The story."));
+}
+
 }  // namespace grafwire::testing

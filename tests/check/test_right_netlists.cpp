@@ -77,6 +77,29 @@ graph G { initial 0 step 1 : lamp step 2
   2 -> 0 : ↓a })");
 }
 
+TEST_CASE("a delay that ends as an input deactivates its step has ended") {
+    // Both transitions are cleared then, and 2 and 3 active together.
+    const std::string chart = R"(
+input a, b
+output lamp, horn
+graph G { initial 0 step 1 step 2 : lamp step 3 : horn
+  0 -> 1 : a
+  1 -> 2 : 2s/X1
+  1 -> 3 : b
+  2 -> 0 : /a . /b
+  3 -> : /a . /b })";
+    const Grafcet grafcet = grafcet_of(chart);
+    const Netlist netlist = netlist_of(grafcet, Style::nand, false);
+    for (const Changes changes : {Changes::one, Changes::many}) {
+        CheckOptions options;
+        options.changes = changes;
+        const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+        CHECK(result.verdict == Verdict::equivalent);
+        // Alone, 2 or 3 follow 1; together under Changes::many only.
+        CHECK(result.coverage.situations == (changes == Changes::one ? 5 : 6));
+    }
+}
+
 TEST_CASE("an edge that clears simultaneous sequences together") {
     is_equivalent_in_every_style(R"(
 input a, b

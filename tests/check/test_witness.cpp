@@ -1,6 +1,7 @@
 #include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "check/path.h"
+#include "check/smallest_witness.h"
 #include "netlist/netlists.h"
 #include "trace/stimuli.h"
 
@@ -134,6 +135,37 @@ TEST_CASE("rows are compared by their moments, where a side has instants of its 
     // With another delay that makes no difference, only the instants differ.
     const Netlist busy = netlist_of(grafcet_of(head + "3s/X0 . (1s/X0 + X0)" + "}"), Style::gates);
     CHECK_FALSE(replay(grafcet, busy, unit_delays(busy), *stimuli, 0));
+}
+
+TEST_CASE("of a witness all is left out that can be") {
+    // The lamp of step 1 stays dark.
+    const Grafcet grafcet = grafcet_of(R"(
+input a, b, c
+output lamp
+assume /(a . c)
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : a . b }
+)");
+    Netlist netlist = netlist_of(grafcet, Style::nand, false);
+    for (Cell& cell : netlist.cells) {
+        if (netlist.names[cell.output] != "lamp") continue;
+        cell.type = CellType::low;
+        cell.pin_count = 0;
+    }
+    const CellDelays delays = unit_delays(netlist);
+    const auto smallest = [&](const std::string& text) {
+        const auto stimuli = read_stimuli(text, grafcet);
+        REQUIRE(stimuli);
+        const auto witness = replay(grafcet, netlist, delays, *stimuli, 0);
+        REQUIRE(witness);
+        const Witness small = smallest_witness(grafcet, netlist, delays, *witness, {});
+        CHECK(small.kind == DifferenceKind::output);
+        return write_stimuli(small.stimuli, grafcet);
+    };
+    // c goes, and b need not fall and rise again; no line is left without a change.
+    CHECK(smallest("0s : c=1\n1s : b=1\n2s : b=0\n3s : c=0\n4s : a=1\n5s : b=1\n9s : end\n") ==
+          "0s :\n1s : b=1\n4s : a=1\n4s : end\n");
+    CHECK(smallest("0s : a=1 b=1\n1s : end\n") == "0s : a=1 b=1\n0s : end\n");
 }
 
 }  // namespace grafwire::testing

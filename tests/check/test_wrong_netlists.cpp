@@ -107,6 +107,66 @@ graph G { initial 0 step 1 : lamp
     CHECK(witness_of(grafcet, netlist) == "0s :\n40ms : end\n");
 }
 
+TEST_CASE("an edge that only the netlist looks at, whichever input it is of") {
+    // The lamp goes out for good with a second rise of b in step 1, where the GRAFCET has no use
+    // for b, but had one on the way there.
+    const std::string chart = R"(
+output lamp
+graph G { initial 0 step 1 : lamp
+  0 -> 1 : b . a
+  1 -> 0 : /a }
+)";
+    for (const std::string inputs : {"input a, b", "input b, a"}) {
+        const Grafcet grafcet = grafcet_of(inputs + chart);
+        Netlist netlist = netlist_of(grafcet, Style::nand, false);
+        add_cell(netlist, CellType::rise_pulse, "b_rises", {"b"});
+        netlist.timings.push_back({0, 5 * nanosecond, 0});
+        netlist.cells.items().back().timing =
+            static_cast<std::uint32_t>(netlist.timings.size() - 1);
+        add_cell(netlist, CellType::buffer, "X1_later", {"X1$later"});
+        add_cell(netlist, CellType::buffer, "X1$later", {"X1"});
+        add_cell(netlist, CellType::and_gate, "again", {"b_rises", "X1_later"});
+        add_cell(netlist, CellType::or_gate, "out", {"again", "kept"});
+        add_cell(netlist, CellType::and_gate, "kept", {"out", "X1"});
+        add_cell(netlist, CellType::inverter, "not_out", {"out"});
+        netlist.initial_values.push_back({net_named(netlist, "out"), false});
+        netlist.initial_values.push_back({net_named(netlist, "kept"), false});
+        put_gate_before(netlist, "lamp", CellType::and_gate, {"not_out"});
+        for (const Changes changes : {Changes::one, Changes::many}) {
+            CheckOptions options;
+            options.changes = changes;
+            const CheckResult result =
+                check_changes(grafcet, netlist, unit_delays(netlist), options);
+            CHECK(result.verdict == Verdict::different);
+            REQUIRE(result.witness);
+            CHECK(result.witness->kind == DifferenceKind::output);
+        }
+    }
+}
+
+TEST_CASE("a counter matters if another takes its value, and if that takes part in a sum") {
+    // The netlist stores 1 where the GRAFCET stores what m has counted, which is 1 the first time.
+    const auto chart = [](const std::string& stored) {
+        return grafcet_of(R"(
+input a, b
+output lamp
+counter m : 0..3
+counter n : 0..6
+graph G { initial 0 step 1 : m := m + 1 step 2 : n := )" +
+                          stored + R"(, lamp if [n > 1]
+  0 -> 1 : a
+  1 -> 0 : /a
+  1 -> 2 : b . a }
+)");
+    };
+    for (const std::string right : {"m", "m + 0", "m + m - m"}) {
+        INFO(right);
+        const Grafcet grafcet = chart(right);
+        CHECK(witness_of(grafcet, netlist_of(grafcet, Style::clocked, false)).empty());
+        CHECK_FALSE(witness_of(grafcet, netlist_of(chart("1"), Style::clocked, false)).empty());
+    }
+}
+
 TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
     const Grafcet grafcet = grafcet_of(a_sets_step_1);
     for (const Style style : {Style::nand, Style::clocked}) {

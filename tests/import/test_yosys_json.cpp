@@ -121,9 +121,16 @@ TEST_CASE("look-up tables") {
     CHECK(cells_of("$lut", R"("A": [2], "Y": [6])", R"("LUT": "01")") == "  y = not(a)\n");
     CHECK(cells_of("$lut", pins, R"("LUT": "01")") ==
           "x.json: error: cell 'g' of type $lut: its table does not fit its inputs\n");
+    CHECK(cells_of("$lut", R"("Y": [6])", R"("LUT": "1")") ==
+          "x.json: error: cell 'g' of type $lut: its port A is not connected\n");
 }
 
 TEST_CASE("constants") {
+    // Both in one module, each made once.
+    CHECK(
+        cells_of("$_AOI4_", R"("A": ["1"], "B": ["0"], "C": ["1"], "D": ["0"], "Y": [6])") ==
+        "  net$1 = high()\n  net$2 = low()\n  y$1 = and(net$1, net$2)\n  y$2 = and(net$1, net$2)\n"
+        "  y = nor(y$1, y$2)\n");
     CHECK(cells_of("$_BUF_", R"("A": ["1"], "Y": [6])") == "  y = high()\n");
     CHECK(cells_of("$_AND_", R"("A": [2], "B": ["0"], "Y": [6])") ==
           "  net$1 = low()\n  y = and(a, net$1)\n");

@@ -228,3 +228,31 @@ TEST_CASE("a counter of gates runs through all its states before it comes back")
     CHECK_FALSE(settling.settled);
     CHECK(settling.oscillating.size() == 3 + 2 * bits);
 }
+
+TEST_CASE("a cascade that is broken off stops where it is") {
+    SmallNetlist small;
+    small.input("a");
+    std::string before = "a";
+    for (int i = 0; i < 5000; ++i) {
+        const std::string name = "b" + std::to_string(i);
+        small.cell(CellType::buffer, name, {before});
+        before = name;
+    }
+    for (const Time odd : {1000, 1500}) {
+        CellDelays delays = unit_delays(small.netlist);
+        delays.rise[0] = odd;
+        Bench bench(small, delays);
+        bench.step("a", zero);
+        CHECK(bench.get("b4999") == zero);
+        int asked = 0;
+        bench.simulator.ask([&] { return ++asked < 2; });
+        bench.set("a", one);
+        const Settling settling = bench.simulator.settle();
+        CHECK_FALSE(settling.settled);
+        CHECK(settling.broken_off);
+        CHECK(settling.oscillating.empty());
+        CHECK(asked == 2);
+        CHECK(bench.get("b1000") == one);
+        CHECK(bench.get("b4999") == zero);
+    }
+}
