@@ -15,6 +15,11 @@ CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
     return check_equivalence(grafcet, netlist, unit_delays(netlist), {});
 }
 
+std::string stimuli_of(const CheckResult& result, const Grafcet& grafcet) {
+    REQUIRE(result.witness);
+    return write_stimuli(result.witness->stimuli, grafcet);
+}
+
 /// The stimuli of the witness, which replays; "" where there is none.
 std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
     const CheckResult result = check(grafcet, netlist);
@@ -164,6 +169,59 @@ graph G { initial 0 step 1 : m := m + 1 step 2 : n := )" +
         const Grafcet grafcet = chart(right);
         CHECK(witness_of(grafcet, netlist_of(grafcet, Style::clocked, false)).empty());
         CHECK_FALSE(witness_of(grafcet, netlist_of(chart("1"), Style::clocked, false)).empty());
+    }
+}
+
+TEST_CASE("a var matters that an output reads, by way of other vars as well") {
+    // The netlist knows of no var, and is right until step 1 has been active once.
+    const auto chart = [](const std::string& vars, const std::string& step,
+                          const std::string& do_) {
+        return grafcet_of("input a, b output lamp " + vars +
+                          " graph G { initial 0 step 1 : set v step 2" + step +
+                          " 0 -> 1 : a . /b 1 -> 0 : /a 0 -> 2 : b" + do_ + " 2 -> 0 : /b }");
+    };
+    std::string many = "var v0";
+    for (int i = 1; i < 70; ++i) many += ", v" + std::to_string(i);
+    const Grafcet without = chart("var v", "", "");
+    const Netlist netlist = netlist_of(without, Style::clocked, false);
+    CHECK(witness_of(without, netlist).empty());
+    CHECK_FALSE(witness_of(chart("var v", " : lamp if v", ""), netlist).empty());
+    CHECK_FALSE(witness_of(chart(many + ", v", " : lamp if v", ""), netlist).empty());
+    CHECK_FALSE(witness_of(chart("var v, w", " : w := v, lamp if w", ""), netlist).empty());
+    CHECK_FALSE(witness_of(chart("var v, w", " : lamp if w", " do w := v"), netlist).empty());
+}
+
+TEST_CASE("a hazard that needs an input back at 0 which nobody looked at in between") {
+    // In step 1 nothing reads b. A rise of b together with c there, and nothing else, puts out the
+    // lamp of step 3.
+    const std::string chart = R"(
+output lamp
+graph G { initial 0 step 1 step 2 step 3 : lamp
+  0 -> 1 : a . b
+  1 -> 2 : c
+  2 -> 3 : b }
+)";
+    for (const std::string inputs : {"input a, b, c", "input b, a, c"}) {
+        const Grafcet grafcet = grafcet_of(inputs + chart);
+        Netlist netlist = netlist_of(grafcet, Style::nand, false);
+        add_cell(netlist, CellType::inverter, "not_b", {"b"});
+        add_cell(netlist, CellType::buffer, "late", {"not_b"});
+        add_cell(netlist, CellType::and_gate, "hazard", {"X1", "c", "b", "late"});
+        add_cell(netlist, CellType::or_gate, "out", {"hazard", "kept"});
+        add_cell(netlist, CellType::buffer, "kept", {"out"});
+        add_cell(netlist, CellType::inverter, "not_out", {"out"});
+        netlist.initial_values.push_back({net_named(netlist, "out"), false});
+        netlist.initial_values.push_back({net_named(netlist, "kept"), false});
+        put_gate_before(netlist, "lamp", CellType::and_gate, {"not_out"});
+        CheckOptions options;
+        CHECK(check_changes(grafcet, netlist, unit_delays(netlist), options).verdict ==
+              Verdict::equivalent);
+        options.changes = Changes::many;
+        const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+        CHECK(result.verdict == Verdict::different);
+        const std::string both = inputs == "input a, b, c" ? "a=1 b=1" : "b=1 a=1";
+        CHECK(stimuli_of(result, grafcet) ==
+              "0s : " + both + "\n100ms : b=0\n200ms : b=1 c=1\n200ms : end\n");
     }
 }
 
