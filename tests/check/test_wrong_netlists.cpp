@@ -30,6 +30,16 @@ std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
     return write_stimuli(result.witness->stimuli, grafcet);
 }
 
+/// `hazard` sets it, nothing resets it.
+void latch_that_darkens_the_lamp(Netlist& netlist) {
+    add_cell(netlist, CellType::or_gate, "out", {"hazard", "kept"});
+    add_cell(netlist, CellType::buffer, "kept", {"out"});
+    add_cell(netlist, CellType::inverter, "not_out", {"out"});
+    netlist.initial_values.push_back({net_named(netlist, "out"), false});
+    netlist.initial_values.push_back({net_named(netlist, "kept"), false});
+    put_gate_before(netlist, "lamp", CellType::and_gate, {"not_out"});
+}
+
 const std::string a_sets_step_1 = R"(
 input a
 output lamp
@@ -207,12 +217,7 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
         add_cell(netlist, CellType::inverter, "not_b", {"b"});
         add_cell(netlist, CellType::buffer, "late", {"not_b"});
         add_cell(netlist, CellType::and_gate, "hazard", {"X1", "c", "b", "late"});
-        add_cell(netlist, CellType::or_gate, "out", {"hazard", "kept"});
-        add_cell(netlist, CellType::buffer, "kept", {"out"});
-        add_cell(netlist, CellType::inverter, "not_out", {"out"});
-        netlist.initial_values.push_back({net_named(netlist, "out"), false});
-        netlist.initial_values.push_back({net_named(netlist, "kept"), false});
-        put_gate_before(netlist, "lamp", CellType::and_gate, {"not_out"});
+        latch_that_darkens_the_lamp(netlist);
         CheckOptions options;
         CHECK(check_changes(grafcet, netlist, unit_delays(netlist), options).verdict ==
               Verdict::equivalent);
@@ -223,6 +228,40 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
         CHECK(stimuli_of(result, grafcet) ==
               "0s : " + both + "\n100ms : b=0\n200ms : b=1 c=1\n200ms : end\n");
     }
+}
+
+TEST_CASE("a hazard that needs an input which the plant does not allow on the way there") {
+    // As above with a fall of d, which can be 1 only once a is 0 again.
+    const Grafcet grafcet = grafcet_of(R"(
+input a, c, d
+output lamp
+assume /(a . d)
+graph G { initial 0 step 1 step 2 step 3 : lamp
+  0 -> 1 : a
+  1 -> 2 : c
+  2 -> 3 : /d }
+)");
+    Netlist netlist = netlist_of(grafcet, Style::nand, false);
+    const auto delayed = [&](const std::string& net, int buffers) {
+        std::string last = net;
+        for (int i = 0; i < buffers; ++i) {
+            add_cell(netlist, CellType::buffer, last + "'", {last});
+            last += "'";
+        }
+        return last;
+    };
+    add_cell(netlist, CellType::inverter, "not_d", {"d"});
+    add_cell(netlist, CellType::and_gate, "hazard",
+             {delayed("X1", 2), "c", "not_d", delayed("d", 3)});
+    latch_that_darkens_the_lamp(netlist);
+    CheckOptions options;
+    CHECK(check_changes(grafcet, netlist, unit_delays(netlist), options).verdict ==
+          Verdict::equivalent);
+    options.changes = Changes::many;
+    const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+    CHECK(result.verdict == Verdict::different);
+    CHECK(stimuli_of(result, grafcet) ==
+          "0s : a=1\n100ms : a=0 d=1\n200ms : c=1 d=0\n200ms : end\n");
 }
 
 TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
