@@ -50,7 +50,14 @@ TEST_CASE("an input that stays at one value is unexercised, whichever that is") 
     }
 }
 
-TEST_CASE("a step that is active for a single scan is exercised, one that is forced away is not") {
+TEST_CASE("an input that nobody reads may have any value, and so has had both") {
+    for (const Style style : {Style::nand, Style::clocked}) {
+        CHECK(never_of("input a, unread output lamp graph G { initial 0 step 1 : lamp 0 -> 1 : a }",
+                       style) == NeverExercised{});
+    }
+}
+
+TEST_CASE("a step that is active for a single scan is exercised") {
     const NeverExercised never = never_of(R"(
 input a
 output lamp

@@ -139,6 +139,24 @@ TEST_CASE("in gates what an order clears and what it lists come through as many 
     has(three, "X2$free = or(X0$1$not, X2$1$buf)");
 }
 
+TEST_CASE("inner nets stay clear of every name of the GRAFCET that looks like theirs") {
+    for (const std::string what : {"input", "output", "var"}) {
+        const std::string name = what == "output" ? " : \"X0$hold\"" : "";
+        const Grafcet grafcet = grafcet_of("input a " + what + " \"X0$hold\" graph G { initial 0" +
+                                           name + " step 1 0 -> 1 : a 1 -> 0 : /a }");
+        const Netlist netlist = netlist_of(grafcet, Style::gates, false);
+        CHECK(fault_of(netlist) == "");
+        CHECK(write_netlist_text(netlist).find("  X0$hold$ = ") != std::string::npos);
+    }
+}
+
+TEST_CASE("a port may have another name than its net") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    Netlist netlist = netlist_of(grafcet, Style::gates, false);
+    netlist.outputs.push_back({"copy", netlist.outputs[0].net});
+    CHECK(write_netlist_text(netlist).find("output copy = X0\n") != std::string::npos);
+}
+
 TEST_CASE("the control inputs are ports with modes only") {
     const Grafcet grafcet = grafcet_of(sequence);
     for (const StyleRow& row : style_table) {
