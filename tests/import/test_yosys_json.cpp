@@ -89,6 +89,17 @@ TEST_CASE("gates") {
 TEST_CASE("word-level cells of one bit") {
     CHECK(cells_of("$not", R"("A": [2], "Y": [6])") == "  y = not(a)\n");
     CHECK(cells_of("$and", ab) == "  y = and(a, b)\n");
+    CHECK(cells_of("$or", ab) == "  y = or(a, b)\n");
+    CHECK(cells_of("$xor", ab) == "  y = xor(a, b)\n");
+    for (const char* type : {"$buf", "$pos"}) {
+        CHECK(cells_of(type, R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
+    }
+    CHECK(cells_of("$reduce_xnor", R"("A": [2, 3, 4], "Y": [6])") ==
+          "  y$1 = xor(a, b, c)\n  y = not(y$1)\n");
+    // Of these each bit would have a gate of its own.
+    for (const char* type : {"$buf", "$pos", "$not", "$and", "$or", "$xor", "$xnor"}) {
+        CHECK(cells_of(type, R"("A": [2, 3], "B": [4], "Y": [6])").starts_with("x.json: error: "));
+    }
     CHECK(cells_of("$xnor", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
     CHECK(cells_of("$reduce_and", R"("A": [2, 3, 4], "Y": [6])") == "  y = and(a, b, c)\n");
     CHECK(cells_of("$reduce_or", R"("A": [2, 3, 4], "Y": [6])") == "  y = or(a, b, c)\n");
