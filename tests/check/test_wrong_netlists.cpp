@@ -268,19 +268,26 @@ TEST_CASE("an output that should be 0 and follows a memory that nothing has set"
     const Grafcet grafcet = grafcet_of(a_sets_step_1);
     for (const Style style : {Style::nand, Style::clocked}) {
         INFO(style_table[static_cast<std::size_t>(style)].name);
-        const auto with_lamp_lit_in = [&](const std::string& step) {
+        // One memory, or more than can be gone through value by value.
+        const auto with_lamp_lit_in = [&](const std::string& step, int memories) {
             Netlist netlist = netlist_of(grafcet, style, false);
-            add_cell(netlist, CellType::buffer, "memory", {"memory"});
-            add_cell(netlist, CellType::and_gate, "lit", {step, "memory"});
+            std::vector<std::string> pins{step};
+            for (int i = 0; i < memories; ++i) {
+                pins.push_back("memory" + std::to_string(i));
+                add_cell(netlist, CellType::buffer, pins.back(), {pins.back()});
+            }
+            add_cell(netlist, CellType::and_gate, "lit", pins);
             put_gate_before(netlist, "lamp", CellType::or_gate, {"lit"});
             return check(grafcet, netlist);
         };
-        const CheckResult result = with_lamp_lit_in("X0");
-        CHECK(result.verdict == Verdict::different);
-        REQUIRE(result.witness);
-        CHECK(result.witness->kind == DifferenceKind::power_up);
+        for (const int memories : {1, 12}) {
+            const CheckResult result = with_lamp_lit_in("X0", memories);
+            CHECK(result.verdict == Verdict::different);
+            REQUIRE(result.witness);
+            CHECK(result.witness->kind == DifferenceKind::power_up);
+        }
         // In step 1 it is lit anyway.
-        CHECK(with_lamp_lit_in("X1").verdict == Verdict::equivalent);
+        CHECK(with_lamp_lit_in("X1", 1).verdict == Verdict::equivalent);
     }
 }
 
