@@ -264,6 +264,16 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
           "0s : a=1\n100ms : a=0 d=1\n200ms : c=1 d=0\n200ms : end\n");
 }
 
+TEST_CASE("an input that is read at last has had its value from the start") {
+    const auto chart = [](const std::string& action) {
+        return grafcet_of("input a, b output lamp graph G { initial 0 step 1 step 2 step 3" +
+                          action + " 0 -> 1 : a 1 -> 2 : /a 2 -> 3 : a . b }");
+    };
+    const Grafcet grafcet = chart(" : lamp");
+    CHECK(witness_of(grafcet, netlist_of(chart(""), Style::nand, false)) ==
+          "0s : a=1 b=1\n100ms : a=0\n200ms : a=1\n200ms : end\n");
+}
+
 TEST_CASE("an output that should be 0 and follows a memory that nothing has set") {
     const Grafcet grafcet = grafcet_of(a_sets_step_1);
     for (const Style style : {Style::nand, Style::clocked}) {
