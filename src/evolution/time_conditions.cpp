@@ -10,11 +10,11 @@
 //
 // A delay of 0 is due at once. Conditions are taken from the inside outwards, so that an outer one
 // reads the inner ones as they are after this scan. Scan by scan a delay counts from the scan that
-// first saw e, and ends in the first scan that is not before `due` and still sees e. Until stable, a
-// delay that ends exactly at an instant takes effect at its beginning, before SBR 1, so that the
-// receptivities of the first repetition see it beside the inputs that changed with it; again only if
-// e still asks for it, under the new inputs. So both ways of running agree on a delay whose operand
-// changes at the very moment at which it would have ended.
+// first saw e, and ends in the first scan that is not before `due` and still sees e. Until stable,
+// a delay that ends exactly at an instant takes effect at its beginning, before SBR 1, so that the
+// receptivities of the first repetition see it beside the inputs that changed with it; again only
+// if e still asks for it, under the new inputs. So both ways of running agree on a delay whose
+// operand changes at the very moment at which it would have ended.
 
 #include "evolution/scan_parts.h"
 

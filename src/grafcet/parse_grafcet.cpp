@@ -41,8 +41,8 @@ void check(const Checking& checking) {
 }
 
 /// Refuses assumptions that leave no input: nothing could be said about a GRAFCET under them. The
-/// place is that of the last, as it was the one too many; those before `first_here` stand in another
-/// file.
+/// place is that of the last, as it was the one too many; those before `first_here` stand in
+/// another file.
 void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
                            Diagnostics& diagnostics) {
     std::vector<std::size_t> contradicting = contradicting_assumptions(grafcet);
@@ -58,14 +58,14 @@ void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
         Code::contradicting_assumptions, last.where,
         contradicting.size() == 1
             ? "this assumption contradicts another, so that no input is left"
-            : fmt::format("this assumption contradicts {} others together, so that no input is left",
-                          contradicting.size()));
+            : fmt::format(
+                  "this assumption contradicts {} others together, so that no input is left",
+                  contradicting.size()));
     for (const std::size_t i : contradicting) {
         const Assumption& other = grafcet.assumptions[i];
-        const std::string text =
-            write_expression(grafcet, grafcet.expressions, other.expression);
-        error.notes.push_back({i < first_here ? Location{} : other.where,
-                               fmt::format("the other: assume {}", text)});
+        const std::string text = write_expression(grafcet, grafcet.expressions, other.expression);
+        error.notes.push_back(
+            {i < first_here ? Location{} : other.where, fmt::format("the other: assume {}", text)});
     }
 }
 

@@ -18,7 +18,8 @@ class NetlistGraph {
   public:
     enum class Edges {
         all,
-        at_once,  ///< none from cells with a memory, whose outputs do not follow their inputs at once
+        at_once,  ///< none from cells with a memory, whose outputs do not follow their inputs at
+                  ///< once
     };
     explicit NetlistGraph(const Netlist& netlist, Edges edges = Edges::all);
 

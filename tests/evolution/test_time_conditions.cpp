@@ -88,7 +88,8 @@ TEST_CASE("nested time conditions") {
           "\n0 0\n10 1\n20 0\n");
 }
 
-TEST_CASE("a delay whose input returns at the moment of its end does not end, both ways of running") {
+TEST_CASE(
+    "a delay whose input returns at the moment of its end does not end, both ways of running") {
     const char* const grafcet = R"(
 input a
 graph G { initial 1  step 2  1 -> 2 : 1s/a }

@@ -143,7 +143,8 @@ graph H { initial INIT INIT -> INIT : 1 }
 }
 
 TEST_CASE("a file with nothing but a step") {
-    for (const char* text : {"graph G{step 1}", "\xef\xbb\xbfgraph G{step 1}", "#\r\ngraph G{step 1}"}) {
+    for (const char* text :
+         {"graph G{step 1}", "\xef\xbb\xbfgraph G{step 1}", "#\r\ngraph G{step 1}"}) {
         const Grafcet grafcet = parsed(text);
         CHECK(grafcet.graphs.size() == 1);
         CHECK(grafcet.name == "grafcet");

@@ -465,8 +465,7 @@ TEST_CASE("a file without steps") {
     const std::string why =
         " error: there is no step, and a GRAFCET needs one at least: graph G { initial 0 }\n";
     CHECK(messages_of("") == "1:1" + why);
-    CHECK(messages_of("input a # nothing else\ngraph G {}").find("2:7" + why) !=
-          std::string::npos);
+    CHECK(messages_of("input a # nothing else\ngraph G {}").find("2:7" + why) != std::string::npos);
 }
 
 TEST_CASE("durations and numbers out of range") {

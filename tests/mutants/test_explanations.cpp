@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
 #include "explain/explain.h"
 #include "explain/tell_witness.h"
-#include "check/netlist_witness.h"
 #include "mutants/mutate.h"
 #include "netlist/netlist_from.h"
 #include "random/read_text.h"

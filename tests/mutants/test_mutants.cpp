@@ -108,8 +108,7 @@ bool try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& 
         case Verdict::different:
             REQUIRE(result.witness);
             CHECK(replay(grafcet, with_power_up(wrong, result.witness->power_up),
-                         unit_delays(wrong), result.witness->stimuli,
-                         result.witness->scan_period));
+                         unit_delays(wrong), result.witness->stimuli, result.witness->scan_period));
             return true;
         case Verdict::equivalent:
             CHECK(result.complete);
