@@ -58,10 +58,7 @@ std::optional<Stimuli> walk(const Grafcet& grafcet, const Assumptions& assumptio
     if (!start) return std::nullopt;
     Stimuli stimuli;
     stimuli.changes.push_back({0, differences(InputValues(values.size(), 0), *start), {}});
-    PartialInputs inputs;
-    for (const std::uint8_t value : *start) {
-        inputs.push_back(value != 0 ? Logic::one : Logic::zero);
-    }
+    PartialInputs inputs = known_inputs(*start);
     values = *start;
     for (int instant = 1; instant < instants; ++instant) {
         std::vector<PartialInputs> changes = single_changes(assumptions, inputs, has_modes);

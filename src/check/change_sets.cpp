@@ -5,17 +5,7 @@
 
 #include "check/change_sets.h"
 
-#include <algorithm>
-
 namespace grafwire {
-
-namespace {
-
-Logic flipped(Logic value) {
-    return value == Logic::one ? Logic::zero : Logic::one;
-}
-
-}  // namespace
 
 std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
                                           const PartialInputs& inputs, bool has_modes) {
@@ -25,7 +15,7 @@ std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
     for (std::uint32_t i = 0; i < count; ++i) {
         if (inputs[i] == Logic::unknown) continue;
         PartialInputs changed = inputs;
-        changed[i] = flipped(changed[i]);
+        changed[i] = opposite(changed[i]);
         if (assumptions.can_hold(changed)) {
             changes.push_back(std::move(changed));
         } else {
@@ -36,7 +26,7 @@ std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
         for (std::size_t j = i + 1; j < tied.size(); ++j) {
             PartialInputs changed = inputs;
             for (const std::uint32_t input : {tied[i], tied[j]}) {
-                changed[input] = flipped(changed[input]);
+                changed[input] = opposite(changed[input]);
             }
             if (assumptions.can_hold(changed)) changes.push_back(std::move(changed));
         }
@@ -55,9 +45,9 @@ std::optional<PartialInputs> inputs_before(const Assumptions& assumptions,
     }
     if (assumptions.can_hold(before)) return before;
     for (const std::uint32_t input : closed) {
-        before[input] = flipped(before[input]);
+        before[input] = opposite(before[input]);
         if (assumptions.can_hold(before)) return before;
-        before[input] = flipped(before[input]);
+        before[input] = opposite(before[input]);
     }
     return std::nullopt;
 }

@@ -126,6 +126,7 @@ class Exploration {
     void forget_unread_inputs(PairState& pair);
     void write_key(PairState& pair) const;
     bool show_difference(const Departure& departure, const PathStep& step);
+    std::vector<PathStep> path_of_instants(const Departure& departure, const PathStep& step) const;
     bool show_after_instants(const std::vector<PathStep>& path);
     bool show_after_scans(const std::vector<PathStep>& path);
     void count(const ReferenceOutcome& expected);
@@ -221,7 +222,7 @@ void Exploration::close(const PathStep& step, const NetlistOutcome& outcome,
         if (is_one_at_a_time() && assumptions_.can_hold(closed.inputs) &&
             !assumptions_.can_hold(closed.before)) {
             // It cannot have been so before, together with the inputs that change: it changes too.
-            closed.before[outcome.split] = value == Logic::one ? Logic::zero : Logic::one;
+            closed.before[outcome.split] = opposite(value);
         }
         steps.push_back(std::move(closed));
     }
@@ -331,20 +332,25 @@ void Exploration::forget_unread_inputs(PairState& pair) {
 /// Turns a difference into the witness, which ends the exploration; false where no run with real
 /// moments shows it.
 bool Exploration::show_difference(const Departure& departure, const PathStep& step) {
-    const std::vector<PathStep> path = ways_.path(departure.way(), step);
-    if (netlist_.is_clocked() ? show_after_scans(path) : show_after_instants(path)) {
+    if (netlist_.is_clocked() ? show_after_scans(ways_.path(departure.way(), step))
+                              : show_after_instants(path_of_instants(departure, step))) {
         done_ = true;
         return true;
     }
     return false;
 }
 
-bool Exploration::show_after_instants(const std::vector<PathStep>& shared) {
-    std::vector<PathStep> path = shared;
-    if (is_one_at_a_time()) {
-        auto single = one_by_one(assumptions_, shared, grafcet_.all_input_count());
-        if (single) path = std::move(*single);
-    }
+/// The way to a step of an asynchronous netlist, with no more changes at an instant than the plan
+/// has.
+std::vector<PathStep> Exploration::path_of_instants(const Departure& departure,
+                                                    const PathStep& step) const {
+    std::vector<PathStep> path = ways_.path(departure.way(), step);
+    if (!is_one_at_a_time()) return path;
+    auto single = one_by_one(assumptions_, path, grafcet_.all_input_count());
+    return single ? std::move(*single) : path;
+}
+
+bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
     bool has_moments = false;
     for (const Time gap : gaps_for(path)) {
         const auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap);
@@ -381,12 +387,7 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
 void Exploration::note_unstable(const Departure& departure, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (explored_.result.first_unstable) return;
-    std::vector<PathStep> path = ways_.path(departure.way(), step);
-    if (is_one_at_a_time()) {
-        if (auto single = one_by_one(assumptions_, path, grafcet_.all_input_count())) {
-            path = std::move(*single);
-        }
-    }
+    const std::vector<PathStep> path = path_of_instants(departure, step);
     for (const Time gap : gaps_for(path)) {
         if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
             explored_.result.first_unstable =

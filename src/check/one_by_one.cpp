@@ -16,14 +16,6 @@ namespace {
 
 constexpr int most_trials = 2000;
 
-PartialInputs known(const InputValues& values) {
-    PartialInputs inputs(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        inputs[i] = values[i] != 0 ? Logic::one : Logic::zero;
-    }
-    return inputs;
-}
-
 /// Puts changes into an order in which the assumptions hold after each; false where none is found.
 bool put_in_order(const Assumptions& assumptions, InputValues values,
                   std::vector<Stimuli::Assignment>& changes, std::size_t done, int& trials) {
@@ -32,7 +24,7 @@ bool put_in_order(const Assumptions& assumptions, InputValues values,
         std::swap(changes[done], changes[next]);
         InputValues after = values;
         after[changes[done].input] = changes[done].value ? 1 : 0;
-        if (assumptions.can_hold(known(after)) &&
+        if (assumptions.can_hold(known_inputs(after)) &&
             put_in_order(assumptions, after, changes, done + 1, trials)) {
             return true;
         }
@@ -47,15 +39,15 @@ void append_changes(const Assumptions& assumptions, const InputValues& from, con
     std::vector<Stimuli::Assignment> changes = differences(from, to);
     int trials = 0;
     if (!put_in_order(assumptions, from, changes, 0, trials)) {
-        path.push_back({known(from), known(to), {}, {}});
+        path.push_back({known_inputs(from), known_inputs(to), {}, {}});
         return;
     }
     InputValues values = from;
     for (const Stimuli::Assignment& change : changes) {
         PathStep step;
-        step.before = known(values);
+        step.before = known_inputs(values);
         values[change.input] = change.value ? 1 : 0;
-        step.inputs = known(values);
+        step.inputs = known_inputs(values);
         path.push_back(std::move(step));
     }
 }
@@ -78,9 +70,9 @@ std::optional<std::vector<PathStep>> one_by_one(const Assumptions& assumptions,
         }
         const auto inputs = assumptions.complete(step.inputs, present);
         if (!inputs) return std::nullopt;
-        step.before = known(present);
+        step.before = known_inputs(present);
         present = *inputs;
-        step.inputs = known(present);
+        step.inputs = known_inputs(present);
         for (RunningDelay& delay : step.running) delay.begun = place[delay.begun];
         place.push_back(result.size());
         result.push_back(std::move(step));

@@ -24,12 +24,20 @@ void collect_inputs(const Grafcet& grafcet, ExprId id, std::vector<std::uint32_t
     for (const ExprId operand : pool.operands(id)) collect_inputs(grafcet, operand, inputs);
 }
 
-Logic invert(Logic value) {
+}  // namespace
+
+Logic opposite(Logic value) {
     if (value == Logic::unknown) return value;
     return value == Logic::one ? Logic::zero : Logic::one;
 }
 
-}  // namespace
+PartialInputs known_inputs(const InputValues& values) {
+    PartialInputs inputs(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        inputs[i] = values[i] != 0 ? Logic::one : Logic::zero;
+    }
+    return inputs;
+}
 
 PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes) {
     PartialInputs inputs(grafcet.all_input_count(), Logic::unknown);
@@ -57,12 +65,12 @@ Logic Assumptions::evaluate(ExprId id, const PartialInputs& inputs) const {
             return inputs[(is_control ? grafcet_.inputs.size() : 0) + variable.index];
         }
         case ExprKind::negation:
-            return invert(evaluate(pool.operands(id)[0], inputs));
+            return opposite(evaluate(pool.operands(id)[0], inputs));
         case ExprKind::conjunction:
         case ExprKind::disjunction: {
             const bool is_and = pool.kind(id) == ExprKind::conjunction;
             const Logic deciding = is_and ? Logic::zero : Logic::one;
-            Logic result = invert(deciding);
+            Logic result = opposite(deciding);
             for (const ExprId operand : pool.operands(id)) {
                 const Logic value = evaluate(operand, inputs);
                 if (value == deciding) return deciding;
@@ -75,7 +83,7 @@ Logic Assumptions::evaluate(ExprId id, const PartialInputs& inputs) const {
             for (const ExprId operand : pool.operands(id)) {
                 const Logic value = evaluate(operand, inputs);
                 if (value == Logic::unknown) return value;
-                if (value == Logic::one) result = invert(result);
+                if (value == Logic::one) result = opposite(result);
             }
             return result;
         }
@@ -140,7 +148,7 @@ std::optional<InputValues> Assumptions::complete(const PartialInputs& inputs,
     for (const std::uint32_t input : mentioned_) {
         if (trial[input] != Logic::unknown) continue;
         trial[input] = preferred[input] != 0 ? Logic::one : Logic::zero;
-        if (!can_hold(trial)) trial[input] = invert(trial[input]);
+        if (!can_hold(trial)) trial[input] = opposite(trial[input]);
     }
     InputValues values(trial.size());
     for (std::size_t i = 0; i < trial.size(); ++i) {
