@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "command/check_request.h"
-#include "ladder/plcopen/read_plcopen_ladder.h"
 #include "laddercheck/ladder_device.h"
+#include "plcopen/read_plcopen_ladder.h"
 
 namespace grafwire {
 

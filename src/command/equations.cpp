@@ -1,7 +1,7 @@
 #include "command/command.h"
 #include "command/exit_status.h"
 #include "command/netlist_request.h"
-#include "equations/write_equations.h"
+#include "equations/report/write_equations.h"
 
 namespace grafwire {
 

@@ -7,9 +7,9 @@
 
 #include "command/exit_status.h"
 #include "equations/wiring_hazards.h"
+#include "formats/blif/read_blif.h"
+#include "formats/yosys/read_yosys_json.h"
 #include "grafcet/parse_grafcet.h"
-#include "import/read_blif.h"
-#include "import/read_yosys_json.h"
 #include "text/utf8.h"
 
 namespace grafwire {

@@ -4,7 +4,7 @@
 #include "command/exit_status.h"
 #include "command/netlist_request.h"
 #include "evolution/run.h"
-#include "export/exporters.h"
+#include "formats/exporters.h"
 
 namespace grafwire {
 

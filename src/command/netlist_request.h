@@ -7,7 +7,7 @@
 #include "command/command_line.h"
 #include "command/inputs.h"
 #include "equations/equations.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 
 namespace grafwire {
 

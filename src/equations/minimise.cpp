@@ -9,6 +9,8 @@
 //
 // A product is numbered in base 3, one digit per atom: 0 negated, 1 plain, 2 left out.
 
+#include "equations/minimise.h"
+
 #include <algorithm>
 #include <bitset>
 #include <cassert>
@@ -17,7 +19,6 @@
 #include <vector>
 
 #include "equations/logic.h"
-#include "equations/write_equations.h"
 
 namespace grafwire {
 

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-#include "equations/write_equations.h"
+#include "equations/equation_text.h"
 
 namespace grafwire {
 

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "equations/write_equations.h"
+#include "equations/equation_text.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {

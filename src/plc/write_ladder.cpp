@@ -2,7 +2,7 @@
 
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/plcopen/write_plcopen.h"
+#include "plcopen/write_plcopen.h"
 
 namespace grafwire {
 

@@ -7,7 +7,7 @@
 #include "check/compare_ports.h"
 #include "check/netlist_witness.h"
 #include "check/path.h"
-#include "import/read_blif.h"
+#include "formats/blif/read_blif.h"
 #include "netlist/netlists.h"
 
 namespace grafwire::testing {

@@ -5,8 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "equations/equation_text.h"
 #include "equations/equations.h"
-#include "equations/write_equations.h"
+#include "equations/minimise.h"
+#include "equations/report/write_equations.h"
 #include "grafcet/parse_grafcet.h"
 
 namespace grafwire {

@@ -7,7 +7,7 @@
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "slow_build.h"
 #include "trace/stimuli.h"
 

@@ -8,9 +8,9 @@
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
 #include "examples/example.h"
-#include "export/exporters.h"
-#include "import/read_blif.h"
-#include "import/read_yosys_json.h"
+#include "formats/blif/read_blif.h"
+#include "formats/exporters.h"
+#include "formats/yosys/read_yosys_json.h"
 #include "simulate/simulator.h"
 
 namespace grafwire::test {

@@ -8,8 +8,8 @@
 
 #include "command/run_program.h"
 #include "examples/example.h"
-#include "export/bench.h"
-#include "export/write_spice.h"
+#include "formats/shared/bench.h"
+#include "formats/spice/write_spice.h"
 
 namespace grafwire::test {
 

@@ -5,8 +5,8 @@
 #include "command/csv.h"
 #include "command/run_program.h"
 #include "examples/example.h"
-#include "export/bench.h"
-#include "export/write_verilog.h"
+#include "formats/shared/bench.h"
+#include "formats/verilog/write_verilog.h"
 #include "text/time.h"
 
 namespace grafwire::test {

@@ -4,7 +4,7 @@
 
 #include "command/run_program.h"
 #include "examples/example.h"
-#include "export/exporters.h"
+#include "formats/exporters.h"
 
 namespace grafwire::test {
 

@@ -8,7 +8,7 @@
 #include "check/told_witness.h"
 #include "explain/explain.h"
 #include "explain/tell_witness.h"
-#include "import/read_blif.h"
+#include "formats/blif/read_blif.h"
 #include "netlist/netlists.h"
 
 namespace grafwire::testing {

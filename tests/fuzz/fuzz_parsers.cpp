@@ -9,13 +9,13 @@
 #include <string>
 
 #include "equations/equations.h"
-#include "equations/write_equations.h"
+#include "equations/report/write_equations.h"
 #include "grafcet/describe_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/draw/write_drawings.h"
 #include "ladder/machine.h"
-#include "ladder/plcopen/read_plcopen_ladder.h"
+#include "plcopen/read_plcopen_ladder.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 #include "s7/write_listing.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "ladder/ladder_from.h"
-#include "ladder/plcopen/write_plcopen.h"
+#include "plcopen/write_plcopen.h"
 
 namespace grafwire::testing {
 

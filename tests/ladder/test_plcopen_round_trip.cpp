@@ -5,13 +5,13 @@
 #include <filesystem>
 
 #include "evolution/run.h"
-#include "export/tool_runner.h"
+#include "formats/tool_runner.h"
 #include "ladder/chart_files.h"
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/plcopen/read_plcopen_ladder.h"
-#include "ladder/plcopen/write_plcopen.h"
 #include "ladder/run_ladder.h"
+#include "plcopen/read_plcopen_ladder.h"
+#include "plcopen/write_plcopen.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 

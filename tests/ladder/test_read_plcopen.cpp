@@ -4,8 +4,8 @@
 
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "ladder/plcopen/read_plcopen_ladder.h"
-#include "ladder/plcopen/write_plcopen.h"
+#include "plcopen/read_plcopen_ladder.h"
+#include "plcopen/write_plcopen.h"
 #include "random/random_source.h"
 #include "random/read_text.h"
 

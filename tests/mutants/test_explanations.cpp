@@ -15,7 +15,7 @@
 #include "explain/explain.h"
 #include "explain/tell_witness.h"
 #include "mutants/mutate.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
 #include "slow_build.h"
 

@@ -17,7 +17,7 @@
 #include "check/netlist_witness.h"
 #include "grafcet/parse_grafcet.h"
 #include "mutants/mutate.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
 #include "reviewed_file.h"
 #include "slow_build.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {

@@ -5,7 +5,7 @@
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 

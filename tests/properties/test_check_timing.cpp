@@ -8,7 +8,7 @@
 #include "check/netlist_witness.h"
 #include "evolution/run.h"
 #include "mutants/mutate.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "evolution/run.h"
-#include "export/counted_timers.h"
-#include "netlist/netlist_from.h"
+#include "netlist/passes/counted_timers.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"

@@ -3,11 +3,11 @@
 #include <doctest/doctest.h>
 
 #include "check/compare_ports.h"
-#include "export/write_blif.h"
-#include "export/write_yosys_json.h"
-#include "import/read_blif.h"
-#include "import/read_yosys_json.h"
-#include "netlist/netlist_from.h"
+#include "formats/blif/read_blif.h"
+#include "formats/blif/write_blif.h"
+#include "formats/yosys/read_yosys_json.h"
+#include "formats/yosys/write_yosys_json.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"

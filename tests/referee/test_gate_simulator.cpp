@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
 #include "referee/foreign_cells.h"
 #include "referee/gate_simulator.h"

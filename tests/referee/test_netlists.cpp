@@ -11,7 +11,7 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "mutants/mutate.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "referee/charts.h"

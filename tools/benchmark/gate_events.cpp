@@ -19,9 +19,9 @@
 #include "charts.h"
 #include "child.h"
 #include "equations/equations.h"
-#include "export/write_verilog.h"
+#include "formats/verilog/write_verilog.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "sections.h"
 #include "simulate/simulate.h"
 

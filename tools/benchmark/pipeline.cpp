@@ -12,9 +12,9 @@
 #include "charts.h"
 #include "child.h"
 #include "equations/equations.h"
-#include "export/exporters.h"
+#include "formats/exporters.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "sections.h"
 
 namespace bench {

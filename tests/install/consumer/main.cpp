@@ -4,7 +4,7 @@
 #include "check/check_equivalence.h"
 #include "equations/equations.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/netlist_from.h"
+#include "netlist/styles/netlist_from.h"
 #include "simulate/simulator.h"
 
 int main() {

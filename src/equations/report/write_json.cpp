@@ -1,0 +1,157 @@
+// The object is written piece by piece, one line per step, so that no tree of the whole report is
+// ever in memory.
+
+#include <nlohmann/json.hpp>
+
+#include "equations/equation_text.h"
+#include "equations/report/report_parts.h"
+#include "equations/report/reports.h"
+
+namespace grafwire {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* cause_name(StoredWrite::Cause cause) {
+    switch (cause) {
+        case StoredWrite::Cause::deactivation:
+            return "deactivation";
+        case StoredWrite::Cause::clearing:
+            return "clearing";
+        case StoredWrite::Cause::activation:
+            return "activation";
+        case StoredWrite::Cause::event:
+            break;
+    }
+    return "event";
+}
+
+class JsonReport {
+  public:
+    JsonReport(Equations& equations, bool with_minimised)
+        : equations_(equations), grafcet_(*equations.grafcet), with_minimised_(with_minimised) {}
+
+    std::string write() {
+        const EquationOptions& options = equations_.options;
+        text_ = "{\n  \"name\": " + Json(grafcet_.name).dump();
+        text_ += ",\n  \"title\": " + Json(grafcet_.title).dump();
+        text_ += ",\n  \"options\": " +
+                 Json({{"cdx", options.cdx == CdxForm::successor ? "successor" : "transition"},
+                       {"modes", options.modes}})
+                     .dump();
+        list("steps", grafcet_.steps.size(), [&](std::size_t i) { return step(i); });
+        list("outputs", equations_.outputs.size(), [&](std::size_t i) { return output(i); });
+        list("stored", equations_.stored.size(), [&](std::size_t i) { return stored(i); });
+        const UsedMemories used = used_memories(equations_);
+        list("timeConditions", used.time_conditions.size(),
+             [&](std::size_t i) { return time_condition(used.time_conditions[i]); });
+        list("edges", used.edges.size(), [&](std::size_t i) { return edge(used.edges[i]); });
+        return std::move(text_) + "\n}\n";
+    }
+
+  private:
+    std::string shown(ExprId id) const { return equation_text(equations_, id); }
+
+    template <typename Item>
+    void list(const char* name, std::size_t count, Item item) {
+        text_ += std::string(",\n  \"") + name + "\": [";
+        for (std::size_t i = 0; i < count; ++i) {
+            text_ += i == 0 ? "\n    " : ",\n    ";
+            text_ += item(i).dump();
+        }
+        text_ += count == 0 ? "]" : "\n  ]";
+    }
+
+    void add_if_present(Json& object, const char* key, ExprId id) const {
+        if (id != no_expr) object[key] = shown(id);
+    }
+
+    Json step(std::size_t index) {
+        const StepId id = grafcet_.steps.id_at(index);
+        const ExprId x = step_expression(equations_, id);
+        const TableConditions table = table_conditions(equations_, id);
+        const StepEquation& step = equations_.steps[id];
+        Json object;
+        object["name"] = "X" + grafcet_.steps[id].name;
+        object["initial"] = grafcet_.steps[id].initial;
+        object["cax"] = shown(table.cax);
+        object["cdx"] = shown(table.cdx);
+        object["x"] = shown(x);
+        add_if_present(object, "forcedOff", step.forced_off);
+        add_if_present(object, "forcedOn", step.forced_on);
+        add_if_present(object, "enclosing", step.enclosing);
+        add_if_present(object, "link", step.link);
+        if (!with_minimised_) return object;
+        const SmallerForms smaller = smaller_forms(equations_, id);
+        if (!smaller.any()) return object;
+        Json& minimised = object["minimised"];
+        add_if_present(minimised, "cax", smaller.cax);
+        add_if_present(minimised, "cdx", smaller.cdx);
+        add_if_present(minimised, "x", smaller.x);
+        return object;
+    }
+
+    Json output(std::size_t index) const {
+        const OutputEquation& output = equations_.outputs[index];
+        Json object;
+        object["name"] = grafcet_.outputs[output.output].name;
+        object["equation"] = shown(output.value);
+        return object;
+    }
+
+    Json stored(std::size_t index) {
+        const StoredEquation& stored = equations_.stored[index];
+        Json object;
+        object["name"] = variable_name(grafcet_, stored.target);
+        if (stored.target.kind == VariableKind::counter) {
+            const Counter& counter = grafcet_.counters[static_cast<CounterId>(stored.target.index)];
+            object["kind"] = "counter";
+            object["low"] = counter.low;
+            object["high"] = counter.high;
+        } else {
+            object["kind"] = stored.target.kind == VariableKind::output ? "output" : "var";
+            object["set"] = shown(stored.set);
+            object["reset"] = shown(stored.reset);
+            object["equation"] = shown(stored_expression(equations_, stored));
+        }
+        object["writes"] = Json::array();
+        for (const StoredWrite& write : stored.writes)
+            object["writes"].push_back(
+                {{"cause", cause_name(write.cause)},
+                 {"trigger", shown(write.trigger)},
+                 {"value",
+                  write.sum != nullptr ? sum_text(grafcet_, *write.sum) : shown(write.value)}});
+        return object;
+    }
+
+    Json time_condition(ExprId id) const {
+        const TimeCondition& condition = equations_.expressions.time_condition_of(id);
+        Json object;
+        object["condition"] = shown(id);
+        object["operand"] = shown(condition.operand);
+        object["onDelay"] = format_duration(condition.on_delay);
+        object["offDelay"] = format_duration(condition.off_delay);
+        return object;
+    }
+
+    Json edge(ExprId id) const {
+        Json object;
+        object["edge"] = shown(id);
+        object["operand"] = shown(equations_.expressions.operands(id).front());
+        return object;
+    }
+
+    Equations& equations_;
+    const Grafcet& grafcet_;
+    bool with_minimised_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string write_json_report(Equations& equations, bool with_minimised) {
+    return JsonReport(equations, with_minimised).write();
+}
+
+}  // namespace grafwire

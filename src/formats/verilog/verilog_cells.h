@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/shared/net_spelling.h"
+#include "netlist/netlist.h"
+
+namespace grafwire {
+
+/// Writes the cells of a netlist as Verilog: a gate primitive each, or an instance of a helper
+/// module (verilog_helpers.h) for what has a memory or knows of time.
+class VerilogCells {
+  public:
+    VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets);
+
+    void write(const Cell& cell);
+
+    /// The initial values of nets that gates in these modules drive, held at the start of a
+    /// simulation.
+    void write_initial_values(std::span<const Module> modules);
+
+  private:
+    void write_gate(std::string_view primitive, const Cell& cell);
+    void write_helper(const Cell& cell);
+    void write_parameters(const Cell& cell);
+
+    std::string& out_;
+    const Netlist& netlist_;
+    const NetSpelling& nets_;
+    std::string suffix_;          ///< of instance names
+    std::string helpers_;         ///< begins the names of helper modules
+    std::string scan_parameter_;  ///< of modules whose timers count scans
+    std::string_view delay_;      ///< of a gate
+    std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
+};
+
+}  // namespace grafwire

@@ -1,0 +1,273 @@
+// Structural Verilog: Verilog's own gate primitives, one a cell, and helper modules for what has a
+// memory or knows of time.
+//
+// Up to 200 modules of the netlist stand in one Verilog module, to be read. Beyond that they are
+// cut into blocks, a Verilog module each, since Icarus Verilog takes time that grows with the
+// square of the number of signals in one scope: 20 000 phase modules compile in two seconds instead
+// of twenty. (A Verilog module for each phase module within the blocks was tried: twice the text,
+// no gain.)
+
+#include "formats/verilog/write_verilog.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "formats/shared/append.h"
+#include "formats/shared/net_spelling.h"
+#include "formats/verilog/verilog_blocks.h"
+#include "formats/verilog/verilog_cells.h"
+#include "formats/verilog/verilog_helpers.h"
+#include "formats/verilog/verilog_names.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t modules_per_block = 200;
+
+class VerilogWriter {
+  public:
+    VerilogWriter(const Netlist& netlist, Time scan_period)
+        : netlist_(netlist),
+          nets_(netlist, spell_verilog),
+          suffix_(cell_suffix(netlist)),
+          helpers_(verilog_helper_prefix(netlist)),
+          scan_parameter_(verilog_scan_parameter(netlist)),
+          scan_period_(scan_period),
+          cells_(out_, netlist, nets_) {
+        spell_verilog(name_, netlist.name);
+    }
+
+    std::string write();
+
+  private:
+    void reserve();
+    void write_head();
+    void write_changed_names();
+    void write_port_list();
+    void write_aliases();
+    void write_flat();
+    void write_in_blocks();
+    std::vector<std::uint8_t> nets_of_output_ports() const;
+    void write_instance(const VerilogBlock& block, std::size_t number);
+    void write_block(const VerilogBlock& block, std::size_t number);
+    void write_wires(const Module& module, const std::vector<std::uint8_t>& is_declared);
+    void write_cells(const Module& module);
+    void write_block_name(std::size_t number);
+    void write_scan_parameter(bool with_value);
+
+    std::span<const Cell> cells_of(const Module& module) const {
+        return {netlist_.cells.items().data() + module.first_cell, module.cell_count};
+    }
+
+    const Netlist& netlist_;
+    NetSpelling nets_;
+    std::string name_;
+    std::string suffix_;
+    std::string helpers_;
+    std::string scan_parameter_;
+    Time scan_period_;
+    bool has_scan_timer_ = false;
+    std::vector<std::uint8_t> declared_;  ///< per net: an output port of its block
+    std::string out_;
+    VerilogCells cells_;
+};
+
+std::string VerilogWriter::write() {
+    for (const Cell& cell : netlist_.cells) {
+        has_scan_timer_ |= counts_scans(cell.type);
+    }
+    reserve();
+    write_head();
+    if (netlist_.modules.size() <= modules_per_block) {
+        write_flat();
+    } else {
+        write_in_blocks();
+    }
+    append_verilog_helpers(out_, netlist_, helpers_);
+    return std::move(out_);
+}
+
+/// Makes room for about the whole text, so that it need not be moved as it grows. Room that stays
+/// empty is never touched and costs no memory.
+void VerilogWriter::reserve() {
+    constexpr std::size_t words_of_cell = 40;
+    constexpr std::size_t words_of_port = 30;
+    const std::size_t nets = std::max<std::size_t>(netlist_.net_count(), 1);
+    const std::size_t name = nets_.length() / nets + 2;
+    // A cell is declared, named and driven, and reads its pins; ports go by way of a block.
+    const std::size_t cells = netlist_.cells.size() * (3 * name + words_of_cell);
+    const std::size_t pins = netlist_.pins.size() * name;
+    const std::size_t ports = netlist_.outputs.size() * (6 * name + words_of_port);
+    std::size_t comments = 0;
+    for (const Module& module : netlist_.modules) comments += module.comment.size() + name;
+    out_.reserve(cells + pins + ports + comments);
+}
+
+void VerilogWriter::write_head() {
+    std::string title = netlist_.name;
+    append(title, ": ", netlist_.cells.size(), " cells.");
+    append_verilog_comment(out_, title);
+    write_changed_names();
+    out_ += "`timescale 1ns/1ps\n";
+    if (needs_verilog_start(netlist_)) append_verilog_start(out_);
+}
+
+/// Lists the ports that even an escaped identifier cannot spell as they are.
+void VerilogWriter::write_changed_names() {
+    std::string spelled;
+    const auto list = [&](const std::vector<Port>& ports) {
+        for (const Port& port : ports) {
+            spelled.clear();
+            spell_verilog(spelled, port.name);
+            if (spelled.find('%') == std::string::npos) continue;
+            append(out_, "//   ", spelled, "= ");
+            append_comment(out_, port.name);
+            out_ += '\n';
+        }
+    };
+    list(netlist_.inputs);
+    list(netlist_.outputs);
+}
+
+void VerilogWriter::write_scan_parameter(bool with_value) {
+    append(out_, " #(parameter [63:0] ", scan_parameter_, " = 64'd");
+    append(out_, with_value ? scan_period_ : Time{1}, ")");
+}
+
+void VerilogWriter::write_port_list() {
+    append(out_, "\nmodule ", name_);
+    if (has_scan_timer_) write_scan_parameter(true);
+    out_ += " (";
+    std::string_view separator = "\n";
+    for (const Port& port : netlist_.inputs) {
+        append(out_, separator, "  input ");
+        spell_verilog(out_, port.name);
+        separator = ",\n";
+    }
+    for (const Port& port : netlist_.outputs) {
+        append(out_, separator, "  output ");
+        spell_verilog(out_, port.name);
+        separator = ",\n";
+    }
+    out_ += "\n);\n";
+}
+
+/// An output port that shares its net with another port, or whose net has a name of its own.
+void VerilogWriter::write_aliases() {
+    std::string port_name;
+    for (const Port& port : netlist_.outputs) {
+        port_name.clear();
+        spell_verilog(port_name, port.name);
+        if (port_name != nets_[port.net]) {
+            append(out_, "  assign ", port_name, " = ", nets_[port.net], ";\n");
+        }
+    }
+}
+
+void VerilogWriter::write_wires(const Module& module,
+                                const std::vector<std::uint8_t>& is_declared) {
+    std::string_view separator = "  wire ";
+    for (const Cell& cell : cells_of(module)) {
+        if (is_declared[index_of(cell.output)] != 0) continue;
+        append(out_, separator, nets_[cell.output]);
+        separator = ", ";
+    }
+    if (separator == ", ") out_ += ";\n";
+}
+
+void VerilogWriter::write_cells(const Module& module) {
+    out_ += "\n  ";
+    append_verilog_comment(out_, module.comment.empty() ? module.name : module.comment);
+    for (const Cell& cell : cells_of(module)) cells_.write(cell);
+}
+
+/// The nets that the list of ports declares.
+std::vector<std::uint8_t> VerilogWriter::nets_of_output_ports() const {
+    std::vector<std::uint8_t> is_port(netlist_.net_count());
+    std::string port_name;
+    for (const Port& port : netlist_.outputs) {
+        port_name.clear();
+        spell_verilog(port_name, port.name);
+        if (port_name == nets_[port.net]) is_port[index_of(port.net)] = 1;
+    }
+    return is_port;
+}
+
+void VerilogWriter::write_flat() {
+    write_port_list();
+    const std::vector<std::uint8_t> is_port = nets_of_output_ports();
+    for (const Module& module : netlist_.modules) write_wires(module, is_port);
+    write_aliases();
+    for (const Module& module : netlist_.modules) write_cells(module);
+    cells_.write_initial_values(netlist_.modules);
+    out_ += "endmodule\n";
+}
+
+void VerilogWriter::write_block_name(std::size_t number) {
+    std::string suffix = "$block";
+    append(suffix, number + 1);
+    append_verilog_with_suffix(out_, name_, suffix);
+}
+
+void VerilogWriter::write_instance(const VerilogBlock& block, std::size_t number) {
+    out_ += "  ";
+    write_block_name(number);
+    if (block.has_scan_timer) append(out_, " #(.", scan_parameter_, "(", scan_parameter_, "))");
+    append(out_, " block", number + 1, suffix_, " (");
+    std::string_view separator = "\n    ";
+    const auto connect = [&](NetId net) {
+        append(out_, separator, ".", nets_[net], "(", nets_[net], ")");
+        separator = ",\n    ";
+    };
+    for (const NetId net : block.inputs) connect(net);
+    for (const NetId net : block.outputs) connect(net);
+    out_ += ");\n";
+}
+
+void VerilogWriter::write_block(const VerilogBlock& block, std::size_t number) {
+    out_ += "\nmodule ";
+    write_block_name(number);
+    if (block.has_scan_timer) write_scan_parameter(false);
+    out_ += " (";
+    std::string_view separator = "\n";
+    for (const NetId net : block.inputs) {
+        append(out_, separator, "  input ", nets_[net]);
+        separator = ",\n";
+    }
+    for (const NetId net : block.outputs) {
+        append(out_, separator, "  output ", nets_[net]);
+        separator = ",\n";
+        declared_[index_of(net)] = 1;
+    }
+    out_ += "\n);\n";
+    for (const Module& module : block.modules) write_wires(module, declared_);
+    for (const Module& module : block.modules) write_cells(module);
+    cells_.write_initial_values(block.modules);
+    out_ += "endmodule\n";
+}
+
+void VerilogWriter::write_in_blocks() {
+    declared_.resize(netlist_.net_count());
+    const std::vector<VerilogBlock> blocks = cut_into_blocks(netlist_, modules_per_block);
+    write_port_list();
+    const std::vector<std::uint8_t> is_port = nets_of_output_ports();
+    for (const VerilogBlock& block : blocks) {
+        for (const NetId net : block.outputs) {
+            if (is_port[index_of(net)] == 0) append(out_, "  wire ", nets_[net], ";\n");
+        }
+    }
+    write_aliases();
+    for (std::size_t i = 0; i < blocks.size(); ++i) write_instance(blocks[i], i);
+    out_ += "endmodule\n";
+    for (std::size_t i = 0; i < blocks.size(); ++i) write_block(blocks[i], i);
+}
+
+}  // namespace
+
+std::string write_verilog(const Netlist& netlist, Time scan_period) {
+    return VerilogWriter(netlist, scan_period).write();
+}
+
+}  // namespace grafwire

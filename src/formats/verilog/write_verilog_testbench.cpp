@@ -1,0 +1,175 @@
+// The test bench counts in picoseconds. Before the moments of the stimuli lies the start: Init at
+// 1, the other inputs as at instant 0, until a gate delay for every cell has passed; that is more
+// than any netlist without oscillation takes.
+
+#include <algorithm>
+
+#include "formats/shared/append.h"
+#include "formats/verilog/verilog_helpers.h"
+#include "formats/verilog/verilog_names.h"
+#include "formats/verilog/write_verilog.h"
+#include "netlist/passes/counted_timers.h"
+
+namespace grafwire {
+
+namespace {
+
+class BenchWriter {
+  public:
+    BenchWriter(const Netlist& netlist, const Bench& bench, Time scan_period)
+        : netlist_(netlist),
+          bench_(bench),
+          scan_period_(scan_period),
+          module_(verilog_helper_prefix(netlist) + "bench"),
+          start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {
+        for (std::size_t i = 0; i < netlist.inputs.size(); ++i) {
+            if (netlist.inputs[i].net == netlist.clock) clock_ = i;
+        }
+    }
+
+    std::string write();
+
+  private:
+    void write_head();
+    void write_instance();
+    void write_row_task();
+    void write_header_row();
+    void write_event(const BenchEvent& event);
+    void write_cycles(Time half_period);
+    void wait_until(Time moment);
+
+    const Netlist& netlist_;
+    const Bench& bench_;
+    Time scan_period_;
+    std::string module_;
+    Time start_;
+    std::size_t clock_ = 0;
+    Time now_ = 0;  ///< on the time axis of the stimuli
+    std::string out_;
+};
+
+std::string BenchWriter::write() {
+    write_head();
+    write_instance();
+    write_row_task();
+    out_ += "\n  initial begin\n";
+    write_header_row();
+    append(out_, "    #(64'd", start_, ");\n");
+    for (const BenchEvent& event : bench_events(netlist_, bench_)) write_event(event);
+    out_ += "    $finish;\n  end\nendmodule\n";
+    return std::move(out_);
+}
+
+void BenchWriter::write_head() {
+    out_ += "// Test bench for ";
+    append_comment(out_, netlist_.name);
+    out_ += ". Give it to the simulator before the netlist:\n";
+    out_ += "//   iverilog -o run bench.v netlist.v && vvp -n run\n";
+    if (needs_verilog_start(netlist_)) {
+        out_ += "`ifdef GRAFWIRE_START\n`define GRAFWIRE_WRONG_ORDER\n`endif\n";
+    }
+    append(out_, "`define GRAFWIRE_START ", start_ / nanosecond, "\n");
+    append(out_, "`define GRAFWIRE_INSTANT ", module_, ".instant\n");
+    append(out_, "`timescale 1ps/1ps\n\nmodule ", module_, ";\n");
+}
+
+void BenchWriter::write_instance() {
+    const std::vector<bool> values = starting_inputs(netlist_, bench_);
+    append(out_, "  reg [", std::max<std::size_t>(values.size(), 1) - 1, ":0] in;\n");
+    append(out_, "  wire [", std::max<std::size_t>(netlist_.outputs.size(), 1) - 1, ":0] out;\n");
+    append(out_, "  reg [63:0] instant;\n  integer i, changes;\n\n  initial begin\n");
+    append(out_, "    instant = 64'd", start_, ";\n    changes = 0;\n");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        append(out_, "    in[", i, "] = ", values[i] ? '1' : '0', ";  ");
+        append_verilog_comment(out_, netlist_.inputs[i].name);
+    }
+    out_ += "  end\n\n  ";
+    spell_verilog(out_, netlist_.name);
+    if (has_scan_timers(netlist_)) {
+        append(out_, " #(.", verilog_scan_parameter(netlist_), "(64'd", scan_period_, "))");
+    }
+    out_ += " netlist (";
+    std::string_view separator = "\n    .";
+    for (std::size_t i = 0; i < netlist_.inputs.size(); ++i) {
+        out_ += separator;
+        spell_verilog(out_, netlist_.inputs[i].name);
+        append(out_, "(in[", i, "])");
+        separator = ",\n    .";
+    }
+    for (std::size_t i = 0; i < netlist_.outputs.size(); ++i) {
+        out_ += separator;
+        spell_verilog(out_, netlist_.outputs[i].name);
+        append(out_, "(out[", i, "])");
+        separator = ",\n    .";
+    }
+    out_ += ");\n";
+}
+
+void BenchWriter::write_row_task() {
+    append(out_, "\n  task row;\n    begin\n      for (i = 0; i < ", netlist_.outputs.size(),
+           "; i = i + 1) $write(\",%b\", out[i]);\n      $write(\"\\n\");\n    end\n  endtask\n");
+    // More changes within an instant than any evolution makes; without this an oscillation would go
+    // on until the next instant, nanosecond by nanosecond.
+    append(out_, "\n  always @(out) begin\n    changes = changes + 1;\n    if (changes > ",
+           10'000 + 10 * netlist_.outputs.size(),
+           ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      "
+           "$finish;\n"
+           "    end\n  end\n");
+}
+
+void BenchWriter::write_header_row() {
+    if (needs_verilog_start(netlist_)) {
+        out_ +=
+            "`ifdef GRAFWIRE_WRONG_ORDER\n"
+            "    $display(\"The test bench must stand before the netlist.\");\n"
+            "    $finish;\n`endif\n";
+    }
+    out_ += "    $write(\"time_ms\");\n";
+    for (const Port& port : netlist_.outputs) {
+        std::string name = port.name;
+        if (name.find_first_of(",\"\r\n") != std::string::npos) {
+            std::string quoted = "\"";
+            for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
+            name = quoted + '"';
+        }
+        out_ += "    $write(\",";
+        append_verilog_text(out_, name);
+        out_ += "\");\n";
+    }
+    out_ += "    $write(\"\\n\");\n";
+}
+
+void BenchWriter::wait_until(Time moment) {
+    if (moment > now_) append(out_, "    #(64'd", moment - now_, ");\n");
+    now_ = std::max(now_, moment);
+}
+
+void BenchWriter::write_cycles(Time half_period) {
+    append(out_, "    repeat (", bench_.clock_cycles, ") begin #(64'd", half_period, ") in[",
+           clock_, "] = 1; #(64'd", half_period, ") in[", clock_, "] = 0; end\n");
+    now_ += half_period * 2 * bench_.clock_cycles;
+}
+
+void BenchWriter::write_event(const BenchEvent& event) {
+    append(out_, "    // ", format_milliseconds(event.at), " ms\n");
+    wait_until(event.at);
+    append(out_, "    instant = 64'd", start_ + event.at, ";\n    changes = 0;\n");
+    for (const Bench::Assignment& assignment : event.assignments) {
+        append(out_, "    in[", assignment.input, "] = ", assignment.value ? '1' : '0', ";\n");
+    }
+    if (event.row == BenchEvent::no_row) return;
+    const Time delay = sampling_delay(bench_, event.row);
+    if (netlist_.is_clocked()) {
+        write_cycles(std::max<Time>(1, delay / (2 * Time{bench_.clock_cycles} + 2)));
+    }
+    wait_until(event.at + delay);
+    append(out_, "    $write(\"", format_milliseconds(event.at), "\"); row;\n");
+}
+
+}  // namespace
+
+std::string write_verilog_testbench(const Netlist& netlist, const Bench& bench, Time scan_period) {
+    return BenchWriter(netlist, bench, scan_period).write();
+}
+
+}  // namespace grafwire
