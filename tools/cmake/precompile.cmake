@@ -17,5 +17,8 @@ endfunction()
 function(grafwire_use_precompiled target name)
   if(PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM ${name})
+    # The compiler takes them only where the macros are those they were read with.
+    target_compile_definitions(${target} PRIVATE
+      $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   endif()
 endfunction()
