@@ -15,7 +15,7 @@ std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
     for (std::uint32_t i = 0; i < count; ++i) {
         if (inputs[i] == Logic::unknown) continue;
         PartialInputs changed = inputs;
-        changed[i] = opposite(changed[i]);
+        changed[i] = ~changed[i];
         if (assumptions.can_hold(changed)) {
             changes.push_back(std::move(changed));
         } else {
@@ -26,7 +26,7 @@ std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
         for (std::size_t j = i + 1; j < tied.size(); ++j) {
             PartialInputs changed = inputs;
             for (const std::uint32_t input : {tied[i], tied[j]}) {
-                changed[input] = opposite(changed[input]);
+                changed[input] = ~changed[input];
             }
             if (assumptions.can_hold(changed)) changes.push_back(std::move(changed));
         }
@@ -45,9 +45,9 @@ std::optional<PartialInputs> inputs_before(const Assumptions& assumptions,
     }
     if (assumptions.can_hold(before)) return before;
     for (const std::uint32_t input : closed) {
-        before[input] = opposite(before[input]);
+        before[input] = ~before[input];
         if (assumptions.can_hold(before)) return before;
-        before[input] = opposite(before[input]);
+        before[input] = ~before[input];
     }
     return std::nullopt;
 }

@@ -222,7 +222,7 @@ void Exploration::close(const PathStep& step, const NetlistOutcome& outcome,
         if (is_one_at_a_time() && assumptions_.can_hold(closed.inputs) &&
             !assumptions_.can_hold(closed.before)) {
             // It cannot have been so before, together with the inputs that change: it changes too.
-            closed.before[outcome.split] = opposite(value);
+            closed.before[outcome.split] = ~value;
         }
         steps.push_back(std::move(closed));
     }

@@ -72,7 +72,7 @@ Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::Initial
     for (const Netlist::InitialValue& value : values) {
         Cell& cell = powered.cells[drivers[value.net]];
         if (row_of(cell.type).has_memory) {
-            cell.initial = value.value ? Logic::one : Logic::zero;
+            cell.initial = logic_of(value.value);
         } else {
             powered.initial_values.push_back(value);
         }

@@ -26,15 +26,10 @@ void collect_inputs(const Grafcet& grafcet, ExprId id, std::vector<std::uint32_t
 
 }  // namespace
 
-Logic opposite(Logic value) {
-    if (value == Logic::unknown) return value;
-    return value == Logic::one ? Logic::zero : Logic::one;
-}
-
 PartialInputs known_inputs(const InputValues& values) {
     PartialInputs inputs(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        inputs[i] = values[i] != 0 ? Logic::one : Logic::zero;
+        inputs[i] = logic_of(values[i] != 0);
     }
     return inputs;
 }
@@ -58,19 +53,19 @@ Logic Assumptions::evaluate(ExprId id, const PartialInputs& inputs) const {
     const Expressions& pool = grafcet_.expressions;
     switch (pool.kind(id)) {
         case ExprKind::constant:
-            return pool.constant_value(id) ? Logic::one : Logic::zero;
+            return logic_of(pool.constant_value(id));
         case ExprKind::variable: {
             const Variable variable = pool.variable_of(id);
             const bool is_control = variable.kind == VariableKind::control;
             return inputs[(is_control ? grafcet_.inputs.size() : 0) + variable.index];
         }
         case ExprKind::negation:
-            return opposite(evaluate(pool.operands(id)[0], inputs));
+            return ~evaluate(pool.operands(id)[0], inputs);
         case ExprKind::conjunction:
         case ExprKind::disjunction: {
             const bool is_and = pool.kind(id) == ExprKind::conjunction;
             const Logic deciding = is_and ? Logic::zero : Logic::one;
-            Logic result = opposite(deciding);
+            Logic result = ~deciding;
             for (const ExprId operand : pool.operands(id)) {
                 const Logic value = evaluate(operand, inputs);
                 if (value == deciding) return deciding;
@@ -83,7 +78,7 @@ Logic Assumptions::evaluate(ExprId id, const PartialInputs& inputs) const {
             for (const ExprId operand : pool.operands(id)) {
                 const Logic value = evaluate(operand, inputs);
                 if (value == Logic::unknown) return value;
-                if (value == Logic::one) result = opposite(result);
+                result = result ^ value;
             }
             return result;
         }
@@ -123,8 +118,7 @@ bool Assumptions::can_be_completed(const PartialInputs& inputs) const {
     if (!plant_.solver().can_hold(literals)) return false;
     std::vector<Logic> solution;
     for (const std::uint32_t input : mentioned_) {
-        const bool value = plant_.solver().value(plant_.input(input));
-        solution.push_back(value ? Logic::one : Logic::zero);
+        solution.push_back(logic_of(plant_.solver().value(plant_.input(input))));
     }
     if (solutions_.size() < most_solutions) {
         solutions_.push_back(std::move(solution));
@@ -147,8 +141,8 @@ std::optional<InputValues> Assumptions::complete(const PartialInputs& inputs,
     PartialInputs trial = inputs;
     for (const std::uint32_t input : mentioned_) {
         if (trial[input] != Logic::unknown) continue;
-        trial[input] = preferred[input] != 0 ? Logic::one : Logic::zero;
-        if (!can_hold(trial)) trial[input] = opposite(trial[input]);
+        trial[input] = logic_of(preferred[input] != 0);
+        if (!can_hold(trial)) trial[input] = ~trial[input];
     }
     InputValues values(trial.size());
     for (std::size_t i = 0; i < trial.size(); ++i) {

@@ -6,7 +6,7 @@
 
 #include "grafcet/grafcet.h"
 #include "grafcet/plant_conditions.h"
-#include "netlist/cell_types.h"
+#include "logic/logic.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -14,9 +14,6 @@ namespace grafwire {
 /// One value for every input of a GRAFCET (declared inputs, Init, AUdur, AUdoux), some of them left
 /// open: `Logic::unknown` stands for "0 or 1, it does not matter which".
 using PartialInputs = std::vector<Logic>;
-
-/// The other value; open stays open.
-Logic opposite(Logic value);
 
 /// None open.
 PartialInputs known_inputs(const InputValues& values);

@@ -150,7 +150,7 @@ bool ScanExploration::agree(const ReferenceOutcome& expected,
                             const ScannedDevice::Outcome& got) const {
     const auto same = [](const BitTable& bits, const std::vector<Logic>& values) {
         for (std::size_t i = 0; i < values.size(); ++i) {
-            if (values[i] != (bits.test(i) ? Logic::one : Logic::zero)) return false;
+            if (values[i] != logic_of(bits.test(i))) return false;
         }
         return true;
     };

@@ -37,7 +37,7 @@ Trace run_device(const Grafcet& grafcet, const ScannedDevice& device, const Stim
     for (Time now = 0;; now += period) {
         for (; next < stimuli.changes.size() && stimuli.changes[next].at <= now; ++next) {
             for (const Stimuli::Assignment& set : stimuli.changes[next].assignments) {
-                inputs[set.input] = set.value ? Logic::one : Logic::zero;
+                inputs[set.input] = logic_of(set.value);
             }
         }
         ScannedDevice::Outcome outcome = device.scan(memory, inputs, now);

@@ -6,9 +6,9 @@ namespace grafwire {
 
 namespace {
 
-Logic logic_of(std::int64_t value) {
+Logic traced(std::int64_t value) {
     if (value == Trace::unknown) return Logic::unknown;
-    return value != 0 ? Logic::one : Logic::zero;
+    return logic_of(value != 0);
 }
 
 struct Row {
@@ -45,8 +45,8 @@ void fill_values(const Grafcet& grafcet, Witness& witness, const Row& expected, 
     for (std::size_t i = 0; i < count; ++i) {
         Witness::Value value;
         value.name = expected.trace.columns[first + i].name;
-        value.expected = logic_of(expected.at(first + i));
-        if (got != nullptr) value.got = logic_of(got->at(first + i));
+        value.expected = traced(expected.at(first + i));
+        if (got != nullptr) value.got = traced(got->at(first + i));
         witness.values.push_back(std::move(value));
     }
 }

@@ -189,7 +189,8 @@ class Explaining {
             const bool expected = functions.expected->at(*row);
             const bool got = functions.got->at(*row);
             if (expected == got) return;
-            is_final = examined.part.expected == logic(expected) && examined.part.got == logic(got);
+            is_final =
+                examined.part.expected == logic_of(expected) && examined.part.got == logic_of(got);
             if (examined.is_decided && !is_final) return;
             examined.is_decided = true;
             decisive = nets;
@@ -206,7 +207,6 @@ class Explaining {
             examined.part.reads.push_back({name, value_at(functions, name, decisive)});
         }
     }
-    static Logic logic(bool value) { return value ? Logic::one : Logic::zero; }
     Logic value_at(const FunctionComparison& functions, const std::string& name,
                    const std::vector<Logic>& nets) const {
         const auto variable = functions.variables.find(name);
@@ -226,7 +226,7 @@ class Explaining {
                     if (set.input == i) value = set.value;
                 }
             }
-            return logic(value);
+            return logic_of(value);
         }
         return Logic::unknown;
     }

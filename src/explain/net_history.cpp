@@ -13,7 +13,7 @@ std::vector<Logic> start_values(const Grafcet& grafcet, const Netlist& netlist,
     for (const Stimuli::Change& change : stimuli.changes) {
         if (change.at > 0) break;
         for (const auto& [input, value] : change.assignments) {
-            inputs[input] = value ? Logic::one : Logic::zero;
+            inputs[input] = logic_of(value);
         }
     }
     Simulator simulator(netlist, delays);

@@ -180,14 +180,11 @@ void Story::tell_reference() {
 
 void Story::tell_difference(std::string_view other_side) {
     text_ += choose("Where they part:\n", "Où ils se séparent :\n");
-    const auto digit = [](Logic value) {
-        return value == Logic::unknown ? 'x' : value == Logic::one ? '1' : '0';
-    };
     for (const Witness::Value& value : witness_.values) {
         if (value.expected == value.got) continue;
         text_ += fmt::format("  {}{} {} {}, {} {}\n", value.name, choose(":", " :"),
                              choose("the reference gives", "la référence donne"),
-                             digit(value.expected), other_side, digit(value.got));
+                             digit_of(value.expected), other_side, digit_of(value.got));
     }
 }
 

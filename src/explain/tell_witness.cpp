@@ -20,10 +20,6 @@ using Part = Explanation::Part;
 
 constexpr std::size_t most_oscillating = 12;
 
-char digit(Logic value) {
-    return value == Logic::unknown ? 'x' : value == Logic::one ? '1' : '0';
-}
-
 class Telling {
   public:
     Telling(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
@@ -63,12 +59,12 @@ class Telling {
         if (witness_.kind == DifferenceKind::oscillation) {
             story_.add(fmt::format("  {}{} {} {}\n", part.name, colon(),
                                    choose("the reference gives", "la référence donne"),
-                                   digit(part.expected)));
+                                   digit_of(part.expected)));
         } else {
             story_.add(fmt::format("  {}{} {} {}, {} {}\n", part.name, colon(),
                                    choose("the reference gives", "la référence donne"),
-                                   digit(part.expected), choose("the netlist", "le câblage"),
-                                   digit(part.got)));
+                                   digit_of(part.expected), choose("the netlist", "le câblage"),
+                                   digit_of(part.got)));
         }
         if (!part.follows_from.empty()) {
             story_.add(fmt::format("    {} {}\n", choose("that follows from", "cela découle de"),
@@ -83,7 +79,7 @@ class Telling {
         std::string line = fmt::format("    {} = {}", pair.name, pair.expected);
         std::vector<std::string> values;
         for (const Explanation::Operand& operand : pair.operands) {
-            values.push_back(fmt::format("{}={}", operand.name, digit(operand.value)));
+            values.push_back(fmt::format("{}={}", operand.name, digit_of(operand.value)));
         }
         if (!values.empty()) {
             line += fmt::format("   {} {}", choose("with", "avec"), fmt::join(values, " "));
@@ -129,7 +125,7 @@ class Telling {
                 story_.add(choose("    what the gates make of it cannot be compared; they read",
                                   "    ce qu'en font les portes ne se compare pas ; elles lisent"));
                 for (const Explanation::Operand& operand : part.reads) {
-                    story_.add(fmt::format(" {}={}", operand.name, digit(operand.value)));
+                    story_.add(fmt::format(" {}={}", operand.name, digit_of(operand.value)));
                 }
                 story_.add("\n");
                 break;

@@ -113,31 +113,28 @@ ConstantExpressions::ConstantExpressions(const Grafcet& grafcet) : grafcet_(graf
 }
 
 bool ConstantExpressions::is_never_true(ExprId id) const {
-    if (values_[index_of(id)] != Value::unknown) return values_[index_of(id)] == Value::zero;
+    if (values_[index_of(id)] != Logic::unknown) return values_[index_of(id)] == Logic::zero;
     TruthTable table(grafcet_.expressions);
     return table.column(id) == 0 && table.is_complete();
 }
 
-ConstantExpressions::Value ConstantExpressions::value_of(ExprId id) const {
+Logic ConstantExpressions::value_of(ExprId id) const {
     const Expressions& expressions = grafcet_.expressions;
     const auto value = [this](ExprId operand) { return values_[index_of(operand)]; };
     switch (expressions.kind(id)) {
         case ExprKind::constant:
-            return expressions.constant_value(id) ? Value::one : Value::zero;
+            return logic_of(expressions.constant_value(id));
         case ExprKind::variable:
-            return Value::unknown;
-        case ExprKind::negation: {
-            const Value operand = value(expressions.operands(id)[0]);
-            if (operand == Value::unknown) return operand;
-            return operand == Value::zero ? Value::one : Value::zero;
-        }
+            return Logic::unknown;
+        case ExprKind::negation:
+            return ~value(expressions.operands(id)[0]);
         case ExprKind::rise:
         case ExprKind::fall:
-            return value(expressions.operands(id)[0]) == Value::unknown ? Value::unknown
-                                                                        : Value::zero;
+            return value(expressions.operands(id)[0]) == Logic::unknown ? Logic::unknown
+                                                                        : Logic::zero;
         case ExprKind::time_condition:
-            return value(expressions.time_condition_of(id).operand) == Value::zero ? Value::zero
-                                                                                   : Value::unknown;
+            return value(expressions.time_condition_of(id).operand) == Logic::zero ? Logic::zero
+                                                                                   : Logic::unknown;
         case ExprKind::comparison:
             return value_of_comparison(expressions.comparison_of(id));
         default:
@@ -145,13 +142,12 @@ ConstantExpressions::Value ConstantExpressions::value_of(ExprId id) const {
     }
 }
 
-ConstantExpressions::Value ConstantExpressions::value_of_comparison(
-    const Comparison& comparison) const {
+Logic ConstantExpressions::value_of_comparison(const Comparison& comparison) const {
     Interval difference;
     add_terms(difference, grafcet_, comparison.left, false);
     add_terms(difference, grafcet_, comparison.right, true);
     const auto decide = [](bool always, bool is_never) {
-        return always ? Value::one : is_never ? Value::zero : Value::unknown;
+        return always ? Logic::one : is_never ? Logic::zero : Logic::unknown;
     };
     const auto [low, high] = difference;
     switch (comparison.relation) {
@@ -168,23 +164,23 @@ ConstantExpressions::Value ConstantExpressions::value_of_comparison(
         case Relation::greater_equal:
             return decide(low >= 0, high < 0);
     }
-    return Value::unknown;
+    return Logic::unknown;
 }
 
-ConstantExpressions::Value ConstantExpressions::value_of_chain(ExprId id) const {
+Logic ConstantExpressions::value_of_chain(ExprId id) const {
     const ExprKind kind = grafcet_.expressions.kind(id);
-    const Value deciding = kind == ExprKind::conjunction ? Value::zero : Value::one;
-    bool all_known = true;
-    bool parity = false;
+    Logic result = logic_of(kind == ExprKind::conjunction);
     for (const ExprId operand : grafcet_.expressions.operands(id)) {
-        const Value value = values_[index_of(operand)];
-        if (kind != ExprKind::exclusive_or && value == deciding) return deciding;
-        all_known = all_known && value != Value::unknown;
-        parity = parity != (value == Value::one);
+        const Logic value = values_[index_of(operand)];
+        if (kind == ExprKind::conjunction) {
+            result = result & value;
+        } else if (kind == ExprKind::disjunction) {
+            result = result | value;
+        } else {
+            result = result ^ value;
+        }
     }
-    if (!all_known) return Value::unknown;
-    if (kind == ExprKind::exclusive_or) return parity ? Value::one : Value::zero;
-    return deciding == Value::zero ? Value::one : Value::zero;
+    return result;
 }
 
 }  // namespace grafwire

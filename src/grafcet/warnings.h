@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grafcet/grafcet.h"
+#include "logic/logic.h"
 #include "text/diagnostics.h"
 
 namespace grafwire {
@@ -18,13 +19,12 @@ class ConstantExpressions {
     bool is_never_true(ExprId id) const;
 
   private:
-    enum class Value : std::uint8_t { unknown, zero, one };
-    Value value_of(ExprId id) const;
-    Value value_of_comparison(const Comparison& comparison) const;
-    Value value_of_chain(ExprId id) const;
+    Logic value_of(ExprId id) const;
+    Logic value_of_comparison(const Comparison& comparison) const;
+    Logic value_of_chain(ExprId id) const;
 
     const Grafcet& grafcet_;
-    std::vector<Value> values_;
+    std::vector<Logic> values_;
 };
 
 }  // namespace grafwire

@@ -118,11 +118,11 @@ std::optional<VariableId> Machine::open_memory(const MachineState& state) const 
     for (std::size_t v = 0; v < state.cells.size(); ++v) {
         if (!remembered_[v]) continue;
         for (const Signal& signal : {state.cells[v].bit, state.cells[v].last}) {
-            if (signal.value == Logic::unknown) return signal.source;
+            if (signal.value == Logic::unknown) return signal.cause;
         }
     }
     for (const Signal& signal : state.edges) {
-        if (signal.value == Logic::unknown) return signal.source;
+        if (signal.value == Logic::unknown) return signal.cause;
     }
     return std::nullopt;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ladder/ladder.h"
-#include "netlist/cell_types.h"
+#include "logic/logic.h"
 
 namespace grafwire::ladder {
 
@@ -16,10 +16,7 @@ namespace grafwire::ladder {
 // comparison in a branch without power lets no power through.
 
 /// A bit, and where it is unknown, one of the open inputs that it depends on.
-struct Signal {
-    Logic value = Logic::zero;
-    VariableId source{};  ///< means nothing where the value is known
-};
+using Signal = grafwire::Signal<VariableId>;
 
 /// What a program remembers from one scan to the next; inputs included.
 struct MachineState {

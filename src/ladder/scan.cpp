@@ -6,27 +6,6 @@ namespace grafwire::ladder {
 
 namespace {
 
-constexpr Signal zero{Logic::zero, {}};
-constexpr Signal one{Logic::one, {}};
-
-Signal not_(Signal a) {
-    if (a.value == Logic::unknown) return a;
-    return a.value == Logic::one ? zero : one;
-}
-
-Signal and_(Signal a, Signal b) {
-    if (a.value == Logic::zero || b.value == Logic::zero) return zero;
-    return a.value == Logic::unknown ? a : b;
-}
-
-Signal or_(Signal a, Signal b) {
-    return not_(and_(not_(a), not_(b)));
-}
-
-Signal signal_of(bool value) {
-    return value ? one : zero;
-}
-
 /// Two's complement, without undefined behaviour.
 std::int64_t wrapped(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
@@ -48,8 +27,8 @@ Machine::Outcome Scan::run() {
 }
 
 bool Scan::decided(Signal signal) {
-    if (signal.value == Logic::unknown && !outcome_.needs) outcome_.needs = signal.source;
-    return signal.value == Logic::one;
+    if (!signal.is_known() && !outcome_.needs) outcome_.needs = signal.cause;
+    return signal.is_one();
 }
 
 void Scan::write(VariableId id, Signal value) {
@@ -59,7 +38,7 @@ void Scan::write(VariableId id, Signal value) {
 
 Signal Scan::bit(const Operand& operand) {
     return operand.kind == Operand::Kind::variable ? cell(operand.variable).bit
-                                                   : signal_of(operand.value != 0);
+                                                   : Signal::of(operand.value != 0);
 }
 
 std::int64_t Scan::number(const Operand& operand) {
@@ -68,7 +47,7 @@ std::int64_t Scan::number(const Operand& operand) {
 
 Signal Scan::edge(Signal operand, bool rising) {
     Signal& last = state_.edges[next_edge_++];
-    const Signal edge = rising ? and_(operand, not_(last)) : and_(not_(operand), last);
+    const Signal edge = rising ? operand & ~last : ~operand & last;
     last = operand;
     return edge;
 }
@@ -79,13 +58,13 @@ Signal Scan::contact(const Power& power) {
         case ContactKind::normal:
             return value;
         case ContactKind::negated:
-            return not_(value);
+            return ~value;
         case ContactKind::rising:
             return edge(value, true);
         case ContactKind::falling:
             return edge(value, false);
     }
-    return zero;
+    return Signal::of(false);
 }
 
 bool Scan::compare(const Power& power) {
@@ -109,20 +88,20 @@ bool Scan::compare(const Power& power) {
 }
 
 Signal Scan::flow(const Power& power) {
-    Signal result = one;
+    Signal result = Signal::of(true);
     switch (power.kind) {
         case Power::Kind::wire:
-            return one;
+            return Signal::of(true);
         case Power::Kind::contact:
             return contact(power);
         case Power::Kind::comparison:
-            return signal_of(compare(power));
+            return Signal::of(compare(power));
         case Power::Kind::series:
-            for (const Power& part : power.parts) result = and_(result, flow(part));
+            for (const Power& part : power.parts) result = result & flow(part);
             return result;
         case Power::Kind::parallel:
-            result = zero;
-            for (const Power& part : power.parts) result = or_(result, flow(part));
+            result = Signal::of(false);
+            for (const Power& part : power.parts) result = result | flow(part);
             return result;
     }
     return result;
@@ -135,13 +114,13 @@ void Scan::execute(const Coil& coil, Signal power) {
             write(coil.variable, power);
             return;
         case CoilKind::negated:
-            write(coil.variable, not_(power));
+            write(coil.variable, ~power);
             return;
         case CoilKind::set:
-            if (power.value != Logic::zero) write(coil.variable, or_(before, power));
+            if (power.value != Logic::zero) write(coil.variable, before | power);
             return;
         case CoilKind::reset:
-            if (power.value != Logic::zero) write(coil.variable, and_(before, not_(power)));
+            if (power.value != Logic::zero) write(coil.variable, before & ~power);
             return;
         case CoilKind::rising:
             write(coil.variable, edge(power, true));
@@ -159,26 +138,26 @@ Signal Scan::execute(const Block& block, Signal power) {
     instance.last = power;
     switch (block.type) {
         case BlockType::rise:
-            write(block.target, and_(power, not_(last)));
+            write(block.target, power & ~last);
             break;
         case BlockType::fall:
-            write(block.target, and_(not_(power), last));
+            write(block.target, ~power & last);
             break;
         case BlockType::set_dominant:
-            write(block.target, or_(power, and_(instance.bit, not_(bit(block.operands[0])))));
+            write(block.target, power | (instance.bit & ~bit(block.operands[0])));
             break;
         case BlockType::reset_dominant:
-            write(block.target, and_(or_(power, instance.bit), not_(bit(block.operands[0]))));
+            write(block.target, (power | instance.bit) & ~bit(block.operands[0]));
             break;
         case BlockType::on_delay:
             if (!decided(power)) {
                 instance.runs = false;
-                write(block.target, zero);
+                write(block.target, Signal::of(false));
                 break;
             }
             if (!instance.runs) instance.since = now_;
             instance.runs = true;
-            write(block.target, signal_of(now_ - instance.since >= block.operands[0].value));
+            write(block.target, Signal::of(now_ - instance.since >= block.operands[0].value));
             break;
         case BlockType::off_delay: {
             if (decided(power) || instance.bit.value != Logic::one) {
@@ -188,11 +167,11 @@ Signal Scan::execute(const Block& block, Signal power) {
             }
             if (!instance.runs) instance.since = now_;
             instance.runs = now_ - instance.since < block.operands[0].value;
-            write(block.target, signal_of(instance.runs));
+            write(block.target, Signal::of(instance.runs));
             break;
         }
         default:
-            execute_counter(block, decided(and_(power, not_(last))));
+            execute_counter(block, decided(power & ~last));
             break;
     }
     return instance.bit;
@@ -208,7 +187,7 @@ void Scan::execute_counter(const Block& block, bool counts) {
     } else if (counts) {
         instance.number += up ? 1 : -1;
     }
-    write(block.target, signal_of(up ? instance.number >= preset : instance.number <= 0));
+    write(block.target, Signal::of(up ? instance.number >= preset : instance.number <= 0));
 }
 
 Signal Scan::execute_function(const Block& block, Signal power) {

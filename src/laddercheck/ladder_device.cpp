@@ -76,7 +76,7 @@ ScannedDevice::Outcome LadderDevice::scan(const std::string& memory, const Parti
     const auto read = [&](const std::vector<VariableId>& variables, std::vector<Logic>& values) {
         for (const VariableId variable : variables) {
             const ladder::Signal& bit = state.cells[static_cast<std::size_t>(variable)].bit;
-            if (bit.value == Logic::unknown && !needs) needs = bit.source;
+            if (bit.value == Logic::unknown && !needs) needs = bit.cause;
             values.push_back(bit.value);
         }
     };

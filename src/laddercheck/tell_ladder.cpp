@@ -100,7 +100,7 @@ ladder::Machine::Outcome LadderDevice::last_scan(const Witness& witness) const {
         for (; next < changes.size() && changes[next].at <= now; ++next) {
             for (const auto& [input, value] : changes[next].assignments) {
                 const auto& variable = names_.inputs[input];
-                if (variable) machine_.set(state, *variable, value ? Logic::one : Logic::zero);
+                if (variable) machine_.set(state, *variable, logic_of(value));
             }
         }
         outcome = machine_.scan(state, now);

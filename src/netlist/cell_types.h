@@ -7,9 +7,6 @@
 
 namespace grafwire {
 
-/// A logic value of a simulated net.
-enum class Logic : std::uint8_t { zero, one, unknown };
-
 enum class CellType : std::uint8_t {
     low,   ///< constant 0
     high,  ///< constant 1

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "logic/logic.h"
 #include "netlist/cell_types.h"
 #include "text/language.h"
 #include "text/location.h"

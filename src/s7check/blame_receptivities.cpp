@@ -60,7 +60,7 @@ Investigation::Deviation Investigation::in_timer(const Finding& receptivity,
             if (instruction.operands.empty()) continue;
             const Operand& timer = instruction.operands[0];
             if (timer.area != s7::Area::timer || !loads(instruction, timer)) continue;
-            if (machine_.bit(state_before_, timer).value == expected) continue;
+            if (machine_.bit(state_before_, timer).is_one() == expected) continue;
             Finding finding = receptivity;
             finding.kind = Kind::timer;
             finding.name = "T" + std::to_string(timer.address);

@@ -45,7 +45,7 @@ class Investigation {
                          bool expected);
 
     void collect(ExprId id, ExprKind kind, std::vector<ExprId>& found) const;
-    bool got(const Operand& place) const { return machine_.bit(state_, place).value; }
+    bool got(const Operand& place) const { return machine_.bit(state_, place).is_one(); }
     bool got_in(MethodTables::Distance table, std::size_t step) const {
         return got(MethodTables::in(table, step_place(step)));
     }

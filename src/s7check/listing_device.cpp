@@ -111,9 +111,9 @@ std::optional<std::uint32_t> ListingDevice::observe(const s7::MachineState& stat
     const auto read = [&](const std::vector<std::optional<s7::Operand>>& operands,
                           std::vector<Logic>& values) -> std::optional<std::uint32_t> {
         for (const auto& operand : operands) {
-            const s7::SeenBit bit = machine_.bit(state, *operand);
-            if (!bit.known) return bit.cause;
-            values.push_back(bit.value ? Logic::one : Logic::zero);
+            const s7::Signal bit = machine_.bit(state, *operand);
+            if (!bit.is_known()) return bit.cause;
+            values.push_back(bit.value);
         }
         return std::nullopt;
     };
@@ -126,8 +126,8 @@ std::optional<std::uint32_t> ListingDevice::unknown_alive(const s7::MachineState
     for (const std::size_t byte : alive_bytes_) {
         for (std::uint8_t bit = 0; bit < 8; ++bit) {
             if ((alive_[byte] >> bit & 1U) == 0) continue;
-            const s7::SeenBit seen = machine_.memory_bit_after(state, byte * 8 + bit);
-            if (!seen.known) return seen.cause;
+            const s7::Signal seen = machine_.memory_bit_after(state, byte * 8 + bit);
+            if (!seen.is_known()) return seen.cause;
         }
     }
     return std::nullopt;

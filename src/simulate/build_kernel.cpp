@@ -23,7 +23,7 @@ Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays) {
     }
     for (const Netlist::InitialValue& initial : netlist.initial_values) {
         held_at_power_up_.emplace_back(static_cast<std::uint32_t>(initial.net),
-                                       initial.value ? Logic::one : Logic::zero);
+                                       logic_of(initial.value));
     }
     if (netlist.is_clocked()) clock_ = static_cast<std::uint32_t>(netlist.clock);
     link_readers(netlist);

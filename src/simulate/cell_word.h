@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "logic/logic.h"
 #include "netlist/cell_types.h"
 
 namespace grafwire {
@@ -56,7 +57,7 @@ constexpr CellWord with_value(CellWord word, Logic value) {
 }
 constexpr Logic xor_value(CellWord word) {
     if ((word & unknown_pins) != 0) return Logic::unknown;
-    return (word & controlling_pin) != 0 ? Logic::one : Logic::zero;
+    return logic_of((word & controlling_pin) != 0);
 }
 
 /// What one pin adds to the word of a gate with this controlling value.

@@ -2,22 +2,12 @@
 
 #include <cstdint>
 
-#include "netlist/cell_types.h"
+#include "logic/logic.h"
 
 namespace grafwire {
 
-// What each type of cell makes of its inputs, in Kleene's three values: a result is known only if
-// it is the same whatever the unknown inputs may be.
-
-/// The value the possibilities agree on.
-constexpr Logic agreed(Logic a, Logic b) {
-    return a == b ? a : Logic::unknown;
-}
-
-constexpr Logic inverse(Logic value) {
-    if (value == Logic::unknown) return value;
-    return value == Logic::one ? Logic::zero : Logic::one;
-}
+// What the cells with a memory make of their inputs, in three values: a result is known only if it
+// is the same whatever the unknown inputs may be.
 
 /// A value in three as the least and the greatest that it can be in two, and back.
 constexpr bool least(Logic value) {
@@ -53,7 +43,7 @@ constexpr Edge rise_between(Logic from, Logic to) {
     return from == Logic::zero && to == Logic::one ? Edge::certain : Edge::possible;
 }
 constexpr Edge fall_between(Logic from, Logic to) {
-    return rise_between(inverse(from), inverse(to));
+    return rise_between(~from, ~to);
 }
 
 }  // namespace grafwire

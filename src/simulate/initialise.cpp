@@ -78,14 +78,14 @@ class Initialisation {
             }
         }
         for (const Netlist::InitialValue& initial : netlist_.initial_values) {
-            simulator_.force(initial.net, initial.value ? Logic::one : Logic::zero);
+            simulator_.force(initial.net, logic_of(initial.value));
         }
     }
     void hold_steps() {
         for (std::size_t i = 0; i < ports_.steps.size(); ++i) {
             const bool initial = grafcet_.steps[grafcet_.steps.id_at(i)].initial;
             if (ports_.steps[i] == no_net) continue;
-            simulator_.force(ports_.steps[i], initial ? Logic::one : Logic::zero);
+            simulator_.force(ports_.steps[i], logic_of(initial));
         }
     }
 

@@ -143,7 +143,7 @@ void Simulator::Kernel::lose_delay(std::size_t timer) {
 
 /// Whether a timer that shows `shown` takes a new value of its operand at once, if that is one.
 bool Simulator::Kernel::follows_at_once(std::size_t timer, Logic operand, Logic shown) const {
-    const Logic next = operand == Logic::unknown ? inverse(shown) : operand;
+    const Logic next = operand == Logic::unknown ? ~shown : operand;
     if (next == Logic::unknown) return false;
     return next == shown || (next == Logic::one ? rise_delays_ : fall_delays_)[timer] == 0;
 }

@@ -124,14 +124,14 @@ class Run {
     std::vector<Logic> logic_inputs() const {
         std::vector<Logic> values;
         for (const std::uint8_t input : inputs_) {
-            values.push_back(input != 0 ? Logic::one : Logic::zero);
+            values.push_back(logic_of(input != 0));
         }
         return values;
     }
     void set_inputs() {
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             if (ports_.inputs[i] == no_net) continue;
-            simulator_.set_input(ports_.inputs[i], inputs_[i] != 0 ? Logic::one : Logic::zero);
+            simulator_.set_input(ports_.inputs[i], logic_of(inputs_[i] != 0));
         }
     }
 

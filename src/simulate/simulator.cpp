@@ -107,7 +107,7 @@ Time Simulator::Kernel::next_due() const {
 }
 
 bool Simulator::Kernel::end_delay(std::size_t timer, Logic operand) {
-    const bool ran_for_another = operand != Logic::unknown && operand == inverse(towards_[timer]);
+    const bool ran_for_another = operand != Logic::unknown && operand == ~towards_[timer];
     if (!is_running(timer) || ran_for_another) return false;
     const std::uint32_t net = timer_nodes_[timer];
     const Logic taken = agreed(towards_[timer], operand);

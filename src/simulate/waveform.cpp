@@ -18,11 +18,6 @@ bool all_whole(const Netlist& netlist, const CellDelays& delays) {
                        [](const Timing& t) { return is_whole(t.rise) && is_whole(t.fall); });
 }
 
-char sign_of(Logic value) {
-    if (value == Logic::unknown) return 'x';
-    return value == Logic::one ? '1' : '0';
-}
-
 }  // namespace
 
 Waveform::Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds)
@@ -37,10 +32,10 @@ Waveform::Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_
 void Waveform::follow(Simulator& simulator) {
     for (std::size_t net = 0; net < net_count_; ++net) {
         writer_.change(0, static_cast<std::uint32_t>(net),
-                       sign_of(simulator.value(static_cast<NetId>(net))));
+                       digit_of(simulator.value(static_cast<NetId>(net))));
     }
     simulator.observe([this](Time at, NetId net, Logic value) {
-        writer_.change(at, static_cast<std::uint32_t>(net), sign_of(value));
+        writer_.change(at, static_cast<std::uint32_t>(net), digit_of(value));
     });
 }
 

@@ -169,9 +169,9 @@ TEST_CASE("a branch is 1 whatever an open input in the other is") {
     CHECK(state.cells[static_cast<std::size_t>(q)].bit.value == Logic::one);
     machine.set(state, a, Logic::zero);
     const auto outcome = machine.scan(state, 1);
-    const Signal& bit = state.cells[static_cast<std::size_t>(q)].bit;
+    const auto& bit = state.cells[static_cast<std::size_t>(q)].bit;
     CHECK(bit.value == Logic::unknown);
-    CHECK(bit.source == b);
+    CHECK(bit.cause == b);
     CHECK(outcome.writers[static_cast<std::size_t>(q)] == 0);
     CHECK(outcome.powers == std::vector{Logic::unknown});
     CHECK_FALSE(machine.open_memory(state));  // q is written before anybody reads it

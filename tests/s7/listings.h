@@ -30,7 +30,7 @@ struct Controller {
     void set(const std::string& input, bool value);
     /// One scan, which must come to its end, so much later than the last.
     void scan(Time later = 10 * millisecond);
-    bool bit(const std::string& text) const { return machine.bit(state, operand(text)).value; }
+    bool bit(const std::string& text) const { return machine.bit(state, operand(text)).is_one(); }
     std::int32_t value(const std::string& text) const {
         return machine.value(state, operand(text));
     }

@@ -73,7 +73,7 @@ class Run {
     }
 
     void add_bit(std::string_view name, Trace& trace) const {
-        trace.values.push_back(machine_.bit(state_, *find(name)).value ? 1 : 0);
+        trace.values.push_back(machine_.bit(state_, *find(name)).is_one() ? 1 : 0);
     }
 
     const s7::AssignedListing& generated_;

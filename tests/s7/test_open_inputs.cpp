@@ -91,8 +91,8 @@ TEST_CASE("what is known with open inputs holds for all their values") {
                 for (std::int32_t byte = 0; byte < 8; ++byte) {
                     for (std::uint8_t bit = 0; bit < 8; ++bit) {
                         const Operand place = bit_of(area, byte, bit);
-                        const SeenBit seen = machine.bit(after, place);
-                        if (!seen.known) {
+                        const s7::Signal seen = machine.bit(after, place);
+                        if (!seen.is_known()) {
                             ++unknown;
                             CHECK(is_open(seen.cause));
                         } else if (seen.value != closed.bit(other, place).value) {
@@ -132,10 +132,10 @@ TEST_CASE("bits that are not alive make no difference") {
             const InputImage image = random_image(random);
             REQUIRE(machine.scan(one, image, now).is_done());
             std::vector<bool> seen;
-            for (const Operand& place : observed) seen.push_back(machine.bit(one, place).value);
+            for (const Operand& place : observed) seen.push_back(machine.bit(one, place).is_one());
             REQUIRE(machine.scan(other, image, now).is_done());
             for (std::size_t i = 0; i < observed.size(); ++i) {
-                if (machine.bit(other, observed[i]).value != seen[i]) {
+                if (machine.bit(other, observed[i]).is_one() != seen[i]) {
                     FAIL_CHECK(write_listing(listing, {}));
                 }
             }

@@ -18,7 +18,7 @@ SpiceCells::SpiceCells(const Netlist& netlist, const SpiceNames& nets, SpiceElem
       elements_(elements),
       initial_(netlist.net_count(), Logic::unknown) {
     for (const Netlist::InitialValue& item : netlist.initial_values) {
-        initial_[index_of(item.net)] = item.value ? Logic::one : Logic::zero;
+        initial_[index_of(item.net)] = logic_of(item.value);
     }
 }
 
@@ -40,7 +40,7 @@ void SpiceCells::write_latch(const Cell& cell, std::string_view output) {
 }
 
 void SpiceCells::write_memory(const Cell& cell, std::string_view model, std::string_view output) {
-    const char initial = cell.initial == Logic::one ? '1' : cell.initial == Logic::zero ? '0' : 'x';
+    const char initial = digit_of(cell.initial);
     elements_.add(pin(cell, 0), ' ', pin(cell, 1), " null null ", output, " null ", model, '_',
                   initial);
 }

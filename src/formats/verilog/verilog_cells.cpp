@@ -33,7 +33,7 @@ VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSp
       delay_(netlist.is_clocked() ? " " : " #1 "),
       initial_(netlist.net_count(), Logic::unknown) {
     for (const Netlist::InitialValue& item : netlist.initial_values) {
-        initial_[index_of(item.net)] = item.value ? Logic::one : Logic::zero;
+        initial_[index_of(item.net)] = logic_of(item.value);
     }
 }
 

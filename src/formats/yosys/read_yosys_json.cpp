@@ -118,7 +118,7 @@ void YosysReader::read_initial_values(const JsonValue& net_names) {
         for (std::size_t i = 0; i < bits->items.size() && i < init->text.size(); ++i) {
             const char digit = init->text[init->text.size() - 1 - i];
             if (bits->items[i].kind != Kind::number || (digit != '0' && digit != '1')) continue;
-            const Logic logic = digit == '1' ? Logic::one : Logic::zero;
+            const Logic logic = logic_of(digit == '1');
             const std::string& bit = bits->items[i].text;
             if (initial_.emplace(bit, logic).second) initial_order_.push_back(bit);
         }

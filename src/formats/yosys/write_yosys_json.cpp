@@ -32,7 +32,7 @@ class JsonWriter {
           initial_(netlist.net_count(), Logic::unknown) {
         while (std::string_view(netlist.name).starts_with(prefix_)) prefix_ += '_';
         for (const Netlist::InitialValue& item : netlist.initial_values) {
-            initial_[index_of(item.net)] = item.value ? Logic::one : Logic::zero;
+            initial_[index_of(item.net)] = logic_of(item.value);
         }
         for (const Cell& cell : netlist.cells) {
             const bool is_box = is_yosys_black_box(cell.type);

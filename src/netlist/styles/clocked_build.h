@@ -82,7 +82,7 @@ class ClockedBuild {
     }
     void flip_flop(NetId output, NetId data, bool initial) {
         const NetId pins[] = {data, clock_};
-        builder_.add_memory(CellType::flip_flop, output, pins, initial ? Logic::one : Logic::zero);
+        builder_.add_memory(CellType::flip_flop, output, pins, logic_of(initial));
     }
 
     Equations& equations_;

@@ -54,13 +54,13 @@ Machine::ScanEnd Machine::scan(MachineState& state, const InputImage& inputs, Ti
     return end;
 }
 
-SeenBit Machine::bit(const MachineState& state, const Operand& operand) const {
+Signal Machine::bit(const MachineState& state, const Operand& operand) const {
     const Place place = parts_->program.place_of(operand);
     switch (place.kind) {
         case Place::Kind::timer:
-            return {place.at < state.timers.size() && state.timers[place.at].bit};
+            return Signal::of(place.at < state.timers.size() && state.timers[place.at].bit);
         case Place::Kind::counter:
-            return {place.at < state.counters.size() && state.counters[place.at].bit};
+            return Signal::of(place.at < state.counters.size() && state.counters[place.at].bit);
         case Place::Kind::memory:
             return memory_bit_after(state, place.at * 8 + place.bit);
         case Place::Kind::constant:
@@ -69,11 +69,11 @@ SeenBit Machine::bit(const MachineState& state, const Operand& operand) const {
     return {};
 }
 
-SeenBit Machine::memory_bit_after(const MachineState& state, std::size_t memory_bit) const {
+Signal Machine::memory_bit_after(const MachineState& state, std::size_t memory_bit) const {
     const std::size_t byte = memory_bit / 8;
     const auto bit = static_cast<std::uint8_t>(memory_bit % 8);
-    const auto cause = parts_->memory.open_cause(byte, bit);
-    return {(state.memory[byte] >> bit & 1U) != 0, !cause, cause.value_or(0)};
+    if (const auto cause = parts_->memory.open_cause(byte, bit)) return {Logic::unknown, *cause};
+    return Signal::of((state.memory[byte] >> bit & 1U) != 0);
 }
 
 std::int32_t Machine::value(const MachineState& state, const Operand& operand) const {

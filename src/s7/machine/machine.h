@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "logic/logic.h"
 #include "s7/cpu.h"
 #include "s7/listing.h"
 #include "text/time.h"
@@ -40,12 +41,8 @@ struct MachineState {
     bool operator==(const MachineState&) const = default;
 };
 
-/// A bit after a scan, where inputs were open.
-struct SeenBit {
-    bool value = false;
-    bool known = true;
-    std::uint32_t cause = 0;  ///< not known: an open input it depends on
-};
+/// A bit, and where it is unknown, an open input that it depends on: byte · 8 + bit of the image.
+using Signal = grafwire::Signal<std::uint16_t>;
 
 /// Where a run ends that should not.
 struct RunError {
@@ -62,8 +59,7 @@ struct RunError {
 ///   Cordier's listings leave without `LD SM0.0` at the head of a subroutine works, and elsewhere
 ///   depends on the network before.
 /// - Memory by bytes, words and double words with the high byte first. SM0.0 is 1, SM0.1 is 1 in
-/// the
-///   first scan.
+///   the first scan.
 /// - What writes, calls or jumps does so where the top of the stack is 1; timers and counters are
 ///   executed in any case.
 /// - A timer counts when it is executed: its current value is the whole ticks since the execution
@@ -94,13 +90,13 @@ class Machine {
     ScanEnd scan(MachineState& state, const InputImage& inputs, Time now);
 
     /// A bit of memory, timer or counter as the last scan (of this machine) has left it.
-    SeenBit bit(const MachineState& state, const Operand& operand) const;
+    Signal bit(const MachineState& state, const Operand& operand) const;
     /// A byte, word or double word, or the current value of a timer or counter, likewise; of bytes
     /// not known in full, with the known bits.
     std::int32_t value(const MachineState& state, const Operand& operand) const;
 
     /// The bit of a number (see memory_bit) likewise.
-    SeenBit memory_bit_after(const MachineState& state, std::size_t memory_bit) const;
+    Signal memory_bit_after(const MachineState& state, std::size_t memory_bit) const;
 
     /// Where a memory operand begins among the bits of `MachineState::memory`.
     std::size_t memory_bit(const Operand& operand) const;

@@ -39,12 +39,12 @@ void MachineMemory::set_input(std::size_t at, std::uint8_t value, std::uint8_t k
     }
 }
 
-void MachineMemory::set_bit(std::size_t at, std::uint8_t bit, Bit3 value) {
+void MachineMemory::set_bit(std::size_t at, std::uint8_t bit, Signal value) {
     const auto mask = static_cast<std::uint8_t>(1U << bit);
     const auto others = static_cast<std::uint8_t>(~mask);
     std::uint8_t& byte = (*bytes_)[at];
-    byte = static_cast<std::uint8_t>((byte & others) | (value.value ? mask : 0));
-    if (value.known) {
+    byte = static_cast<std::uint8_t>((byte & others) | (value.is_one() ? mask : 0));
+    if (value.is_known()) {
         known_[at] |= mask;
     } else {
         known_[at] &= others;
@@ -53,8 +53,8 @@ void MachineMemory::set_bit(std::size_t at, std::uint8_t bit, Bit3 value) {
     note_writer(at * 8 + bit, 1);
 }
 
-Word3 MachineMemory::word(std::size_t at, Width width) const {
-    Word3 word{0, 0};
+LogicWord MachineMemory::word(std::size_t at, Width width) const {
+    LogicWord word{0, 0};
     const std::size_t count = bytes_of(width);
     for (std::size_t i = 0; i < count; ++i) {
         word.value = word.value << 8 | (*bytes_)[at + i];
@@ -64,7 +64,7 @@ Word3 MachineMemory::word(std::size_t at, Width width) const {
     return word;
 }
 
-void MachineMemory::set_word(std::size_t at, Width width, Word3 value,
+void MachineMemory::set_word(std::size_t at, Width width, LogicWord value,
                              const std::uint16_t* causes) {
     const std::size_t count = bytes_of(width);
     for (std::size_t i = count; i-- > 0;) {

@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "logic/logic.h"
 #include "s7/machine/decoded.h"
-#include "s7/machine/three_values.h"
+#include "s7/machine/machine.h"
 
 namespace grafwire::s7 {
 
@@ -21,12 +22,12 @@ class MachineMemory {
     void set_input(std::size_t at, std::uint8_t value, std::uint8_t known,
                    std::uint16_t first_cause);
 
-    Bit3 bit(std::size_t at, std::uint8_t bit) const {
+    Signal bit(std::size_t at, std::uint8_t bit) const {
         const auto mask = static_cast<std::uint8_t>(1U << bit);
-        if ((known_[at] & mask) != 0) return bit3(((*bytes_)[at] & mask) != 0);
-        return {false, false, causes_[at * 8 + bit]};
+        if ((known_[at] & mask) != 0) return Signal::of(((*bytes_)[at] & mask) != 0);
+        return {Logic::unknown, causes_[at * 8 + bit]};
     }
-    void set_bit(std::size_t at, std::uint8_t bit, Bit3 value);
+    void set_bit(std::size_t at, std::uint8_t bit, Signal value);
     /// The input on which a bit depends that is not known; nothing where it is.
     std::optional<std::uint16_t> open_cause(std::size_t at, std::uint8_t bit) const {
         if ((known_[at] >> bit & 1U) != 0) return std::nullopt;
@@ -34,13 +35,13 @@ class MachineMemory {
     }
 
     /// High byte first.
-    Word3 word(std::size_t at, Width width) const;
+    LogicWord word(std::size_t at, Width width) const;
     /// The input on which a bit (0 is the lowest) of a word depends that is not known.
     std::uint16_t cause(std::size_t at, Width width, std::uint32_t bit) const {
         return causes_[memory_bit(at, width, bit)];
     }
     /// `causes[i]` for bit i, where it is not known; may be null where all are.
-    void set_word(std::size_t at, Width width, Word3 value, const std::uint16_t* causes);
+    void set_word(std::size_t at, Width width, LogicWord value, const std::uint16_t* causes);
 
     /// Copies bytes that may overlap.
     void copy(std::size_t from, std::size_t to, std::size_t count);

@@ -50,7 +50,7 @@ class ListingRunner {
 
     void add_bits(const std::vector<std::optional<Operand>>& operands) {
         for (const auto& operand : operands) {
-            run_.trace.values.push_back(operand && machine_.bit(state_, *operand).value ? 1 : 0);
+            run_.trace.values.push_back(operand && machine_.bit(state_, *operand).is_one() ? 1 : 0);
         }
     }
 

@@ -30,9 +30,9 @@ Machine::ScanEnd ScanRun::run() {
     return end_;
 }
 
-bool ScanRun::holds(Bit3 condition) {
-    if (!condition.known) need(condition.cause);
-    return condition.is(true);
+bool ScanRun::holds(Signal condition) {
+    if (!condition.is_known()) need(condition.cause);
+    return condition.is_one();
 }
 
 std::size_t ScanRun::execute(const DecodedInstruction& now, std::size_t at) {
@@ -107,35 +107,35 @@ void ScanRun::execute_logic(const DecodedInstruction& now) {
             stack_.push(operand());
             break;
         case Operation::load_not:
-            stack_.push(not3(operand()));
+            stack_.push(~operand());
             break;
         case Operation::load_compare:
             stack_.push(compare(now));
             break;
         case Operation::and_:
-            stack_.set_top(and3(stack_.top(), operand()));
+            stack_.set_top(stack_.top() & operand());
             break;
         case Operation::and_not:
-            stack_.set_top(and3(stack_.top(), not3(operand())));
+            stack_.set_top(stack_.top() & ~operand());
             break;
         case Operation::and_compare:
-            stack_.set_top(and3(stack_.top(), compare(now)));
+            stack_.set_top(stack_.top() & compare(now));
             break;
         case Operation::or_:
-            stack_.set_top(or3(stack_.top(), operand()));
+            stack_.set_top(stack_.top() | operand());
             break;
         case Operation::or_not:
-            stack_.set_top(or3(stack_.top(), not3(operand())));
+            stack_.set_top(stack_.top() | ~operand());
             break;
         case Operation::or_compare:
-            stack_.set_top(or3(stack_.top(), compare(now)));
+            stack_.set_top(stack_.top() | compare(now));
             break;
         case Operation::and_load:
         case Operation::or_load: {
-            const Bit3 top = stack_.top();
+            const Signal top = stack_.top();
             stack_.pop();
-            stack_.set_top(now.operation == Operation::and_load ? and3(stack_.top(), top)
-                                                                : or3(stack_.top(), top));
+            stack_.set_top(now.operation == Operation::and_load ? stack_.top() & top
+                                                                : stack_.top() | top);
             break;
         }
         case Operation::push:
@@ -148,7 +148,7 @@ void ScanRun::execute_logic(const DecodedInstruction& now) {
             stack_.pop();
             break;
         case Operation::negate:
-            stack_.set_top(not3(stack_.top()));
+            stack_.set_top(~stack_.top());
             break;
         case Operation::rise:
         case Operation::fall: {
@@ -156,7 +156,7 @@ void ScanRun::execute_logic(const DecodedInstruction& now) {
             const bool before = state_.edges[now.edge] != 0;
             state_.edges[now.edge] = top ? 1 : 0;
             stack_.set_top(
-                bit3(now.operation == Operation::rise ? top && !before : !top && before));
+                Signal::of(now.operation == Operation::rise ? top && !before : !top && before));
             break;
         }
         default:  // SBR, LBL and NOP mark a place.
@@ -178,7 +178,7 @@ void ScanRun::set_or_reset(const DecodedInstruction& now) {
         if (place.kind == Place::Kind::memory) {
             const std::size_t bit_number = place.bit + i;
             memory_.set_bit(place.at + bit_number / 8, static_cast<std::uint8_t>(bit_number % 8),
-                            bit3(now.operation == Operation::set));
+                            Signal::of(now.operation == Operation::set));
         } else if (place.kind == Place::Kind::timer) {
             state_.timers[place.at + i] = TimerState();
         } else {
@@ -223,19 +223,19 @@ void ScanRun::execute_counter(const DecodedInstruction& now) {
     counter.bit = !resets && counter.current >= preset;
 }
 
-Bit3 ScanRun::bit(const Place& place) const {
+Signal ScanRun::bit(const Place& place) const {
     switch (place.kind) {
         case Place::Kind::memory:
             if (memory_.is_recording()) memory_.note_read(place.at, place.bit, Width::bit);
             return memory_.bit(place.at, place.bit);
         case Place::Kind::timer:
-            return bit3(state_.timers[place.at].bit);
+            return Signal::of(state_.timers[place.at].bit);
         case Place::Kind::counter:
-            return bit3(state_.counters[place.at].bit);
+            return Signal::of(state_.counters[place.at].bit);
         case Place::Kind::constant:
             break;
     }
-    return bit3(false);
+    return Signal::of(false);
 }
 
 }  // namespace grafwire::s7

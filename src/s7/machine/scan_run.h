@@ -34,9 +34,9 @@ class ScanRun {
     void execute_timer(const DecodedInstruction& now);
     void execute_counter(const DecodedInstruction& now);
 
-    Bit3 bit(const Place& place) const;
-    Word3 word(const Place& place, Width width) const;
-    Bit3 compare(const DecodedInstruction& now) const;
+    Signal bit(const Place& place) const;
+    LogicWord word(const Place& place, Width width) const;
+    Signal compare(const DecodedInstruction& now) const;
     void set_or_reset(const DecodedInstruction& now);
     void copy_block(const DecodedInstruction& now);
     void combine(const DecodedInstruction& now);
@@ -46,7 +46,7 @@ class ScanRun {
 
     /// Whether an instruction that depends on a bit is executed; where that is not known, the scan
     /// ends.
-    bool holds(Bit3 condition);
+    bool holds(Signal condition);
     void need(std::uint16_t input) {
         if (!end_.needs) end_.needs = input;
     }
@@ -65,6 +65,6 @@ class ScanRun {
 std::int64_t as_number(std::uint32_t value, Width width);
 
 /// `a relation b` where some bits may not be known: known if every completion gives the same.
-Bit3 compare_words(Word3 a, Word3 b, Width width, Compare relation);
+Signal compare_words(LogicWord a, LogicWord b, Width width, Compare relation);
 
 }  // namespace grafwire::s7

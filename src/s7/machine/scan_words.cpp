@@ -27,7 +27,7 @@ struct Range {
     std::uint32_t high;
 };
 
-Range range_of(Word3 word, Width width) {
+Range range_of(LogicWord word, Width width) {
     const std::uint32_t mask = mask_of(width);
     const std::uint32_t sign = width == Width::byte ? 0 : 1U << (bits_of(width) - 1);
     const std::uint32_t known = word.known & mask;
@@ -48,35 +48,35 @@ std::int64_t as_number(std::uint32_t value, Width width) {
     }
 }
 
-Bit3 compare_words(Word3 a, Word3 b, Width width, Compare relation) {
-    constexpr Bit3 unknown{false, false, 0};
+Signal compare_words(LogicWord a, LogicWord b, Width width, Compare relation) {
+    constexpr Signal unknown{Logic::unknown, 0};
     const Range left = range_of(a, width);
     const Range right = range_of(b, width);
     switch (relation) {
         case Compare::equal: {
             if (((a.value ^ b.value) & a.known & b.known & mask_of(width)) != 0) {
-                return bit3(false);
+                return Signal::of(false);
             }
             const bool is_known = left.low == left.high && right.low == right.high;
-            return is_known ? bit3(true) : unknown;
+            return is_known ? Signal::of(true) : unknown;
         }
         case Compare::not_equal:
-            return not3(compare_words(a, b, width, Compare::equal));
+            return ~compare_words(a, b, width, Compare::equal);
         case Compare::less:
-            return not3(compare_words(a, b, width, Compare::greater_equal));
+            return ~compare_words(a, b, width, Compare::greater_equal);
         case Compare::less_equal:
             return compare_words(b, a, width, Compare::greater_equal);
         case Compare::greater:
-            return not3(compare_words(b, a, width, Compare::greater_equal));
+            return ~compare_words(b, a, width, Compare::greater_equal);
         case Compare::greater_equal:
-            if (left.low >= right.high) return bit3(true);
-            if (left.high < right.low) return bit3(false);
+            if (left.low >= right.high) return Signal::of(true);
+            if (left.high < right.low) return Signal::of(false);
             return unknown;
     }
     return unknown;
 }
 
-Word3 ScanRun::word(const Place& place, Width width) const {
+LogicWord ScanRun::word(const Place& place, Width width) const {
     switch (place.kind) {
         case Place::Kind::memory:
             return memory_.word(place.at, width);
@@ -91,27 +91,27 @@ Word3 ScanRun::word(const Place& place, Width width) const {
 }
 
 std::uint16_t ScanRun::cause_in(const Place& place, Width width) const {
-    const Word3 value = word(place, width);
+    const LogicWord value = word(place, width);
     const auto first = static_cast<std::uint32_t>(std::countr_one(value.known));
     return memory_.cause(place.at, width, first);
 }
 
 std::int64_t ScanRun::number(const Place& place, Width width) {
-    const Word3 value = word(place, width);
+    const LogicWord value = word(place, width);
     if (~value.known != 0) need(cause_in(place, width));
     return as_number(value.value, width);
 }
 
-Bit3 ScanRun::compare(const DecodedInstruction& now) const {
+Signal ScanRun::compare(const DecodedInstruction& now) const {
     for (const Place& place : now.operands) {
         if (memory_.is_recording() && place.kind == Place::Kind::memory) {
             memory_.note_read(place.at, 0, now.width);
         }
     }
-    const Word3 left = word(now.operands[0], now.width);
-    const Word3 right = word(now.operands[1], now.width);
-    Bit3 result = compare_words(left, right, now.width, now.compare);
-    if (!result.known) {
+    const LogicWord left = word(now.operands[0], now.width);
+    const LogicWord right = word(now.operands[1], now.width);
+    Signal result = compare_words(left, right, now.width, now.compare);
+    if (!result.is_known()) {
         result.cause = cause_in(now.operands[~left.known != 0 ? 0 : 1], now.width);
     }
     return result;
@@ -148,7 +148,7 @@ void ScanRun::copy_block(const DecodedInstruction& now) {
         }
         return;
     }
-    const Word3 value = word(now.operands[0], now.width);
+    const LogicWord value = word(now.operands[0], now.width);
     for (std::size_t i = 0; i < now.count; ++i) {
         memory_.set_word(to + i * size, now.width, value, nullptr);
     }
@@ -158,13 +158,13 @@ void ScanRun::copy_block(const DecodedInstruction& now) {
 void ScanRun::combine(const DecodedInstruction& now) {
     const Place& from = now.operands[0];
     const Place& to = now.operands[now.operation == Operation::invert ? 0 : 1];
-    const Word3 a = word(from, now.width);
-    const Word3 b = word(to, now.width);
-    Word3 result = a;
-    if (now.operation == Operation::invert) result = not3(a);
-    if (now.operation == Operation::and_words) result = and3(a, b);
-    if (now.operation == Operation::or_words) result = or3(a, b);
-    if (now.operation == Operation::xor_words) result = xor3(a, b);
+    const LogicWord a = word(from, now.width);
+    const LogicWord b = word(to, now.width);
+    LogicWord result = a;
+    if (now.operation == Operation::invert) result = ~a;
+    if (now.operation == Operation::and_words) result = a & b;
+    if (now.operation == Operation::or_words) result = a | b;
+    if (now.operation == Operation::xor_words) result = a ^ b;
     if (~result.known == 0) {
         memory_.set_word(to.at, now.width, result, nullptr);
         return;
