@@ -95,24 +95,61 @@ locked() {
     return "$status"
 }
 
-# build FOLDER TARGET… [-DNAME=VALUE…]: brings targets up to date in build/FOLDER. The first call
-# configures it; later ones do only where a setting has changed. Needs the packages to build.
+# configure FOLDER [-DNAME=VALUE…]: sets build/FOLDER up, the first time and where a setting has
+# changed. Needs the packages to build.
+configure() {
+    local folder=$root/build/$1 settings=("${@:2}")
+    ! configured "$folder" "${settings[@]}" || return 0
+    [ -e "$folder/.ninja_log" ] || say "building in ${folder#"$root"/}, which takes some minutes once"
+    ! command -v ccache >/dev/null || settings+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    quietly cmake -S "$root" -B "$folder" -G Ninja \
+        -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="$folder/bin" "${settings[@]}"
+}
+
+# build FOLDER TARGET… [-DNAME=VALUE…]: configures build/FOLDER and brings the targets up to date,
+# telling how far it is. Shows what the compiler says; where `quiet_warnings` is set, only if it fails.
 build() {
     local folder=$root/build/$1 targets=() settings=() word
-    shift
-    for word in "$@"; do
+    for word in "${@:2}"; do
         case $word in
             -D*) settings+=("$word") ;;
             *) targets+=("$word") ;;
         esac
     done
-    if ! configured "$folder" "${settings[@]}"; then
-        [ -e "$folder/.ninja_log" ] || say "building in ${folder#"$root"/}, which takes some minutes once"
-        ! command -v ccache >/dev/null || settings+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-        quietly cmake -S "$root" -B "$folder" -G Ninja \
-            -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="$folder/bin" "${settings[@]}" || return
-    fi
-    quietly ninja --quiet -C "$folder" "${jobs_of_ninja[@]}" "${targets[@]}"
+    configure "$1" "${settings[@]}" || return
+    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "${jobs_of_ninja[@]}" "${targets[@]}" 2>&1 </dev/null |
+        show_progress
+    [ "${PIPESTATUS[0]}" -eq 0 ]
+}
+
+# Reads what ninja prints. On a terminal its progress is one line that is written over; elsewhere it
+# is a line every ten seconds. What else it prints, that is, what the compiler says, goes through.
+show_progress() {
+    local line kept=() began=$SECONDS shown=$SECONDS failed=0 on_terminal=''
+    [ ! -t 2 ] || on_terminal=1
+    while IFS= read -r line; do
+        case $line in
+            'ninja: Entering directory'* | 'ninja: no work to do.') ;;
+            \[*/*\]\ *)
+                if [ -n "$on_terminal" ]; then
+                    [ "$SECONDS" -eq "$began" ] || printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line" >&2
+                elif [ "$((SECONDS - shown))" -ge 10 ]; then
+                    say "$line"
+                    shown=$SECONDS
+                fi
+                ;;
+            *)
+                case $line in FAILED:* | 'ninja: '*) failed=1 ;; esac
+                kept+=("$line")
+                if [ -z "${quiet_warnings:-}" ] || [ "$failed" -eq 1 ]; then
+                    [ -z "$on_terminal" ] || printf '\r\033[K' >&2
+                    printf '%s\n' "${kept[@]}" >&2
+                    kept=()
+                fi
+                ;;
+        esac
+    done
+    [ -z "$on_terminal" ] || printf '\r\033[K' >&2
 }
 
 # JOBS=N in the environment limits what runs at a time.
@@ -136,17 +173,36 @@ configured() {
     done
 }
 
+# How build/release is set up by whoever comes first: for speed of building. The product is compiled
+# some files at a time, so that what they include is read once for all of them; .ci/run compiles each
+# file by itself as well.
+fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+
+# is_new FOLDER: whether build/FOLDER has not been set up yet.
+is_new() {
+    [ ! -e "$root/build/$1/build.ninja" ]
+}
+
 # Builds the program, and puts a copy beside it that appears whole or not at all, so that a call
 # that comes while another one links never runs half a program. Sets `program`.
 build_program() {
     local built=$root/build/release/bin/grafwire settings=()
     program=$root/build/release/grafwire
     # A folder that tools/test has set up keeps its tests.
-    [ -e "$root/build/release/build.ninja" ] ||
-        settings=(-DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF)
-    build release grafwire "${settings[@]}" || return
+    ! is_new release || settings=("${fast_settings[@]}" -DBUILD_TESTING=OFF)
+    quiet_warnings=1 build release grafwire "${settings[@]}" || return
     [ "$program" -nt "$built" ] ||
         { cp -f "$built" "$program.new" && mv -f "$program.new" "$program"; }
+}
+
+# targets_of_tests FOLDER NAME: what must be built for the tests of build/FOLDER whose name matches.
+targets_of_tests() {
+    local name targets
+    # Brings the list of tests up to date first, where CMake has to be asked again.
+    quietly ninja -C "$root/build/$1" build.ninja || return
+    while read -r name targets; do
+        [[ ! $name =~ $2 ]] || printf '%s\n' $targets
+    done <"$root/build/$1/tests.txt" | sort -u
 }
 
 # run_tests FOLDER [NAME]: the tests of build/FOLDER, or those whose name matches NAME. Sets `passed`

@@ -25,7 +25,7 @@ namespace grafwire {
 
 namespace {
 
-constexpr std::size_t most_products = 8;  ///< of the operand of an edge
+constexpr std::size_t most_edge_products = 8;  ///< of the operand of an edge
 
 bool is_gate_type(CellType type) {
     return type <= CellType::xor_gate;
@@ -231,7 +231,7 @@ std::string NetReader::text_of(NetId net) const {
     }
     if (variables.size() > 8 || !cone.loops.empty()) return {};
     const TruthTable table = function(cone, variables);
-    const auto sum = irredundant_sum(table, table, variables.size(), most_products);
+    const auto sum = irredundant_sum(table, table, variables.size(), most_edge_products);
     return sum ? sum_text(*sum, variables) : std::string();
 }
 

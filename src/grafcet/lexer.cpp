@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "text/characters.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -23,12 +24,6 @@ static_assert(static_cast<std::size_t>(TokenKind::kw_xor) - first_reserved + 1 =
 
 constexpr std::array<std::string_view, 5> units = {"min", "us", "ms", "s", "h"};
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_ascii_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 bool is_ascii(char c) {
     return static_cast<unsigned char>(c) < 0x80;
 }

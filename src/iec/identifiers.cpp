@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "text/characters.h"
+
 namespace grafwire::iec {
-
-namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-}  // namespace
 
 std::string capitals(std::string_view name) {
     std::string result(name);
@@ -34,8 +24,9 @@ std::string small_letters(std::string_view name) {
 
 bool is_identifier(std::string_view name) {
     if (name.empty() || is_digit(name.front()) || name.back() == '_') return false;
-    const bool is_plain = std::all_of(
-        name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+    const bool is_plain = std::all_of(name.begin(), name.end(), [](char c) {
+        return is_ascii_letter(c) || is_digit(c) || c == '_';
+    });
     return is_plain && name.find("__") == std::string_view::npos &&
            !is_keyword(small_letters(name));
 }

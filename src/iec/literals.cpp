@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "iec/identifiers.h"
+#include "text/characters.h"
 
 namespace grafwire::iec {
 
@@ -14,10 +15,6 @@ std::string without_underscores(std::string_view text) {
         if (c != '_') result += c;
     }
     return result;
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// All of `text` as a number to a base.

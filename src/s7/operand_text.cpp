@@ -4,13 +4,11 @@
 
 #include <charconv>
 
+#include "text/characters.h"
+
 namespace grafwire::s7 {
 
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 struct AreaLetters {
     Area area;

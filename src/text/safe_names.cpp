@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "text/characters.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -28,17 +29,9 @@ constexpr Spelling spellings[] = {
     {"U", "ÙÚÛÜ"},   {"Y", "ÝŸ"},      {"y", "ýÿ"},     {"ss", "ß"},
 };
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 std::string spelling_of(CodePoint point, std::string_view bytes) {
-    if (point.value < 0x80 &&
-        (is_letter(static_cast<char>(point.value)) || is_digit(static_cast<char>(point.value)))) {
+    if (point.value < 0x80 && (is_ascii_letter(static_cast<char>(point.value)) ||
+                               is_digit(static_cast<char>(point.value)))) {
         return std::string(bytes);
     }
     for (const Spelling& spelling : spellings) {

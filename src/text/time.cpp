@@ -9,6 +9,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "text/characters.h"
+
 namespace grafwire {
 
 namespace {
@@ -25,10 +27,6 @@ constexpr std::array<Unit, 7> units = {{{"ps", 1},
                                         {"s", second},
                                         {"min", minute},
                                         {"h", hour}}};
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 std::string_view take_digits(std::string_view& text) {
     std::size_t count = 0;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "text/characters.h"
+
 namespace grafwire {
 
 namespace {
@@ -30,17 +32,11 @@ Binding binding_of(ExprKind kind) {
     }
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 std::string latex_identifier(std::string_view name) {
-    if (name.size() == 1 && is_letter(name.front())) return std::string(name);
-    const bool plain = std::all_of(name.begin(), name.end(),
-                                   [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+    if (name.size() == 1 && is_ascii_letter(name.front())) return std::string(name);
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+        return is_ascii_letter(c) || is_digit(c) || c == '_';
+    });
     return (plain ? "\\mathrm{" : "\\text{") + latex_words(name) + "}";
 }
 

@@ -16,7 +16,7 @@ namespace grafwire {
 
 namespace {
 
-ConditionSpelling spelling() {
+ConditionSpelling pascal_spelling() {
     ConditionSpelling result;
     result.negation = "not ";
     result.conjunction = " and ";
@@ -38,7 +38,7 @@ PascalProgram::PascalProgram(const ScanProgram& program)
       grafcet_(*program.grafcet),
       names_(program_, {false, is_pascal_word}),
       conditions_(
-          spelling(), [this](Bit bit) { return name(bit); },
+          pascal_spelling(), [this](Bit bit) { return name(bit); },
           [this](IntegerCell cell) { return name(cell); }) {}
 
 std::string PascalProgram::name(Bit bit) const {

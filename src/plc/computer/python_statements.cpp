@@ -17,7 +17,7 @@ namespace grafwire {
 
 namespace {
 
-ConditionSpelling spelling() {
+ConditionSpelling python_spelling() {
     ConditionSpelling result;
     result.negation = "not ";
     result.conjunction = " and ";
@@ -40,7 +40,7 @@ PythonProgram::PythonProgram(const ScanProgram& program)
       grafcet_(*program.grafcet),
       names_(program_, {true, is_python_word}),
       conditions_(
-          spelling(), [this](Bit bit) { return name(bit); },
+          python_spelling(), [this](Bit bit) { return name(bit); },
           [this](IntegerCell cell) { return name(cell); }) {}
 
 std::string PythonProgram::name(Bit bit) const {

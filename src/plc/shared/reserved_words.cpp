@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "text/characters.h"
+
 namespace grafwire {
 
 namespace {
@@ -115,10 +117,6 @@ constexpr std::string_view python_words[] = {
 template <std::size_t size>
 bool holds(const std::string_view (&words)[size], std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 bool is_capital_or_digit(char c) {
