@@ -6,48 +6,44 @@
 
 namespace grafwire {
 
-NetlistBuilder::NetlistBuilder(const Grafcet& grafcet)
-    : grafcet_(grafcet),
-      step_origins_(grafcet.steps.size()),
-      transition_origins_(grafcet.transitions.size()) {
-    reserve();
-    netlist_.name = grafcet.name;
+NetlistBuilder::NetlistBuilder(std::string name, InnerNames inner_names)
+    : inner_names_(inner_names) {
+    netlist_.name = std::move(name);
     netlist_.origins.push_back({});
-    const auto note = [&](const std::string& prefix, const std::string& name) {
-        if (name.find('$') != std::string::npos) names_with_dollar_.insert(prefix + name);
-    };
-    for (const Input& input : grafcet.inputs) note("", input.name);
-    for (const Output& output : grafcet.outputs) note("", output.name);
-    for (const Var& var : grafcet.vars) note("", var.name);
-    for (const Step& step : grafcet.steps) note("X", step.name);
-    module_ = add_module("inputs");
 }
 
-// Makes room for what most charts take, so that lists of millions need not be moved as they grow.
-// Room that stays empty is never touched and costs no memory.
-void NetlistBuilder::reserve() {
-    constexpr std::size_t cells_a_step = 8;
+NetlistBuilder NetlistBuilder::without_cells_of(const Netlist& netlist) {
+    NetlistBuilder builder(netlist.name, InnerNames::by_unused_role);
+    builder.netlist_ = netlist;
+    builder.netlist_.cells = {};
+    builder.netlist_.pins.clear();
+    builder.netlist_.timings.clear();
+    builder.netlist_.modules.clear();
+    for (std::size_t i = 0; i < netlist.net_count(); ++i) {
+        const NetId net{static_cast<std::uint32_t>(i)};
+        builder.nets_by_name_.emplace(netlist.names[net], net);
+    }
+    return builder;
+}
+
+// Room that stays empty is never touched and costs no memory; lists of millions that have room need
+// not be moved as they grow.
+void NetlistBuilder::reserve(std::size_t cells) {
     constexpr std::size_t pins_a_cell = 4;
     constexpr std::size_t name_length = 24;
-    const std::size_t steps = grafcet_.steps.size();
-    const std::size_t cells = cells_a_step * steps;
     netlist_.cells.items().reserve(cells);
     cell_modules_.reserve(cells);
     netlist_.pins.reserve(pins_a_cell * cells);
     netlist_.names.reserve(cells, name_length * cells);
-    netlist_.outputs.reserve(steps + grafcet_.outputs.size());
-    netlist_.modules.reserve(steps + grafcet_.outputs.size() + grafcet_.vars.size() + 1);
-    netlist_.origins.reserve(steps + grafcet_.transitions.size() + 1);
 }
 
-NetlistBuilder::ModuleId NetlistBuilder::add_module(std::string name, std::string comment) {
+void NetlistBuilder::reserve_name(std::string_view name) {
+    nets_by_name_.try_emplace(std::string(name), no_net);
+}
+
+ModuleId NetlistBuilder::add_module(std::string name, std::string comment) {
     netlist_.modules.push_back({std::move(name), std::move(comment), 0, 0});
     return static_cast<ModuleId>(netlist_.modules.size() - 1);
-}
-
-void NetlistBuilder::work_on(ModuleId module, std::uint32_t origin) {
-    module_ = module;
-    origin_ = origin;
 }
 
 std::uint32_t NetlistBuilder::add_origin(Origin::Kind kind, std::string name, Location where) {
@@ -55,78 +51,82 @@ std::uint32_t NetlistBuilder::add_origin(Origin::Kind kind, std::string name, Lo
     return static_cast<std::uint32_t>(netlist_.origins.size() - 1);
 }
 
-std::uint32_t NetlistBuilder::origin_of_step(StepId step) {
-    std::uint32_t& origin = step_origins_[index_of(step)];
-    if (origin == 0) {
-        const Step& item = grafcet_.steps[step];
-        origin = add_origin(Origin::Kind::step, item.name, item.where);
+NetId NetlistBuilder::add_net(std::string_view name) {
+    const NetId net = netlist_.names.add(name);
+    if (keeps_names()) nets_by_name_.insert_or_assign(std::string(name), net);
+    return net;
+}
+
+std::pair<NetId, bool> NetlistBuilder::net_named(std::string_view name) {
+    assert(keeps_names());
+    NetId& net = nets_by_name_.try_emplace(std::string(name), no_net).first->second;
+    const bool is_new = net == no_net;
+    if (is_new) net = netlist_.names.add(name);
+    return {net, is_new};
+}
+
+NetId NetlistBuilder::find_net(std::string_view name) const {
+    assert(keeps_names());
+    const auto found = nets_by_name_.find(std::string(name));
+    return found == nets_by_name_.end() ? no_net : found->second;
+}
+
+NetId NetlistBuilder::add_inner_net(NetId owner, std::string_view role) {
+    if (inner_names_ != InnerNames::by_number) {
+        return add_inner_net(owner == no_net ? std::string_view() : name_of(owner), role);
     }
-    return origin;
+    const NetId net = netlist_.names.add({});
+    unnamed_.push_back({net, owner});
+    return net;
 }
 
-std::uint32_t NetlistBuilder::origin_of_transition(TransitionId transition) {
-    std::uint32_t& origin = transition_origins_[index_of(transition)];
-    if (origin == 0) {
-        const Transition& item = grafcet_.transitions[transition];
-        origin = add_origin(Origin::Kind::transition, "(" + item.name + ")", item.where);
-    }
-    return origin;
-}
-
-NetId NetlistBuilder::add_port_net(std::string_view name) {
-    return netlist_.names.add(name);
-}
-
-NetId NetlistBuilder::add_net(std::string_view owner, std::string_view role) {
+NetId NetlistBuilder::add_inner_net(std::string_view owner, std::string_view role) {
+    assert(inner_names_ != InnerNames::by_number);
     scratch_.assign(owner);
     scratch_ += '$';
     scratch_ += role;
-    while (names_with_dollar_.contains(scratch_)) scratch_ += '$';
-    return netlist_.names.add(scratch_);
+    while (nets_by_name_.contains(scratch_)) scratch_ += '$';
+    return add_net(scratch_);
 }
 
-std::uint32_t NetlistBuilder::add_pins(std::span<const NetId> pins) {
-    const auto first = static_cast<std::uint32_t>(netlist_.pins.size());
-    netlist_.pins.insert(netlist_.pins.end(), pins.begin(), pins.end());
-    return first;
-}
-
-void NetlistBuilder::add_cell(CellType type, NetId output, std::span<const NetId> pins) {
+CellId NetlistBuilder::add_cell(Place place, CellType type, NetId output,
+                                std::span<const NetId> pins, const CellDetails& details) {
     assert(pins.size() >= row_of(type).min_pins && pins.size() <= row_of(type).max_pins);
-    netlist_.cells.add({type, Logic::unknown, add_pins(pins),
-                        static_cast<std::uint32_t>(pins.size()), output, origin_, 0});
-    cell_modules_.push_back(static_cast<std::uint32_t>(module_));
-}
-
-void NetlistBuilder::add_memory(CellType type, NetId output, std::span<const NetId> pins,
-                                Logic initial, const Timing* timing) {
-    add_cell(type, output, pins);
-    Cell& cell = netlist_.cells.items().back();
-    cell.initial = initial;
-    if (timing != nullptr) {
-        netlist_.timings.push_back(*timing);
-        cell.timing = static_cast<std::uint32_t>(netlist_.timings.size() - 1);
+    Cell cell;
+    cell.type = type;
+    cell.initial = details.initial;
+    cell.first_pin = static_cast<std::uint32_t>(netlist_.pins.size());
+    cell.pin_count = static_cast<std::uint32_t>(pins.size());
+    cell.output = output;
+    cell.origin = place.origin;
+    if (row_of(type).has_timing) {
+        cell.timing = static_cast<std::uint32_t>(netlist_.timings.size());
+        netlist_.timings.push_back(details.timing);
     }
+    netlist_.pins.insert(netlist_.pins.end(), pins.begin(), pins.end());
+    cell_modules_.push_back(static_cast<std::uint32_t>(place.module));
+    return netlist_.cells.add(cell);
 }
 
-void NetlistBuilder::add_pulse(CellType type, NetId output, NetId input, Time width) {
-    const Timing timing{0, width, Timing::no_ordinal};
-    add_memory(type, output, {&input, 1}, Logic::unknown, &timing);
+void NetlistBuilder::copy_cell(ModuleId module, const Netlist& source, const Cell& cell) {
+    CellDetails details{cell.initial, {}};
+    if (row_of(cell.type).has_timing) details.timing = source.timings[cell.timing];
+    add_cell({module, cell.origin}, cell.type, cell.output, source.pins_of(cell), details);
 }
 
-void NetlistBuilder::drive(NetId output, CellType type, std::span<const NetId> pins) {
+void NetlistBuilder::drive(Place place, NetId output, CellType type, std::span<const NetId> pins) {
     if (pins.size() == 1) {
         const bool inverting =
             type == CellType::inverter || type == CellType::nand_gate || type == CellType::nor_gate;
         type = inverting ? CellType::inverter : CellType::buffer;
     }
-    add_cell(type, output, pins);
+    add_cell(place, type, output, pins);
 }
 
-NetId NetlistBuilder::gate(CellType type, std::span<const NetId> pins, std::string_view owner,
-                           std::string_view role) {
-    const NetId output = add_net(owner, role);
-    drive(output, type, pins);
+NetId NetlistBuilder::gate(Place place, CellType type, std::span<const NetId> pins,
+                           std::string_view owner, std::string_view role) {
+    const NetId output = add_inner_net(owner, role);
+    drive(place, output, type, pins);
     return output;
 }
 
@@ -135,23 +135,25 @@ NetlistBuilder::Companion& NetlistBuilder::companion(NetId net) {
     return companions_[index_of(net)];
 }
 
-NetId NetlistBuilder::inverted(NetId net) {
-    if (is_low(net)) return high();
-    if (is_high(net)) return low();
+NetId NetlistBuilder::inverted(Place place, NetId net) {
+    for (const bool value : {false, true}) {
+        if (is_constant(net, value)) return constant(place, !value);
+    }
     if (companion(net).inverted == no_net) {
-        const std::string owner(netlist_.names[net]);
-        const NetId output = gate(CellType::inverter, {&net, 1}, owner, "not");
+        const NetId output = add_inner_net(net, "not");
+        add_cell(place, CellType::inverter, output, {&net, 1});
         companion(net).inverted = output;
         companion(output).inverted = net;
     }
     return companion(net).inverted;
 }
 
-NetId NetlistBuilder::delayed(NetId net, std::uint32_t levels) {
-    for (; levels != 0 && !is_low(net) && !is_high(net); --levels) {
+NetId NetlistBuilder::delayed(Place place, NetId net, std::uint32_t levels) {
+    if (is_constant(net, false) || is_constant(net, true)) return net;
+    for (; levels != 0; --levels) {
         if (companion(net).delayed == no_net) {
-            const std::string owner(netlist_.names[net]);
-            const NetId output = gate(CellType::buffer, {&net, 1}, owner, "buf");
+            const NetId output = add_inner_net(net, "buf");
+            add_cell(place, CellType::buffer, output, {&net, 1});
             companion(net).delayed = output;
         }
         net = companion(net).delayed;
@@ -159,20 +161,38 @@ NetId NetlistBuilder::delayed(NetId net, std::uint32_t levels) {
     return net;
 }
 
-NetId NetlistBuilder::low() {
-    if (low_ == no_net) {
-        low_ = add_net("", "low");
-        add_cell(CellType::low, low_, {});
+NetId NetlistBuilder::constant(Place place, bool value) {
+    NetId& net = constants_[value ? 1 : 0];
+    if (net == no_net) {
+        net = add_inner_net(no_net, value ? "high" : "low");
+        add_cell(place, value ? CellType::high : CellType::low, net, {});
     }
-    return low_;
+    return net;
 }
 
-NetId NetlistBuilder::high() {
-    if (high_ == no_net) {
-        high_ = add_net("", "high");
-        add_cell(CellType::high, high_, {});
+/// Owners stand before the nets that are named after them.
+void NetlistBuilder::name_unnamed_nets() {
+    if (unnamed_.empty()) return;
+    const NetNames given = std::move(netlist_.names);
+    netlist_.names = {};
+    std::vector<std::uint32_t> numbers(given.size() + 1);
+    auto next = unnamed_.begin();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const NetId net{static_cast<std::uint32_t>(i)};
+        if (next == unnamed_.end() || next->net != net) {
+            netlist_.names.add(given[net]);
+            continue;
+        }
+        const bool has_owner = next->owner != no_net;
+        std::uint32_t& number = numbers[has_owner ? index_of(next->owner) : given.size()];
+        const std::string owner(has_owner ? netlist_.names[next->owner] : "net");
+        std::string name;
+        do {
+            name = owner + '$' + std::to_string(++number);
+        } while (!nets_by_name_.try_emplace(name, net).second);
+        netlist_.names.add(name);
+        ++next;
     }
-    return high_;
 }
 
 // A counting sort, stable: the modules know where their cells begin.
@@ -187,6 +207,7 @@ void NetlistBuilder::sort_cells() {
 }
 
 Netlist NetlistBuilder::finish() {
+    name_unnamed_nets();
     for (const std::uint32_t module : cell_modules_) ++netlist_.modules[module].cell_count;
     std::uint32_t next = 0;
     for (Module& module : netlist_.modules) {

@@ -1,61 +1,113 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
-#include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {
 
-/// Puts a netlist together cell by cell. Cells may be added to any module at any time; finish()
-/// brings those of a module together.
+/// The modules of a netlist that is being made, in the order in which they were added.
+enum class ModuleId : std::uint32_t {};
+
+/// Where a cell belongs: its module, and what it is made for (a number in Netlist::origins).
+struct Place {
+    ModuleId module{};
+    std::uint32_t origin = 0;
+};
+
+/// How the nets between the cells get their names.
+enum class InnerNames {
+    /// `owner$role`. Only reserved names are looked up; that no pair of owner and role comes twice
+    /// is the caller's part, so that no table of ten million names has to be kept.
+    by_role,
+    /// `owner$role`, with further `$` where any other net has that name.
+    by_unused_role,
+    /// `owner$1`, `owner$2`, …, given by finish() when all other names are known.
+    by_number,
+};
+
+/// What a cell has beyond its pins.
+struct CellDetails {
+    Logic initial = Logic::unknown;
+    Timing timing;  ///< of types that have one
+};
+
+/// Puts a netlist together cell by cell: the one way in which netlists are made, from a GRAFCET,
+/// from a file or from another netlist. Cells may be added to any module at any time; finish()
+/// brings those of a module together. That every net is driven once is the caller's part.
 class NetlistBuilder {
   public:
-    enum class ModuleId : std::uint32_t {};
+    NetlistBuilder(std::string name, InnerNames inner_names);
+    /// Goes on from a netlist of which everything stays but the cells and modules, for a pass that
+    /// adds them again or puts others in their place. Names are found by_unused_role.
+    static NetlistBuilder without_cells_of(const Netlist& netlist);
 
-    explicit NetlistBuilder(const Grafcet& grafcet);
+    /// Makes room for so many cells of some 4 pins and 24 characters.
+    void reserve(std::size_t cells);
+    /// Keeps a name from being given to an inner net.
+    void reserve_name(std::string_view name);
 
     ModuleId add_module(std::string name, std::string comment = {});
-    /// The module and origin that cells added from now on belong to.
-    void work_on(ModuleId module, std::uint32_t origin);
-    ModuleId module() const { return module_; }
-    std::uint32_t origin() const { return origin_; }
-
-    std::uint32_t origin_of_step(StepId step);
-    std::uint32_t origin_of_transition(TransitionId transition);
     std::uint32_t add_origin(Origin::Kind kind, std::string name, Location where);
 
-    /// A net under exactly this name: for ports.
-    NetId add_port_net(std::string_view name);
-    /// An inner net, named `owner$role`; where a declared name is in the way, with further `$`.
-    NetId add_net(std::string_view owner, std::string_view role);
+    /// A net under exactly this name.
+    NetId add_net(std::string_view name);
+    /// The net of that name, made when it is first asked for, and whether it is new. Not with
+    /// InnerNames::by_role, where names are not kept.
+    std::pair<NetId, bool> net_named(std::string_view name);
+    /// The net of that name, no_net if there is none; likewise.
+    NetId find_net(std::string_view name) const;
+    /// An inner net named after another net (no_net: after none) and the part it plays there.
+    NetId add_inner_net(NetId owner, std::string_view role);
+    /// An inner net named after anything else. Not with InnerNames::by_number.
+    NetId add_inner_net(std::string_view owner, std::string_view role);
+    /// Its name; empty while finish() is still to give it one.
+    std::string_view name_of(NetId net) const { return netlist_.names[net]; }
 
-    void add_cell(CellType type, NetId output, std::span<const NetId> pins);
-    void add_memory(CellType type, NetId output, std::span<const NetId> pins, Logic initial,
-                    const Timing* timing = nullptr);
-    void add_pulse(CellType type, NetId output, NetId input, Time width);
+    void add_input(std::string name, NetId net) {
+        netlist_.inputs.push_back({std::move(name), net});
+    }
+    void add_output(std::string name, NetId net) {
+        netlist_.outputs.push_back({std::move(name), net});
+    }
+    void add_var(Observed var) { netlist_.vars.push_back(std::move(var)); }
+    void add_counter(Observed counter) { netlist_.counters.push_back(std::move(counter)); }
+    /// The value at power-up of a net that gates drive.
+    void set_initial(NetId net, bool value) { netlist_.initial_values.push_back({net, value}); }
 
-    /// The same with a net of its own. A gate of one pin becomes a buffer or an inverter.
-    NetId gate(CellType type, std::span<const NetId> pins, std::string_view owner,
-               std::string_view role);
+    CellId add_cell(Place place, CellType type, NetId output, std::span<const NetId> pins,
+                    const CellDetails& details);
+    CellId add_cell(Place place, CellType type, NetId output, std::span<const NetId> pins) {
+        return add_cell(place, type, output, pins, CellDetails());
+    }
+    /// A cell of the netlist gone on from (without_cells_of), as it is.
+    void copy_cell(ModuleId module, const Netlist& source, const Cell& cell);
     /// Drives an existing net by a gate; a gate of one pin becomes a buffer or an inverter.
-    void drive(NetId output, CellType type, std::span<const NetId> pins);
+    void drive(Place place, NetId output, CellType type, std::span<const NetId> pins);
+    /// The same with an inner net of its own.
+    NetId gate(Place place, CellType type, std::span<const NetId> pins, std::string_view owner,
+               std::string_view role);
 
-    /// The complement of a net, made once.
-    NetId inverted(NetId net);
+    /// The complement of a net, made once; a constant for a constant.
+    NetId inverted(Place place, NetId net);
     /// The net through so many buffers, each made once.
-    NetId delayed(NetId net, std::uint32_t levels);
-    NetId low();
-    NetId high();
-    bool is_low(NetId net) const { return net == low_; }
-    bool is_high(NetId net) const { return net == high_; }
+    NetId delayed(Place place, NetId net, std::uint32_t levels);
+    /// The net that is always 0 or 1, made once.
+    NetId constant(Place place, bool value);
+    bool is_constant(NetId net, bool value) const {
+        return net != no_net && net == constants_[value ? 1 : 0];
+    }
 
-    Netlist& netlist() { return netlist_; }
+    /// As far as it has been made; cells in the order in which they came.
+    const Netlist& netlist() const { return netlist_; }
 
+    /// The netlist. What the builder does not ask for (modes, clock, number of steps) is the
+    /// caller's to fill in.
     Netlist finish();
 
   private:
@@ -63,24 +115,25 @@ class NetlistBuilder {
         NetId inverted = no_net;
         NetId delayed = no_net;
     };
-    void reserve();
+    struct UnnamedNet {
+        NetId net = no_net;
+        NetId owner = no_net;
+    };
+    bool keeps_names() const { return inner_names_ != InnerNames::by_role; }
+    void name_unnamed_nets();
     /// Brings the cells of each module together.
     void sort_cells();
     Companion& companion(NetId net);
-    std::uint32_t add_pins(std::span<const NetId> pins);
 
-    const Grafcet& grafcet_;
     Netlist netlist_;
+    InnerNames inner_names_;
     std::vector<std::uint32_t> cell_modules_;
     std::vector<Companion> companions_;
-    std::vector<std::uint32_t> step_origins_;
-    std::vector<std::uint32_t> transition_origins_;
-    std::unordered_set<std::string> names_with_dollar_;
+    /// All names (by_role: the reserved ones) and their nets; no_net for a name that is kept free.
+    std::unordered_map<std::string, NetId> nets_by_name_;
+    std::vector<UnnamedNet> unnamed_;
     std::string scratch_;
-    ModuleId module_{};
-    std::uint32_t origin_ = 0;
-    NetId low_ = no_net;
-    NetId high_ = no_net;
+    NetId constants_[2] = {no_net, no_net};
 };
 
 }  // namespace grafwire

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "netlist/arithmetic.h"
 #include "netlist/netlists.h"
+#include "netlist/styles/arithmetic.h"
 #include "random/random_source.h"
 
 namespace grafwire::testing {
@@ -13,7 +13,7 @@ namespace {
 /// Counters as input words, and what has been computed from them by gates.
 struct Bench {
     Grafcet grafcet = grafcet_of("input a graph G { initial 0 }");
-    NetlistBuilder builder{grafcet};
+    ChartNetlist builder{grafcet};
     std::vector<Word> counters;
     Netlist netlist;
     std::vector<bool> values;
@@ -26,7 +26,7 @@ struct Bench {
                 const std::string name =
                     "c" + std::to_string(counters.size()) + "_" + std::to_string(bit);
                 word.push_back(builder.add_port_net(name));
-                builder.netlist().inputs.push_back({name, word.back()});
+                builder.add_input(name, word.back());
             }
             counters.push_back(word);
         }

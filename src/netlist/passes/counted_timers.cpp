@@ -17,8 +17,9 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
 #include <vector>
+
+#include "netlist/netlist_builder.h"
 
 namespace grafwire {
 
@@ -28,21 +29,26 @@ Time scans_of(Time delay, Time scan_period) {
     return delay / scan_period + (delay % scan_period != 0 ? 1 : 0);
 }
 
-class TimerCounters {
+/// The gates and flip-flops in the place of one clocked timer or look-ahead.
+class CountedTimer {
   public:
-    TimerCounters(const Netlist& netlist, Time scan_period)
-        : source_(netlist), scan_period_(scan_period) {
-        result_.netlist = netlist;
-        result_.netlist.cells = {};
-        for (std::size_t i = 0; i < netlist.net_count(); ++i) {
-            taken_.emplace(netlist.names[static_cast<NetId>(i)]);
-        }
+    CountedTimer(NetlistBuilder& builder, Place place, const Netlist& source, const Cell& cell)
+        : builder_(builder),
+          place_(place),
+          cell_(cell),
+          is_timer_(cell.type == CellType::scan_timer),
+          owner_(source.names[cell.output]) {
+        const auto pins = source.pins_of(cell);
+        operand_ = pins[0];
+        held_ = is_timer_ ? cell.output : pins[1];
+        clock_ = pins.back();
     }
 
-    CountedTimers make();
+    /// The delays are in scans.
+    void make(Time rise, Time fall);
+    std::size_t flip_flops() const { return flip_flops_; }
 
   private:
-    void write_timer(const Cell& cell);
     void add_bits(Time longest);
     NetId reached(Time scans);
     void add_rise(NetId up);
@@ -51,104 +57,51 @@ class TimerCounters {
     NetId any_of(const std::vector<NetId>& terms, const std::string& role) {
         return terms.size() == 1 ? terms[0] : gate(CellType::or_gate, terms, role);
     }
-
-    NetId add_net(const std::string& role);
-    void add_cell(CellType type, NetId output, const std::vector<NetId>& pins,
-                  Logic initial = Logic::unknown);
+    void add_flip_flop(NetId output, NetId next, Logic initial) {
+        const NetId pins[] = {next, clock_};
+        builder_.add_cell(place_, CellType::flip_flop, output, pins, {initial, {}});
+        ++flip_flops_;
+    }
     NetId gate(CellType type, const std::vector<NetId>& pins, const std::string& role) {
-        const NetId output = add_net(role);
-        add_cell(type, output, pins);
-        return output;
+        return builder_.gate(place_, type, pins, owner_, role);
     }
 
-    const Netlist& source_;
-    Time scan_period_;
-    CountedTimers result_;
-    std::unordered_set<std::string> taken_;
-    // Of the timer in hand.
+    NetlistBuilder& builder_;
+    Place place_;
+    const Cell& cell_;
+    bool is_timer_;
     std::string owner_;
-    std::uint32_t origin_ = 0;
     NetId operand_ = no_net;
     NetId held_ = no_net;
     NetId clock_ = no_net;
     std::vector<NetId> bits_;  ///< of the count, the lowest first
     std::vector<NetId> next_terms_;
     std::vector<NetId> run_terms_;
+    std::size_t flip_flops_ = 0;
 };
 
-CountedTimers TimerCounters::make() {
-    for (Module& module : result_.netlist.modules) {
-        const std::uint32_t first = module.first_cell;
-        const std::uint32_t count = module.cell_count;
-        module.first_cell = static_cast<std::uint32_t>(result_.netlist.cells.size());
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const Cell& cell = source_.cells.items()[i];
-            if (counts_scans(cell.type)) {
-                write_timer(cell);
-            } else {
-                result_.netlist.cells.add(cell);
-            }
-        }
-        module.cell_count =
-            static_cast<std::uint32_t>(result_.netlist.cells.size()) - module.first_cell;
-    }
-    return std::move(result_);
-}
-
-NetId TimerCounters::add_net(const std::string& role) {
-    std::string name = owner_ + '$' + role;
-    while (!taken_.insert(name).second) name += '$';
-    return result_.netlist.names.add(name);
-}
-
-void TimerCounters::add_cell(CellType type, NetId output, const std::vector<NetId>& pins,
-                             Logic initial) {
-    Netlist& netlist = result_.netlist;
-    const auto first_pin = static_cast<std::uint32_t>(netlist.pins.size());
-    netlist.pins.insert(netlist.pins.end(), pins.begin(), pins.end());
-    netlist.cells.add(
-        {type, initial, first_pin, static_cast<std::uint32_t>(pins.size()), output, origin_, 0});
-    if (type == CellType::flip_flop) ++result_.flip_flops;
-}
-
-void TimerCounters::write_timer(const Cell& cell) {
-    const auto pins = source_.pins_of(cell);
-    const bool is_timer = cell.type == CellType::scan_timer;
-    const Timing& timing = source_.timings[cell.timing];
-    owner_ = source_.names[cell.output];
-    origin_ = cell.origin;
-    operand_ = pins[0];
-    held_ = is_timer ? cell.output : pins[1];
-    clock_ = pins.back();
-    next_terms_.clear();
-    run_terms_.clear();
-    const Time rise = scans_of(timing.rise, scan_period_);
-    const Time fall = scans_of(timing.fall, scan_period_);
+void CountedTimer::make(Time rise, Time fall) {
     add_bits(std::max(rise, fall));
     const NetId up = reached(rise);
     const NetId down = fall == rise ? up : reached(fall);
     add_rise(up);
     add_fall(down);
     if (!bits_.empty()) count();
-    if (is_timer) {
-        const NetId next = any_of(next_terms_, "next");
-        add_cell(CellType::flip_flop, held_, {next, clock_}, cell.initial);
+    if (is_timer_) {
+        add_flip_flop(held_, any_of(next_terms_, "next"), cell_.initial);
     } else {
-        const bool single = next_terms_.size() == 1;
-        add_cell(single ? CellType::buffer : CellType::or_gate, cell.output, next_terms_);
+        builder_.drive(place_, cell_.output, CellType::or_gate, next_terms_);
     }
 }
 
-void TimerCounters::add_bits(Time longest) {
-    result_.longest = std::max(result_.longest, longest);
-    bits_.clear();
+void CountedTimer::add_bits(Time longest) {
     for (Time rest = longest; rest != 0; rest /= 2) {
-        bits_.push_back(add_net(fmt::format("count{}", bits_.size())));
+        bits_.push_back(builder_.add_inner_net(owner_, fmt::format("count{}", bits_.size())));
     }
 }
 
 /// What an operand of 1 does: `up` is no_net where it acts at once.
-void TimerCounters::add_rise(NetId up) {
+void CountedTimer::add_rise(NetId up) {
     if (up == no_net) return next_terms_.push_back(operand_);
     const NetId risen = gate(CellType::or_gate, {held_, up}, "risen");
     const NetId not_risen = gate(CellType::inverter, {risen}, "not_risen");
@@ -157,7 +110,7 @@ void TimerCounters::add_rise(NetId up) {
 }
 
 /// What an operand of 0 does, likewise.
-void TimerCounters::add_fall(NetId down) {
+void CountedTimer::add_fall(NetId down) {
     if (down == no_net) return;
     const NetId off = gate(CellType::inverter, {operand_}, "off");
     const NetId not_fallen = gate(CellType::inverter, {down}, "not_fallen");
@@ -167,7 +120,7 @@ void TimerCounters::add_fall(NetId down) {
 }
 
 /// Whether the count has come to a number of scans; no_net for none.
-NetId TimerCounters::reached(Time scans) {
+NetId CountedTimer::reached(Time scans) {
     if (scans == 0) return no_net;
     std::vector<NetId> ones;
     for (std::size_t bit = 0; bit < bits_.size(); ++bit) {
@@ -177,7 +130,7 @@ NetId TimerCounters::reached(Time scans) {
                             : gate(CellType::and_gate, ones, fmt::format("after{}", scans));
 }
 
-void TimerCounters::count() {
+void CountedTimer::count() {
     const NetId run = any_of(run_terms_, "run");
     NetId carry = no_net;  // into bit 0 comes a 1
     for (std::size_t bit = 0; bit < bits_.size(); ++bit) {
@@ -187,7 +140,7 @@ void TimerCounters::count() {
         if (carry != no_net) pins.push_back(carry);
         const NetId sum = gate(adder, pins, fmt::format("sum{}", bit));
         const NetId next = gate(CellType::and_gate, {run, sum}, fmt::format("count{}$next", bit));
-        add_cell(CellType::flip_flop, here, {next, clock_}, Logic::zero);
+        add_flip_flop(here, next, Logic::zero);
         if (bit + 1 == bits_.size()) break;
         carry =
             carry == no_net ? here : gate(CellType::and_gate, pins, fmt::format("carry{}", bit));
@@ -202,7 +155,27 @@ bool has_scan_timers(const Netlist& netlist) {
 }
 
 CountedTimers with_counted_timers(const Netlist& netlist, Time scan_period) {
-    return TimerCounters(netlist, scan_period).make();
+    NetlistBuilder builder = NetlistBuilder::without_cells_of(netlist);
+    CountedTimers result;
+    for (const Module& module : netlist.modules) {
+        const ModuleId id = builder.add_module(module.name, module.comment);
+        for (std::uint32_t i = 0; i < module.cell_count; ++i) {
+            const Cell& cell = netlist.cells.items()[module.first_cell + i];
+            if (!counts_scans(cell.type)) {
+                builder.copy_cell(id, netlist, cell);
+                continue;
+            }
+            const Timing& timing = netlist.timings[cell.timing];
+            const Time rise = scans_of(timing.rise, scan_period);
+            const Time fall = scans_of(timing.fall, scan_period);
+            CountedTimer counted(builder, {id, cell.origin}, netlist, cell);
+            counted.make(rise, fall);
+            result.flip_flops += counted.flip_flops();
+            result.longest = std::max({result.longest, rise, fall});
+        }
+    }
+    result.netlist = builder.finish();
+    return result;
 }
 
 }  // namespace grafwire

@@ -84,7 +84,6 @@ std::vector<std::uint8_t> writing_steps(const Equations& equations) {
 }
 
 void AsynchronousFrame::make_ports() {
-    Netlist& netlist = builder_.netlist();
     for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
         if (i >= grafcet_.inputs.size() && !equations_.options.modes) {
             logic_.inputs.push_back(no_net);
@@ -92,7 +91,7 @@ void AsynchronousFrame::make_ports() {
         }
         const std::string name(input_name(grafcet_, i));
         const NetId net = builder_.add_port_net(name);
-        netlist.inputs.push_back({name, net});
+        builder_.add_input(name, net);
         logic_.inputs.push_back(net);
     }
     const std::size_t controls = grafcet_.inputs.size();
@@ -102,17 +101,17 @@ void AsynchronousFrame::make_ports() {
     for (const Step& step : grafcet_.steps) {
         const std::string name = "X" + step.name;
         const NetId net = builder_.add_port_net(name);
-        netlist.outputs.push_back({name, net});
+        builder_.add_output(name, net);
         logic_.steps.push_back(net);
     }
     for (const Output& output : grafcet_.outputs) {
         const NetId net = builder_.add_port_net(output.name);
-        netlist.outputs.push_back({output.name, net});
+        builder_.add_output(output.name, net);
         logic_.outputs.push_back(net);
     }
     for (const Var& var : grafcet_.vars) {
         const NetId net = builder_.add_port_net(var.name);
-        netlist.vars.push_back({var.name, {net}, 0});
+        builder_.add_var({var.name, {net}, 0});
         logic_.vars.push_back(net);
     }
     // The complements that every module shares stand with the inputs.
@@ -174,7 +173,7 @@ void AsynchronousFrame::make_steps() {
         logic_.owner = name;
         make_phase_(build_, phase);
         if (!equations_.options.modes) {
-            builder_.netlist().initial_values.push_back({phase.x, phase.initial});
+            builder_.set_initial(phase.x, phase.initial);
         }
     }
 }

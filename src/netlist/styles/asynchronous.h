@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "equations/equations.h"
-#include "netlist/netlist_builder.h"
+#include "netlist/styles/chart_netlist.h"
 #include "netlist/styles/logic_builder.h"
 
 namespace grafwire {
@@ -27,7 +27,7 @@ struct PhaseSignals {
 /// What the three asynchronous styles have in common while a netlist is made.
 struct AsynchronousBuild {
     Equations& equations;
-    NetlistBuilder& builder;
+    ChartNetlist& builder;
     LogicBuilder& logic;
     StepTransitions links;
     std::vector<NetId> clearing;  ///< per transition: its clearing gate, made when first asked for

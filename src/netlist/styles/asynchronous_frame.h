@@ -33,10 +33,10 @@ class AsynchronousFrame {
         make_steps();
         make_outputs();
         make_stored();
-        Netlist& netlist = builder_.netlist();
+        Netlist netlist = builder_.finish();
         netlist.has_modes = equations_.options.modes;
         netlist.step_count = grafcet_.steps.size();
-        return builder_.finish();
+        return netlist;
     }
 
   private:
@@ -53,7 +53,7 @@ class AsynchronousFrame {
 
     Equations& equations_;
     const Grafcet& grafcet_;
-    NetlistBuilder builder_;
+    ChartNetlist builder_;
     LogicBuilder logic_;
     AsynchronousBuild build_;
     PhaseMaker make_phase_;

@@ -48,7 +48,7 @@ void AsynchronousFrame::make_hold(const StoredEquation& stored) {
     const NetId idle = builder_.gate(CellType::nor_gate, triggers, name, "idle");
     const NetId held = builder_.add_net(name, "held");
     const NetId pins[] = {source, idle};
-    builder_.add_memory(CellType::hold_latch, held, pins, Logic::zero);
+    builder_.add_cell(CellType::hold_latch, held, pins, {Logic::zero, {}});
     auto& table = stored.target.kind == VariableKind::output ? held_outputs_ : held_vars_;
     table[stored.target.index] = held;
 }
@@ -92,7 +92,7 @@ void AsynchronousFrame::make_latch(const StoredEquation& stored) {
     const NetId set = sum(sets, "set");
     const NetId reset = sum(resets, "reset");
     const NetId pins[] = {set, reset};
-    builder_.add_memory(CellType::latch, stored_net(stored.target), pins, Logic::zero);
+    builder_.add_cell(CellType::latch, stored_net(stored.target), pins, {Logic::zero, {}});
 }
 
 void AsynchronousFrame::make_stored() {

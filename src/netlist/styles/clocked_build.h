@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "equations/equations.h"
-#include "netlist/arithmetic.h"
-#include "netlist/netlist_builder.h"
+#include "netlist/styles/arithmetic.h"
+#include "netlist/styles/chart_netlist.h"
 
 namespace grafwire {
 
@@ -41,11 +41,11 @@ class ClockedBuild {
         make_stored();
         make_time_conditions();
         make_outputs();
-        Netlist& netlist = builder_.netlist();
+        Netlist netlist = builder_.finish();
         netlist.has_modes = equations_.options.modes;
         netlist.step_count = grafcet_.steps.size();
         netlist.clock = clock_;
-        return builder_.finish();
+        return netlist;
     }
 
   private:
@@ -82,13 +82,18 @@ class ClockedBuild {
     }
     void flip_flop(NetId output, NetId data, bool initial) {
         const NetId pins[] = {data, clock_};
+<<<<<<< HEAD
         builder_.add_memory(CellType::flip_flop, output, pins, logic_of(initial));
+=======
+        builder_.add_cell(CellType::flip_flop, output, pins,
+                          {initial ? Logic::one : Logic::zero, {}});
+>>>>>>> f8950e8 (Netlists: one builder that knows of no GRAFCET, for styles, passes and files; what it needs of a chart in a layer of the styles)
     }
 
     Equations& equations_;
     const Grafcet& grafcet_;
     const Expressions& pool_;
-    NetlistBuilder builder_;
+    ChartNetlist builder_;
     StepTransitions links_;
     std::vector<NetId> inputs_;
     NetId clock_ = no_net;

@@ -65,7 +65,7 @@ NetId ClockedBuild::scan_end_without_orders(StepId step) {
 
 void ClockedBuild::make_evolution() {
     std::vector<NetId> situation;
-    std::vector<NetlistBuilder::ModuleId> modules;
+    std::vector<ModuleId> modules;
     for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
         const StepId step = grafcet_.steps.id_at(i);
         const std::string name = "X" + grafcet_.steps[step].name;

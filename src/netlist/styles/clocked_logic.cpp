@@ -90,7 +90,7 @@ NetId ClockedBuild::time_net(View& view, ExprId id) {
     const Timing timing = timing_of(ordinal);
     const std::uint32_t reader = builder_.origin();
     builder_.work_on(builder_.module(), time_origin(ordinal));
-    builder_.add_memory(CellType::scan_timer_next, next, pins, Logic::unknown, &timing);
+    builder_.add_cell(CellType::scan_timer_next, next, pins, {Logic::unknown, timing});
     builder_.work_on(builder_.module(), reader);
     return next;
 }
@@ -142,7 +142,7 @@ void ClockedBuild::make_time_conditions() {
         role_ = 0;
         const NetId pins[] = {net(after_, condition.operand), clock_};
         const Timing timing = timing_of(i);
-        builder_.add_memory(CellType::scan_timer, times_[i], pins, Logic::zero, &timing);
+        builder_.add_cell(CellType::scan_timer, times_[i], pins, {Logic::zero, timing});
     }
 }
 

@@ -9,7 +9,7 @@
 
 namespace grafwire {
 
-LogicBuilder::LogicBuilder(const Equations& equations, NetlistBuilder& builder)
+LogicBuilder::LogicBuilder(const Equations& equations, ChartNetlist& builder)
     : equations_(equations),
       pool_(equations.expressions),
       builder_(builder),
@@ -133,8 +133,9 @@ LogicBuilder::Signal LogicBuilder::make_edge(ExprId id) {
     const NetId output =
         builder_.add_net(builder_.netlist().names[operand.net],
                          fmt::format("{}{}", rising ? "rise" : "fall", pool_.ordinal(id)));
-    builder_.add_pulse(rising ? CellType::rise_pulse : CellType::fall_pulse, output, operand.net,
-                       pulse_width);
+    const Timing timing{0, pulse_width, Timing::no_ordinal};
+    builder_.add_cell(rising ? CellType::rise_pulse : CellType::fall_pulse, output,
+                      {&operand.net, 1}, {Logic::unknown, timing});
     builder_.work_on(builder_.module(), before);
     return operand.through(output);
 }
@@ -152,7 +153,7 @@ LogicBuilder::Signal LogicBuilder::make_time_condition(ExprId id) {
         builder_.add_net(builder_.netlist().names[operand.net], fmt::format("timer{}", ordinal));
     const Timing timing{condition.on_delay, condition.off_delay,
                         static_cast<std::uint32_t>(ordinal)};
-    builder_.add_memory(CellType::timer, output, {&operand.net, 1}, Logic::zero, &timing);
+    builder_.add_cell(CellType::timer, output, {&operand.net, 1}, {Logic::zero, timing});
     builder_.work_on(builder_.module(), before);
     return {output, 0, Signal::independent};
 }

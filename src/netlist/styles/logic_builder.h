@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "equations/equations.h"
-#include "netlist/netlist_builder.h"
+#include "netlist/styles/chart_netlist.h"
 
 namespace grafwire {
 
@@ -33,7 +33,7 @@ class LogicBuilder {
         }
     };
 
-    LogicBuilder(const Equations& equations, NetlistBuilder& builder);
+    LogicBuilder(const Equations& equations, ChartNetlist& builder);
 
     /// Where the variables are found, by their index.
     std::vector<NetId> inputs;  ///< declared inputs, Init, AUdur, AUdoux (no_net without modes: 0)
@@ -84,7 +84,7 @@ class LogicBuilder {
 
     const Equations& equations_;
     const Expressions& pool_;
-    NetlistBuilder& builder_;
+    ChartNetlist& builder_;
     std::vector<Signal> made_;
     /// Per owner the gates numbered so far; an owner may be come back to.
     std::unordered_map<std::string, std::uint32_t> role_numbers_;

@@ -27,7 +27,6 @@
 namespace grafwire {
 
 void ClockedBuild::make_ports() {
-    Netlist& netlist = builder_.netlist();
     const std::size_t controls = grafcet_.inputs.size();
     for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
         if (i >= controls && !equations_.options.modes) {
@@ -36,10 +35,10 @@ void ClockedBuild::make_ports() {
         }
         const std::string name(input_name(grafcet_, i));
         inputs_.push_back(builder_.add_port_net(name));
-        netlist.inputs.push_back({name, inputs_.back()});
+        builder_.add_input(name, inputs_.back());
     }
     clock_ = builder_.add_port_net("clk");
-    netlist.inputs.push_back({"clk", clock_});
+    builder_.add_input("clk", clock_);
     if (inputs_[controls] != no_net) {
         not_init_ = builder_.inverted(inputs_[controls]);
         not_au_dur_ = builder_.inverted(inputs_[controls + 1]);
@@ -47,15 +46,15 @@ void ClockedBuild::make_ports() {
     for (const Step& step : grafcet_.steps) {
         const std::string name = "X" + step.name;
         now_.steps.push_back(builder_.add_port_net(name));
-        netlist.outputs.push_back({name, now_.steps.back()});
+        builder_.add_output(name, now_.steps.back());
     }
     for (const Output& output : grafcet_.outputs) {
         now_.outputs.push_back(builder_.add_port_net(output.name));
-        netlist.outputs.push_back({output.name, now_.outputs.back()});
+        builder_.add_output(output.name, now_.outputs.back());
     }
     for (const Var& var : grafcet_.vars) {
         now_.vars.push_back(builder_.add_port_net(var.name));
-        netlist.vars.push_back({var.name, {now_.vars.back()}, 0});
+        builder_.add_var({var.name, {now_.vars.back()}, 0});
     }
     make_counters();
     for (std::size_t i = 0; i < pool_.time_conditions().size(); ++i) {
@@ -86,7 +85,7 @@ void ClockedBuild::make_counters() {
         const Sum offset{{counter.low < 0, SumTerm::no_counter, std::abs(counter.low)},
                          {false, 0, 0}};
         now_.counters.push_back(arithmetic.sum(offset, {position}));
-        builder_.netlist().counters.push_back(std::move(observed));
+        builder_.add_counter(std::move(observed));
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 /// /CDX, as one net.
 NetId not_cdx(AsynchronousBuild& build, const PhaseSignals& phase, std::string_view name) {
-    NetlistBuilder& builder = build.builder;
+    ChartNetlist& builder = build.builder;
     std::vector<NetId> terms;
     for (std::size_t i = 0; i < phase.cdx.size(); ++i) {
         terms.push_back(phase.cdx[i].size() == 1 ? phase.cdx[i][0]
@@ -32,7 +32,7 @@ NetId not_cdx(AsynchronousBuild& build, const PhaseSignals& phase, std::string_v
 /// Both sides of the OR come from the same X through the same number of gates.
 NetId may_stay(AsynchronousBuild& build, const PhaseSignals& phase, std::string_view name,
                NetId& forced_on) {
-    NetlistBuilder& builder = build.builder;
+    ChartNetlist& builder = build.builder;
     const NetId not_off = builder.inverted(phase.forced_off);
     if (phase.forced_on == no_net) return not_off;
     // The nets of the X variables are numbered without a gap.
@@ -49,7 +49,7 @@ NetId may_stay(AsynchronousBuild& build, const PhaseSignals& phase, std::string_
 }  // namespace
 
 void make_gates_phase(AsynchronousBuild& build, const PhaseSignals& phase) {
-    NetlistBuilder& builder = build.builder;
+    ChartNetlist& builder = build.builder;
     const std::string name(build.step_name(phase.x));
     std::vector<NetId> causes;
     for (const TransitionId into : phase.into) causes.push_back(build.clearing_net(into));

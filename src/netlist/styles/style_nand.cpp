@@ -30,7 +30,7 @@ class NandPhase {
         resets_.push_back(phase_.x);
         builder_.drive(complement, CellType::nand_gate, resets_);
         if (phase_.init == no_net) {
-            builder_.netlist().initial_values.push_back({complement, !phase_.initial});
+            builder_.set_initial(complement, !phase_.initial);
         }
     }
 
@@ -85,7 +85,7 @@ class NandPhase {
         resets_.push_back(builder_.gate(CellType::nand_gate, pins, name_, role));
     }
 
-    NetlistBuilder& builder_;
+    ChartNetlist& builder_;
     AsynchronousBuild& build_;
     const PhaseSignals& phase_;
     std::string name_;

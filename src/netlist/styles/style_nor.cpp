@@ -29,7 +29,7 @@ class NorPhase {
         sets_.push_back(phase_.x);
         builder_.drive(complement, CellType::nor_gate, sets_);
         if (phase_.init == no_net) {
-            builder_.netlist().initial_values.push_back({complement, !phase_.initial});
+            builder_.set_initial(complement, !phase_.initial);
         }
     }
 
@@ -76,7 +76,7 @@ class NorPhase {
                                            : builder_.gate(CellType::and_gate, pins, name_, role));
     }
 
-    NetlistBuilder& builder_;
+    ChartNetlist& builder_;
     AsynchronousBuild& build_;
     const PhaseSignals& phase_;
     std::string name_;

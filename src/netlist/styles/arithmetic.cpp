@@ -4,14 +4,14 @@
 // Every gate is made in a statement of its own: C++ leaves the order in which arguments are
 // evaluated to the compiler, and the order of the cells must not depend on it.
 
-#include "netlist/arithmetic.h"
+#include "netlist/styles/arithmetic.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace grafwire {
 
-Arithmetic::Arithmetic(NetlistBuilder& builder, std::string owner)
+Arithmetic::Arithmetic(ChartNetlist& builder, std::string owner)
     : builder_(builder), owner_(std::move(owner)) {}
 
 NetId Arithmetic::gate(CellType type, NetId a, NetId b) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grafcet/expression.h"
-#include "netlist/netlist_builder.h"
+#include "netlist/styles/chart_netlist.h"
 
 namespace grafwire {
 
@@ -20,7 +20,7 @@ using Word = std::vector<NetId>;
 class Arithmetic {
   public:
     /// Gates are named after `owner`.
-    Arithmetic(NetlistBuilder& builder, std::string owner);
+    Arithmetic(ChartNetlist& builder, std::string owner);
 
     NetId and_of(NetId a, NetId b);
     NetId or_of(NetId a, NetId b);
@@ -43,7 +43,7 @@ class Arithmetic {
   private:
     NetId gate(CellType type, NetId a, NetId b);
 
-    NetlistBuilder& builder_;
+    ChartNetlist& builder_;
     std::string owner_;
     std::uint32_t next_ = 0;
 };
