@@ -55,7 +55,9 @@ class JsonReport {
 
     template <typename Item>
     void list(const char* name, std::size_t count, Item item) {
-        text_ += std::string(",\n  \"") + name + "\": [";
+        text_ += ",\n  \"";
+        text_ += name;
+        text_ += "\": [";
         for (std::size_t i = 0; i < count; ++i) {
             text_ += i == 0 ? "\n    " : ",\n    ";
             text_ += item(i).dump();
