@@ -82,12 +82,7 @@ class ClockedBuild {
     }
     void flip_flop(NetId output, NetId data, bool initial) {
         const NetId pins[] = {data, clock_};
-<<<<<<< HEAD
-        builder_.add_memory(CellType::flip_flop, output, pins, logic_of(initial));
-=======
-        builder_.add_cell(CellType::flip_flop, output, pins,
-                          {initial ? Logic::one : Logic::zero, {}});
->>>>>>> f8950e8 (Netlists: one builder that knows of no GRAFCET, for styles, passes and files; what it needs of a chart in a layer of the styles)
+        builder_.add_cell(CellType::flip_flop, output, pins, {logic_of(initial), {}});
     }
 
     Equations& equations_;
