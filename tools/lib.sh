@@ -236,32 +236,3 @@ count_tests() {
         }
         END { print passed + 0, failed + 0 }'
 }
-
-# make_netlists PROGRAM FOLDER [PATTERN]: what the program makes of every example (whose name matches
-# the shell pattern) in every style, FOLDER/example/style.v; what it says where it refuses, in
-# style.txt.
-make_netlists() {
-    local program=$1 folder=$2 pattern=${3:-*} chart name style
-    for chart in "$root"/examples/*.grafcet; do
-        name=$(basename "$chart" .grafcet)
-        # shellcheck disable=SC2053
-        [[ $name == $pattern ]] || continue
-        rm -rf "${folder:?}/$name"
-        mkdir -p "$folder/$name"
-        for style in gates nand nor clocked; do
-            make_netlist "$program" "$name" "$style" "$folder/$name/$style" || return
-        done
-    done
-}
-
-# Messages name the chart as seen from the top of the work tree.
-make_netlist() {
-    local status=0
-    (cd "$root" && "$1" --lang en netlist "examples/$2.grafcet" --style "$3" --to verilog) \
-        >"$4.v" 2>"$4.txt" || status=$?
-    case $status in
-        0) rm "$4.txt" ;;
-        2) rm "$4.v" ;;
-        *) say "netlist of $2 in style $3: status $status"; cat "$4.txt" >&2; return 1 ;;
-    esac
-}

@@ -15,8 +15,8 @@ namespace grafwire::testing {
 
 namespace {
 
-std::string golden(const std::string& name) {
-    return test::text_of(std::string(GRAFWIRE_ROOT) + "/tests/plc/golden/" + name);
+std::string lift_chart() {
+    return test::text_of(std::string(GRAFWIRE_ROOT) + "/tests/golden/lift.grafcet");
 }
 
 std::string messages_of(const std::string& format, const std::string& chart) {
@@ -65,16 +65,6 @@ graph G {
 constexpr const char* awkward_scans = "x\n0.5,1,1,1,1,1,1,1,1,1,0,0,0,0,0,0,0,0,0,9,9\n";
 
 }  // namespace
-
-TEST_CASE("golden programs") {
-    const auto grafcet = read_grafcet(golden("lift.grafcet"));
-    REQUIRE(grafcet);
-    const ScanProgram program = program_from(*grafcet, {});
-    CHECK(written("c", program) == golden("lift.c"));
-    CHECK(written("arduino", program) == golden("lift.ino"));
-    CHECK(written("pascal", program) == golden("lift.pas"));
-    CHECK(written("python", program) == golden("lift.py"));
-}
 
 TEST_CASE("names that a language does not take stand at the head of the file") {
     const auto head_of = [](const std::string& text) {
@@ -175,7 +165,7 @@ TEST_CASE("without modes there are no control inputs") {
         return run_on({folder.path("c")}, scans);
     };
     const RandomCase lift = {
-        golden("lift.grafcet"),
+        lift_chart(),
         "0ms : crate=0\n20ms : crate=1\n50ms : top=1\n2s : top=0 crate=0\n"
         "2100ms : crate=1 top=1\n+10ms : \"arrêt\"=1\n+50ms : int=1\n+1s : end\n"};
     CHECK(compare_with_reference(lift, run, true, {false}) == "");

@@ -1,0 +1,65 @@
+// single_sequence: 20 cells.
+`timescale 1ns/1ps
+
+module single_sequence (
+  input m,
+  input a,
+  input b,
+  input Init,
+  input AUdur,
+  input AUdoux,
+  input clk,
+  output X0,
+  output X1,
+  output X2
+);
+  wire Init$not, AUdur$not;
+  wire T0$clear;
+  wire T1$clear;
+  wire T2$clear;
+  wire T0$clear$not, X0$hold, X0$evolved, X0$next;
+  wire T1$clear$not, X1$hold, X1$evolved, X1$next;
+  wire T2$clear$not, X2$hold, X2$evolved, X2$next;
+
+  // inputs
+  not Init$not$g (Init$not, Init);
+  not AUdur$not$g (AUdur$not, AUdur);
+
+  // T0
+  and T0$clear$g (T0$clear, X0, m, Init$not);
+
+  // T1
+  and T1$clear$g (T1$clear, X1, a, Init$not);
+
+  // T2
+  and T2$clear$g (T2$clear, X2, b, Init$not);
+
+  // X0 = (X2.b + /(X0.m).X0 + Init)./AUdur
+  not T0$clear$not$g (T0$clear$not, T0$clear);
+  and X0$hold$g (X0$hold, X0, T0$clear$not);
+  or X0$evolved$g (X0$evolved, T2$clear, X0$hold, Init);
+  and X0$next$g (X0$next, X0$evolved, AUdur$not);
+  grafwire_dff #(.INIT(1'b1)) X0$g (.d(X0$next), .c(clk), .q(X0));
+
+  // X1 = (X0.m + /(X1.a).X1)./Init./AUdur
+  not T1$clear$not$g (T1$clear$not, T1$clear);
+  and X1$hold$g (X1$hold, X1, T1$clear$not, Init$not);
+  or X1$evolved$g (X1$evolved, T0$clear, X1$hold);
+  and X1$next$g (X1$next, X1$evolved, AUdur$not);
+  grafwire_dff #(.INIT(1'b0)) X1$g (.d(X1$next), .c(clk), .q(X1));
+
+  // X2 = (X1.a + /(X2.b).X2)./Init./AUdur
+  not T2$clear$not$g (T2$clear$not, T2$clear);
+  and X2$hold$g (X2$hold, X2, T2$clear$not, Init$not);
+  or X2$evolved$g (X2$evolved, T1$clear, X2$hold);
+  and X2$next$g (X2$next, X2$evolved, AUdur$not);
+  grafwire_dff #(.INIT(1'b0)) X2$g (.d(X2$next), .c(clk), .q(X2));
+endmodule
+
+`timescale 1ps/1ps
+
+// D flip-flop.
+module grafwire_dff #(parameter INIT = 1'bx) (input d, input c, output reg q);
+  initial q = INIT;
+  always @(posedge c) q <= d;
+endmodule
