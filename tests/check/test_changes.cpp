@@ -8,7 +8,7 @@
 #include "check/netlist_witness.h"
 #include "check/path.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

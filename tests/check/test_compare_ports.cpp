@@ -1,6 +1,6 @@
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -1,5 +1,5 @@
 #include "check/check_equivalence.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

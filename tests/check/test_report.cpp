@@ -1,7 +1,7 @@
 // The report of a check for people, part by part, from results made up here.
 
 #include "check/report.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

@@ -2,7 +2,7 @@
 // examples would show it as well, but only as other gates in netlists/.
 
 #include "check/check_equivalence.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

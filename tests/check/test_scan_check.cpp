@@ -1,6 +1,6 @@
-#include "check/naive_device.h"
 #include "check/scan_check.h"
-#include "netlist/netlists.h"
+#include "support/naive_device.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

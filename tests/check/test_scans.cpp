@@ -8,7 +8,7 @@
 #include "check/netlist_witness.h"
 #include "check/path.h"
 #include "formats/blif/read_blif.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -1,6 +1,6 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

@@ -2,7 +2,7 @@
 #include "check/partial_inputs.h"
 #include "check/path.h"
 #include "check/smallest_witness.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

@@ -3,7 +3,7 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "check/wrong_wiring.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

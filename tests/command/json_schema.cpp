@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

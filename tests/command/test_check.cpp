@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "command/csv.h"
-#include "command/run_program.h"
+#include "support/csv.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command/json_schema.h"
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "command/csv.h"
-#include "command/run_program.h"
+#include "support/csv.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

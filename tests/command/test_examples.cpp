@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "command/run_program.h"
-#include "slow_build.h"
+#include "support/run_program.h"
+#include "support/slow_build.h"
 
 namespace grafwire::test {
 

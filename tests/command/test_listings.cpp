@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/json_schema.h"
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "evolution/naive_evolution.h"
 #include "evolution/random_grafcet.h"
 #include "evolution/run_text.h"
+#include "support/naive_evolution.h"
 
 namespace grafwire {
 

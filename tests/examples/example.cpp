@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "command/run_program.h"
 #include "equations/equations.h"
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -8,7 +8,7 @@
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "netlist/styles/netlist_from.h"
-#include "slow_build.h"
+#include "support/slow_build.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::test {

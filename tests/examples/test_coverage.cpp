@@ -7,7 +7,7 @@
 
 #include "check/check_equivalence.h"
 #include "examples/example.h"
-#include "reviewed_file.h"
+#include "support/reviewed_file.h"
 
 namespace grafwire::test {
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <vector>
 
-#include "command/run_program.h"
 #include "examples/example.h"
 #include "formats/shared/bench.h"
 #include "formats/spice/write_spice.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -2,11 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include "command/csv.h"
-#include "command/run_program.h"
 #include "examples/example.h"
 #include "formats/shared/bench.h"
 #include "formats/verilog/write_verilog.h"
+#include "support/csv.h"
+#include "support/run_program.h"
 #include "text/time.h"
 
 namespace grafwire::test {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "command/run_program.h"
 #include "evolution/evolution.h"
 #include "examples/example.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_program.h"
 #include "examples/example.h"
 #include "formats/exporters.h"
+#include "support/run_program.h"
 
 namespace grafwire::test {
 

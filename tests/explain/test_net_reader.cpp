@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "explain/compare_functions.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

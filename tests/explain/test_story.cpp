@@ -9,7 +9,7 @@
 #include "explain/explain.h"
 #include "explain/tell_witness.h"
 #include "formats/blif/read_blif.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -10,11 +10,11 @@
 
 #include "equations/equations.h"
 #include "evolution/run.h"
-#include "formats/tool_runner.h"
 #include "formats/verilog/write_verilog.h"
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
 #include "simulate/simulate.h"
+#include "support/tool_runner.h"
 
 using namespace grafwire;
 

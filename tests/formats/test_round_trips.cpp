@@ -11,11 +11,11 @@
 #include "formats/blif/read_blif.h"
 #include "formats/blif/write_blif.h"
 #include "formats/sample_netlists.h"
-#include "formats/tool_runner.h"
 #include "formats/yosys/read_yosys_json.h"
 #include "formats/yosys/write_yosys_json.h"
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
+#include "support/tool_runner.h"
 
 using namespace grafwire;
 

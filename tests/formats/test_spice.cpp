@@ -5,7 +5,7 @@
 #include "formats/sample_netlists.h"
 #include "formats/spice/spice_names.h"
 #include "formats/spice/write_spice.h"
-#include "formats/tool_runner.h"
+#include "support/tool_runner.h"
 
 using namespace grafwire;
 

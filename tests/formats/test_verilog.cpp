@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
 #include "formats/sample_netlists.h"
-#include "formats/tool_runner.h"
 #include "formats/verilog/verilog_names.h"
 #include "formats/verilog/write_verilog.h"
+#include "support/tool_runner.h"
 
 using namespace grafwire;
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ladder/sfc_reader.h"
-#include "plc/iec_block.h"
-#include "plc/st_body.h"
+#include "support/iec_block.h"
+#include "support/st_body.h"
 
 namespace grafwire::testing {
 

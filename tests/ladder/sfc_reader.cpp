@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "plc/iec_lexer.h"
+#include "support/iec_lexer.h"
 
 namespace grafwire::testing {
 

@@ -5,8 +5,6 @@
 #include <filesystem>
 
 #include "evolution/run.h"
-#include "formats/tool_runner.h"
-#include "ladder/chart_files.h"
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
 #include "ladder/run_ladder.h"
@@ -14,6 +12,8 @@
 #include "plcopen/write_plcopen.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/chart_files.h"
+#include "support/tool_runner.h"
 
 namespace grafwire::testing {
 

@@ -9,13 +9,13 @@
 
 #include "evolution/run.h"
 #include "grafcet/write_grafcet.h"
-#include "ladder/chart_files.h"
 #include "ladder/run_sfc.h"
 #include "ladder/sequence_chart.h"
 #include "random/random_cases.h"
 #include "random/random_stimuli.h"
 #include "random/read_text.h"
 #include "sfc/remarks.h"
+#include "support/chart_files.h"
 
 namespace grafwire::testing {
 

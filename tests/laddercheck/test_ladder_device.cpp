@@ -4,11 +4,11 @@
 
 #include "check/scan_check.h"
 #include "evolution/run.h"
-#include "ladder/chart_files.h"
 #include "ladder/ladder_from.h"
 #include "laddercheck/ladder_device.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/chart_files.h"
 
 namespace grafwire::testing {
 

@@ -14,10 +14,10 @@
 #include "check/netlist_witness.h"
 #include "explain/explain.h"
 #include "explain/tell_witness.h"
-#include "mutants/mutate.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
-#include "slow_build.h"
+#include "support/mutate.h"
+#include "support/slow_build.h"
 
 namespace grafwire::testing {
 

@@ -16,11 +16,11 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "grafcet/parse_grafcet.h"
-#include "mutants/mutate.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
-#include "reviewed_file.h"
-#include "slow_build.h"
+#include "support/mutate.h"
+#include "support/reviewed_file.h"
+#include "support/slow_build.h"
 
 namespace grafwire::testing {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "netlist/netlists.h"
 #include "netlist/styles/arithmetic.h"
 #include "random/random_source.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "netlist/boost_graph.h"
-#include "netlist/netlists.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "evolution/run.h"
-#include "netlist/netlists.h"
 #include "simulate/simulate.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "plc/plc_machine.h"
+#include "support/plc_machine.h"
 
 namespace grafwire::testing {
 

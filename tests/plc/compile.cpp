@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 namespace grafwire::testing {
 

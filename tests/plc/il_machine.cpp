@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "plc/iec_block.h"
+#include "support/iec_block.h"
 
 namespace grafwire::testing {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plc/plc_machine.h"
+#include "support/plc_machine.h"
 
 namespace grafwire::testing {
 

@@ -4,12 +4,12 @@
 
 #include <stdexcept>
 
-#include "command/run_program.h"
 #include "evolution/run.h"
 #include "plc/formats.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
-#include "slow_build.h"
+#include "support/run_program.h"
+#include "support/slow_build.h"
 
 namespace grafwire::testing {
 

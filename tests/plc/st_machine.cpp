@@ -1,7 +1,7 @@
 #include "plc/st_machine.h"
 
-#include "plc/iec_block.h"
-#include "plc/st_body.h"
+#include "support/iec_block.h"
+#include "support/st_body.h"
 
 namespace grafwire::testing {
 

@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_program.h"
 #include "plc/compile.h"
 #include "plc/run_language.h"
+#include "support/run_program.h"
 
 namespace grafwire::testing {
 

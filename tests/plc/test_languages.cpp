@@ -5,11 +5,11 @@
 
 #include <stdexcept>
 
-#include "command/run_program.h"
 #include "plc/compile.h"
 #include "plc/formats.h"
 #include "plc/run_language.h"
 #include "random/read_text.h"
+#include "support/run_program.h"
 
 namespace grafwire::testing {
 

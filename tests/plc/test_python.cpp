@@ -2,11 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_program.h"
 #include "evolution/run.h"
 #include "plc/compile.h"
 #include "plc/run_language.h"
 #include "random/read_text.h"
+#include "support/run_program.h"
 
 namespace grafwire::testing {
 

@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
-#include "plc/plc_machine.h"
 #include "plc/st_machine.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/plc_machine.h"
 
 namespace grafwire::testing {
 

@@ -2,9 +2,9 @@
 
 #include "plc/awl_machine.h"
 #include "plc/long_times.h"
-#include "plc/plc_machine.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/plc_machine.h"
 
 namespace grafwire::testing {
 

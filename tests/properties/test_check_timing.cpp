@@ -7,10 +7,10 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "evolution/run.h"
-#include "mutants/mutate.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/mutate.h"
 
 namespace grafwire::testing {
 

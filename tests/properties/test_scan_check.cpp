@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "check/naive_device.h"
 #include "check/scan_check.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/naive_device.h"
 #include "trace/assumptions.h"
 
 namespace grafwire::testing {

@@ -8,7 +8,7 @@
 #include "random/random_grafcet.h"
 #include "random/random_stimuli.h"
 #include "random/read_text.h"
-#include "slow_build.h"
+#include "support/slow_build.h"
 
 namespace grafwire::testing {
 

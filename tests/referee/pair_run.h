@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "evolution/evolution.h"
-#include "evolution/naive_evolution.h"
 #include "referee/gate_simulator.h"
+#include "support/naive_evolution.h"
 
 namespace grafwire::testing {
 

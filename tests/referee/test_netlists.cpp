@@ -10,7 +10,6 @@
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
-#include "mutants/mutate.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
@@ -18,6 +17,7 @@
 #include "referee/graft.h"
 #include "referee/pair_run.h"
 #include "referee/random_walk.h"
+#include "support/mutate.h"
 
 namespace grafwire::testing {
 

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "random/random_source.h"
-#include "s7/listings.h"
 #include "s7/write_listing.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "s7/instruction_set.h"
-#include "s7/listings.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

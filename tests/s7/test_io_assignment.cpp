@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "random/read_text.h"
-#include "s7/listings.h"
 #include "s7/machine/binding.h"
+#include "support/listings.h"
 #include "trace/trace.h"
 
 namespace grafwire::testing {

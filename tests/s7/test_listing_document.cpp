@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "s7/instruction_set.h"
-#include "s7/listings.h"
 #include "s7/made_listing.h"
 #include "s7/write_listing.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -10,9 +10,9 @@
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "s7/check_listing.h"
-#include "s7/listings.h"
 #include "s7/run_generated.h"
 #include "s7/write_listing.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "s7/listings.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "s7/instruction_set.h"
-#include "s7/listings.h"
 #include "s7/offsets.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -6,9 +6,9 @@
 
 #include "evolution/run.h"
 #include "random/read_text.h"
-#include "s7/listings.h"
 #include "s7/machine/binding.h"
 #include "s7/machine/run_listing.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "s7/cpu.h"
-#include "s7/listings.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

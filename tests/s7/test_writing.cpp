@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include "s7/listings.h"
 #include "s7/offsets.h"
 #include "s7/random_listing.h"
 #include "s7/write_listing.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "check/scan_check.h"
-#include "s7/listings.h"
 #include "s7check/blame.h"
 #include "s7check/listing_device.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "s7/listings.h"
 #include "s7/operand_text.h"
 #include "s7check/method_tables.h"
+#include "support/listings.h"
 
 namespace grafwire::testing {
 

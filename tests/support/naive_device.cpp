@@ -1,4 +1,4 @@
-#include "check/naive_device.h"
+#include "support/naive_device.h"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "plc/iec_lexer.h"
+#include "support/iec_lexer.h"
 
 #include <algorithm>
 #include <cctype>

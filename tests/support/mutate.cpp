@@ -1,4 +1,4 @@
-#include "mutants/mutate.h"
+#include "support/mutate.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "evolution/naive_evolution.h"
+#include "support/naive_evolution.h"
 
 #include <algorithm>
 #include <set>

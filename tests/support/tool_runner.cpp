@@ -1,4 +1,4 @@
-#include "formats/tool_runner.h"
+#include "support/tool_runner.h"
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "command/run_program.h"
+#include "support/run_program.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -69,13 +69,11 @@ Ran run_program(const std::vector<std::string>& command, const std::string& inpu
             text_of(err)};
 }
 
-#ifdef GRAFWIRE_PROGRAM
 Ran grafwire_with(std::vector<std::string> arguments, const std::string& input,
                   const std::vector<std::string>& environment) {
     arguments.insert(arguments.begin(), GRAFWIRE_PROGRAM);
     return run_program(arguments, input, environment);
 }
-#endif
 
 ScratchFolder::ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "grafwire-XXXXXX").string();

@@ -1,4 +1,4 @@
-#include "plc/plc_machine.h"
+#include "support/plc_machine.h"
 
 #include <doctest/doctest.h>
 

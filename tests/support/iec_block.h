@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "plc/iec_lexer.h"
+#include "support/iec_lexer.h"
 
 namespace grafwire::testing {
 

@@ -1,4 +1,4 @@
-#include "command/csv.h"
+#include "support/csv.h"
 
 namespace grafwire::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "check/scanned_device.h"
-#include "evolution/naive_evolution.h"
+#include "support/naive_evolution.h"
 
 namespace grafwire::testing {
 

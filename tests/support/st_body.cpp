@@ -1,4 +1,4 @@
-#include "plc/st_body.h"
+#include "support/st_body.h"
 
 namespace grafwire::testing {
 

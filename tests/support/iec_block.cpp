@@ -1,4 +1,4 @@
-#include "plc/iec_block.h"
+#include "support/iec_block.h"
 
 #include <limits>
 #include <map>

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plc/plc_machine.h"
+#include "support/plc_machine.h"
 
 namespace grafwire::testing {
 

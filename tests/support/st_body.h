@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "plc/iec_block.h"
+#include "support/iec_block.h"
 
 namespace grafwire::testing {
 

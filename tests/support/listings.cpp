@@ -1,4 +1,4 @@
-#include "s7/listings.h"
+#include "support/listings.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "ladder/chart_files.h"
+#include "support/chart_files.h"
 
 #include <doctest/doctest.h>
 
