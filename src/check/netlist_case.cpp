@@ -21,11 +21,10 @@ namespace grafwire {
 
 NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                            const KeepGoing& keep_going)
-    : grafcet_(grafcet),
-      netlist_(netlist),
-      simulator_(netlist, delays),
-      delay_ends_(netlist),
-      ports_(map_ports(grafcet, netlist)),
+    : netlist_(netlist),
+      machine_(grafcet, netlist, delays),
+      simulator_(machine_.simulator()),
+      ports_(machine_.ports()),
       drivers_(drivers_of(netlist)),
       input_of_net_(netlist.net_count(), none) {
     simulator_.ask(keep_going);
@@ -86,7 +85,7 @@ void NetlistCases::append_key(std::string& key, const SimulatorState& state) con
 std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
                                                    const std::vector<std::uint32_t>& inputs) {
     simulator_.restore(state);
-    begin_instant();
+    begin_instant({});
     for (const std::uint32_t input : inputs) {
         if (ports_.inputs[input] == no_net) continue;
         simulator_.set_input(ports_.inputs[input], Logic::unknown);
@@ -100,18 +99,10 @@ std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
     return forgetful;
 }
 
-void NetlistCases::set_inputs(const PartialInputs& inputs) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (ports_.inputs[i] != no_net) simulator_.set_input(ports_.inputs[i], inputs[i]);
-    }
-}
-
 /// Power-up, initialisation, and the inputs of the first instant.
 Settling NetlistCases::start_up(const PathStep& step) {
-    simulator_.power_up();
-    Settling settling = initialise(simulator_, grafcet_, netlist_, ports_, step.inputs);
-    begin_instant();
-    set_inputs(step.inputs);
+    Settling settling = machine_.start(step.inputs);
+    begin_instant(step.inputs);
     return settling;
 }
 
@@ -125,20 +116,14 @@ void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
         for (const std::uint32_t timer : step.ended.timers) with_due.due[timer] = 0;
         simulator_.restore(with_due);
     }
-    if (step.before != left) {
-        simulator_.hold_pulses(true);
-        set_inputs(step.before);
-        simulator_.settle();
-        simulator_.hold_pulses(false);
-    }
-    begin_instant();
-    set_inputs(step.inputs);
-    if (!netlist_.is_clocked()) delay_ends_.take_effect(simulator_, instant_);
+    if (step.before != left) machine_.rest_under(step.before);
+    begin_instant(step.inputs);
+    if (!netlist_.is_clocked()) machine_.end_delays();
 }
 
-void NetlistCases::begin_instant() {
+void NetlistCases::begin_instant(const PartialInputs& inputs) {
     instant_ = simulator_.now();
-    simulator_.begin_instant(instant_);
+    machine_.begin_instant(instant_, inputs);
 }
 
 /// What is to be kept of the present state: the clock goes back to 0, and the moments of delays
@@ -237,7 +222,7 @@ NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInput
         leave(*start, left, step);
     }
     if (netlist_.is_clocked()) return clock(step, expected);
-    settling = delay_ends_.settle(simulator_, instant_);
+    settling = machine_.settle();
     if (!settling.settled) return not_settled(settling, step);
     return after_gates(step, expected);
 }

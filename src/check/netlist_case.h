@@ -7,8 +7,7 @@
 #include "check/path.h"
 #include "check/reference_case.h"
 #include "netlist/netlist.h"
-#include "simulate/delay_ends.h"
-#include "simulate/simulate.h"
+#include "simulate/netlist_machine.h"
 #include "simulate/simulator.h"
 
 namespace grafwire {
@@ -39,6 +38,8 @@ class NetlistCases {
   public:
     NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                  const KeepGoing& keep_going);
+    NetlistCases(const NetlistCases&) = delete;
+    NetlistCases& operator=(const NetlistCases&) = delete;
 
     /// `start` none: power-up and initialisation. `left` are the inputs with which the state
     /// `start` was saved; `step.before` may close some that are open there.
@@ -62,9 +63,8 @@ class NetlistCases {
   private:
     Settling start_up(const PathStep& step);
     void leave(const SimulatorState& start, const PartialInputs& left, const PathStep& step);
-    void begin_instant();
+    void begin_instant(const PartialInputs& inputs);
     SimulatorState kept_state() const;
-    void set_inputs(const PartialInputs& inputs);
     NetlistOutcome look(const BitTable& situation, const OutputValues& outputs,
                         const PathStep& step) const;
     NetlistOutcome after_gates(const PathStep& step, const ReferenceOutcome& expected);
@@ -77,11 +77,10 @@ class NetlistCases {
                            std::uint32_t& input) const;
     void find_remembered_nets();
 
-    const Grafcet& grafcet_;
     const Netlist& netlist_;
-    Simulator simulator_;
-    DelayEnds delay_ends_;
-    PortMap ports_;
+    NetlistMachine machine_;
+    Simulator& simulator_;
+    const PortMap& ports_;
     Time instant_ = 0;  ///< of the case, on the clock of the simulation
     Table<NetId, CellId> drivers_;
     std::vector<std::uint32_t> input_of_net_;  ///< per net: the input it carries, or none

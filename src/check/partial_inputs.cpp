@@ -26,14 +26,6 @@ void collect_inputs(const Grafcet& grafcet, ExprId id, std::vector<std::uint32_t
 
 }  // namespace
 
-PartialInputs known_inputs(const InputValues& values) {
-    PartialInputs inputs(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        inputs[i] = logic_of(values[i] != 0);
-    }
-    return inputs;
-}
-
 PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes) {
     PartialInputs inputs(grafcet.all_input_count(), Logic::unknown);
     if (has_modes) return inputs;

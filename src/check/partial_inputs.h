@@ -15,9 +15,6 @@ namespace grafwire {
 /// open: `Logic::unknown` stands for "0 or 1, it does not matter which".
 using PartialInputs = std::vector<Logic>;
 
-/// None open.
-PartialInputs known_inputs(const InputValues& values);
-
 /// All open; but Init, AUdur and AUdoux are 0 where a device has no modes.
 PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes);
 

@@ -6,6 +6,7 @@
 
 #include "command/inputs.h"
 #include "grafcet/write_grafcet.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
@@ -27,10 +28,10 @@ void warn_of_broken_assumptions(const Grafcet& grafcet,
 std::vector<RunResult::BrokenAssumption> broken_assumptions(const Grafcet& grafcet,
                                                             const Stimuli& stimuli) {
     std::vector<RunResult::BrokenAssumption> broken;
-    InputValues inputs(grafcet.all_input_count(), 0);
+    StimuliPlayer player(stimuli, grafcet.all_input_count());
     for (const Stimuli::Change& change : stimuli.changes) {
-        for (const auto& set : change.assignments) inputs[set.input] = set.value;
-        const std::size_t found = broken_assumption(grafcet, inputs);
+        player.advance(change.at);
+        const std::size_t found = broken_assumption(grafcet, player.inputs());
         const bool known = std::any_of(broken.begin(), broken.end(),
                                        [&](const auto& item) { return item.assumption == found; });
         if (found < grafcet.assumptions.size() && !known) broken.push_back({change.at, found});

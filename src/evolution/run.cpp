@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "trace/assumptions.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
@@ -17,37 +17,37 @@ class Runner {
   public:
     Runner(const Grafcet& grafcet, const Stimuli& stimuli)
         : grafcet_(grafcet),
-          stimuli_(stimuli),
+          end_(stimuli.end),
           evolution_(grafcet),
-          inputs_(grafcet.all_input_count(), 0),
+          player_(stimuli, grafcet.all_input_count()),
           is_broken_(grafcet.assumptions.size(), false) {
         result_.trace = empty_trace(grafcet);
         change_inputs(0);
-        state_ = evolution_.start({inputs_});
+        state_ = evolution_.start({player_.inputs()});
     }
 
     RunResult until_stable() {
-        for (Time now = 0; now <= stimuli_.end; now = next_instant()) {
+        for (Time now = 0; now <= end_; now = next_instant()) {
             change_inputs(now);
-            if (now != 0) evolution_.end_delays(state_, {inputs_}, now);
-            SettleResult settled = evolution_.settle(state_, {inputs_}, now);
+            if (now != 0) evolution_.end_delays(state_, {player_.inputs()}, now);
+            SettleResult settled = evolution_.settle(state_, {player_.inputs()}, now);
             if (!settled.stable) {
                 result_.unstable_at = now;
                 result_.changing = std::move(settled.changing);
                 break;
             }
             add_row(now);
-            if (now == stimuli_.end) break;
+            if (now == end_) break;
         }
         return std::move(result_);
     }
 
     RunResult scan_by_scan(Time period) {
-        for (Time now = 0; now <= stimuli_.end; now += period) {
+        for (Time now = 0; now <= end_; now += period) {
             change_inputs(now);
-            evolution_.scan(state_, {inputs_}, now);
+            evolution_.scan(state_, {player_.inputs()}, now);
             add_row(now);
-            if (period > stimuli_.end - now) break;
+            if (period > end_ - now) break;
         }
         return std::move(result_);
     }
@@ -55,20 +55,13 @@ class Runner {
   private:
     /// Applies every change up to and including `now`.
     void change_inputs(Time now) {
-        const std::size_t first = next_change_;
-        for (; next_change_ < stimuli_.changes.size(); ++next_change_) {
-            const Stimuli::Change& change = stimuli_.changes[next_change_];
-            if (change.at > now) break;
-            for (const Stimuli::Assignment& assignment : change.assignments) {
-                inputs_[assignment.input] = assignment.value ? 1 : 0;
-            }
-        }
-        if (now == 0 || next_change_ != first) check_assumptions(now);
+        const bool any = player_.advance(now);
+        if (any || now == 0) check_assumptions(now);
     }
 
     void check_assumptions(Time now) {
         for (std::size_t i = 0; i < is_broken_.size(); ++i) {
-            if (is_broken_[i] || assumption_holds(grafcet_, i, inputs_)) continue;
+            if (is_broken_[i] || assumption_holds(grafcet_, i, player_.inputs())) continue;
             is_broken_[i] = true;
             result_.broken_assumptions.push_back({now, i});
         }
@@ -76,10 +69,7 @@ class Runner {
 
     /// The first moment after the present one at which something can happen.
     Time next_instant() const {
-        Time next = stimuli_.end;
-        if (next_change_ < stimuli_.changes.size()) {
-            next = std::min(next, stimuli_.changes[next_change_].at);
-        }
+        Time next = std::min(end_, player_.next_change());
         for (const Time due : state_.due) next = std::min(next, due);
         return next;
     }
@@ -87,9 +77,10 @@ class Runner {
     void add_row(Time now) {
         Trace& trace = result_.trace;
         trace.times.push_back(now);
-        trace.values.insert(trace.values.end(), inputs_.begin(), inputs_.end());
+        const InputValues& inputs = player_.inputs();
+        trace.values.insert(trace.values.end(), inputs.begin(), inputs.end());
         add_bits(state_.situation);
-        add_bits(evolution_.outputs(state_, {inputs_}));
+        add_bits(evolution_.outputs(state_, {player_.inputs()}));
         add_bits(state_.vars);
         trace.values.insert(trace.values.end(), state_.counters.begin(), state_.counters.end());
         assert(trace.values.size() == trace.times.size() * trace.columns.size());
@@ -102,10 +93,9 @@ class Runner {
     }
 
     const Grafcet& grafcet_;
-    const Stimuli& stimuli_;
+    Time end_;
     Evolution evolution_;
-    InputValues inputs_;
-    std::size_t next_change_ = 0;
+    StimuliPlayer player_;
     EvolutionState state_;
     std::vector<bool> is_broken_;
     RunResult result_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/scan.h"
+#include "text/packed_bytes.h"
 
 namespace grafwire::ladder {
 
@@ -28,12 +29,6 @@ std::size_t edges_in(const Rung& rung) {
 
 std::size_t index_of(VariableId id) {
     return static_cast<std::size_t>(id);
-}
-
-void append(std::string& key, std::uint64_t value) {
-    for (int shift = 0; shift < 64; shift += 8) {
-        key += static_cast<char>(static_cast<unsigned char>(value >> shift));
-    }
 }
 
 }  // namespace
@@ -132,15 +127,14 @@ std::string Machine::key(const MachineState& state, Time now) const {
     for (std::size_t v = 0; v < state.cells.size(); ++v) {
         if (!remembered_[v]) continue;
         const MachineState::Cell& cell = state.cells[v];
-        key += static_cast<char>(cell.bit.value);
+        append_packed(key, cell.bit.value);
         if (ladder_.variables[v].type == Type::bit) continue;
-        key += static_cast<char>(cell.last.value);
-        append(key, static_cast<std::uint64_t>(cell.number));
+        append_packed(key, cell.last.value);
+        append_packed(key, cell.number);
         // A timer that has reached its preset stays there.
-        const Time elapsed = cell.runs ? std::min(now - cell.since, longest_[v]) : -1;
-        append(key, static_cast<std::uint64_t>(elapsed));
+        append_packed(key, cell.runs ? std::min(now - cell.since, longest_[v]) : Time{-1});
     }
-    for (const Signal& signal : state.edges) key += static_cast<char>(signal.value);
+    for (const Signal& signal : state.edges) append_packed(key, signal.value);
     return key;
 }
 
@@ -149,40 +143,33 @@ std::string Machine::save(const MachineState& state) const {
     for (std::size_t v = 0; v < state.cells.size(); ++v) {
         if (!remembered_[v]) continue;
         const MachineState::Cell& cell = state.cells[v];
-        memory += static_cast<char>(cell.bit.value);
+        append_packed(memory, cell.bit.value);
         if (ladder_.variables[v].type == Type::bit) continue;
-        memory += static_cast<char>(cell.last.value);
-        memory += static_cast<char>(cell.runs ? 1 : 0);
-        append(memory, static_cast<std::uint64_t>(cell.number));
-        append(memory, static_cast<std::uint64_t>(cell.since));
+        append_packed(memory, cell.last.value);
+        append_packed(memory, cell.runs);
+        append_packed(memory, cell.number);
+        append_packed(memory, cell.since);
     }
-    for (const Signal& signal : state.edges) memory += static_cast<char>(signal.value);
+    for (const Signal& signal : state.edges) append_packed(memory, signal.value);
     return memory;
 }
 
 MachineState Machine::load(const std::string& memory) const {
     MachineState state;
-    std::size_t at = 0;
-    const auto byte = [&] { return static_cast<unsigned char>(memory[at++]); };
-    const auto logic = [&] { return static_cast<Logic>(byte()); };
-    const auto number = [&] {
-        std::uint64_t value = 0;
-        for (int shift = 0; shift < 64; shift += 8) value |= std::uint64_t{byte()} << shift;
-        return static_cast<std::int64_t>(value);
-    };
+    PackedReader reader(memory);
     state.cells.resize(ladder_.variables.size());
     for (std::size_t v = 0; v < state.cells.size(); ++v) {
         if (!remembered_[v]) continue;
         MachineState::Cell& cell = state.cells[v];
-        cell.bit.value = logic();
+        reader.take(cell.bit.value);
         if (ladder_.variables[v].type == Type::bit) continue;
-        cell.last.value = logic();
-        cell.runs = byte() != 0;
-        cell.number = number();
-        cell.since = number();
+        reader.take(cell.last.value);
+        reader.take(cell.runs);
+        reader.take(cell.number);
+        reader.take(cell.since);
     }
     state.edges.resize(edge_count_);
-    for (Signal& signal : state.edges) signal.value = logic();
+    for (Signal& signal : state.edges) reader.take(signal.value);
     return state;
 }
 

@@ -1,7 +1,8 @@
 #include "s7check/listing_device.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "text/packed_bytes.h"
 
 namespace grafwire {
 
@@ -21,31 +22,18 @@ std::size_t image_bit(const s7::Operand& operand) {
     return static_cast<std::size_t>(operand.address) * 8 + operand.bit;
 }
 
-template <typename Value>
-void append(std::string& text, const Value& value) {
-    char bytes[sizeof(Value)];
-    std::memcpy(bytes, &value, sizeof(Value));
-    text.append(bytes, sizeof(Value));
+void append_timer(std::string& memory, const s7::TimerState& timer) {
+    append_packed(memory, timer.current);
+    append_packed(memory, timer.elapsed);
+    append_packed(memory, timer.bit);
+    append_packed(memory, timer.running);
 }
 
-template <typename Value>
-void take(const char*& from, Value& value) {
-    std::memcpy(&value, from, sizeof(Value));
-    from += sizeof(Value);
-}
-
-void append_timer(std::string& text, const s7::TimerState& timer) {
-    append(text, timer.current);
-    append(text, timer.elapsed);
-    append(text, timer.bit);
-    append(text, timer.running);
-}
-
-void take_timer(const char*& from, s7::TimerState& timer) {
-    take(from, timer.current);
-    take(from, timer.elapsed);
-    take(from, timer.bit);
-    take(from, timer.running);
+void take_timer(PackedReader& reader, s7::TimerState& timer) {
+    reader.take(timer.current);
+    reader.take(timer.elapsed);
+    reader.take(timer.bit);
+    reader.take(timer.running);
 }
 
 }  // namespace
@@ -133,10 +121,10 @@ std::optional<std::uint32_t> ListingDevice::unknown_alive(const s7::MachineState
     return std::nullopt;
 }
 
-/// The moment of the last scan, then what is alive: see key().
+/// The time of the last scan, then what is alive: see key().
 std::string ListingDevice::packed(const s7::MachineState& state) const {
     std::string memory;
-    append(memory, state.last_scan);
+    append_packed(memory, state.last_scan);
     for (const std::size_t byte : alive_bytes_) {
         memory += static_cast<char>(state.memory[byte] & alive_[byte]);
     }
@@ -149,13 +137,13 @@ std::string ListingDevice::packed(const s7::MachineState& state) const {
 s7::MachineState ListingDevice::unpacked(const std::string& memory) const {
     s7::MachineState state = blank_;
     if (memory.empty()) return state;
-    const char* from = memory.data();
+    PackedReader reader(memory);
     state.first_scan = false;
-    take(from, state.last_scan);
-    for (const std::size_t byte : alive_bytes_) take(from, state.memory[byte]);
-    for (s7::TimerState& timer : state.timers) take_timer(from, timer);
-    for (s7::TimerState& counter : state.counters) take_timer(from, counter);
-    for (std::uint8_t& edge : state.edges) take(from, edge);
+    reader.take(state.last_scan);
+    for (const std::size_t byte : alive_bytes_) reader.take(state.memory[byte]);
+    for (s7::TimerState& timer : state.timers) take_timer(reader, timer);
+    for (s7::TimerState& counter : state.counters) take_timer(reader, counter);
+    for (std::uint8_t& edge : state.edges) reader.take(edge);
     return state;
 }
 

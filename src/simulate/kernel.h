@@ -15,18 +15,20 @@
 namespace grafwire {
 
 /// The simulation proper; run_kernel.cpp tells how it works. As every net has one driver, a net and
-/// the cell that drives it are one node, numbered as the net. Moments are counted in ticks, which
-/// never go back; the origin says which moment tick 0 stands for.
+/// the cell that drives it are one node, numbered as the net. Time is counted in ticks, which
+/// never go back; the origin says which time tick 0 stands for.
 class Simulator::Kernel {
   public:
     Kernel(const Netlist& netlist, const CellDelays& delays);
 
     void power_up();
     void begin_instant(Time at);
+    /// Where nothing is left to happen.
     void restart_clock();
     void set_input(std::uint32_t net, Logic value);
-    void hold_pulses(bool on);
-    void remember_pulse_inputs();
+    void hold_pulses() { pulses_held_ = true; }
+    void release_pulses();
+    void remember_pulse_inputs() { pulses_remember_ = true; }
     void force(std::uint32_t net, Logic value);
     void release_all();
     Settling settle();
@@ -40,7 +42,7 @@ class Simulator::Kernel {
     bool end_delay(std::size_t timer, Logic operand);
 
     Logic value(std::uint32_t net) const { return values_[net]; }
-    Time now() const { return origin_ + tick_ * slot_; }
+    Time now() const { return origin_ + tick_ * tick_length_; }
     SimulatorState save() const { return {values_, due_, now(), towards_}; }
     void restore(const SimulatorState& state);
     void ask(KeepGoing keep_going) { keep_going_ = std::move(keep_going); }
@@ -50,6 +52,12 @@ class Simulator::Kernel {
     /// As the target of an evaluation: leave things as they are.
     static constexpr std::uint8_t no_change = 3;
     static constexpr std::uint32_t no_memory = 0xffffffffU;
+    /// How many entries ahead apply_current() asks for what an entry will need.
+    static constexpr std::size_t read_ahead = 12;
+    /// What a list of changes has room for besides one entry per net: those that are read ahead,
+    /// and the one that evaluate_touched() writes before it knows whether it counts.
+    static constexpr std::size_t spare_entries = 64;
+    static_assert(spare_entries >= read_ahead && spare_entries >= 1);
 
     /// Who reads a net, one entry per pin: twice the node number, plus the controlling value of the
     /// reader. More than three stand in more_readers_, from readers[0] to before readers[1].
@@ -94,13 +102,12 @@ class Simulator::Kernel {
         Tick open_from = no_tick;
     };
 
-    // build_kernel.cpp
-    void choose_slot(const Netlist& netlist, const CellDelays& delays);
+    // kernel.cpp
+    void choose_tick(const Netlist& netlist, const CellDelays& delays);
     void add_cell(const Netlist& netlist, const CellDelays& delays, CellId id);
     void add_memory(const Netlist& netlist, const CellDelays& delays, CellId id);
     void link_readers(const Netlist& netlist);
 
-    // simulator.cpp
     void look_at_pins();
     void release(std::uint32_t net);
 
@@ -196,7 +203,7 @@ class Simulator::Kernel {
     std::vector<std::pair<std::uint32_t, Logic>> held_at_power_up_;
     std::uint32_t clock_ = no_memory;
 
-    Time slot_ = nanosecond;
+    Time tick_length_ = nanosecond;
     Time origin_ = 0;
     Tick tick_ = 0;
     Time instant_ = 0;

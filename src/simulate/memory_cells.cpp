@@ -1,5 +1,3 @@
-#include "simulate/kernel.h"
-
 // The cells that are more than a gate: latches, flip-flops, timers; pulse cells have a file of
 // their own.
 //
@@ -17,6 +15,8 @@
 // shows between two rises of the clock what the timer will make of its operand at the next. Where
 // it is not known whether a delay is running, or since when, its delay is lost: none is running,
 // but towards unknown.
+
+#include "simulate/kernel.h"
 
 namespace grafwire {
 

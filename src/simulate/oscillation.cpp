@@ -1,7 +1,3 @@
-#include "simulate/oscillation.h"
-
-#include <algorithm>
-
 // How an oscillation is told from a long cascade
 //
 // With the inputs held, the state of a simulation (the values of all nets and what is going to
@@ -18,6 +14,10 @@
 // date at every change (the sum of one number per net and value, after Zobrist). Only where it
 // equals the hash of the kept state are the states themselves compared; the answer never rests on
 // the hash. Numbers that mark the stretch of a net's last change yield the nets of the period.
+
+#include "simulate/oscillation.h"
+
+#include <algorithm>
 
 namespace grafwire {
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-
-#include "simulate/kernel.h"
-
 // Pulse cells: after each edge of the input, the output is 1 for the width, a delay later.
 //
 // An edge that may or may not take place at some tick makes the output unknown where it would make
@@ -11,6 +7,10 @@
 // as if the input had been unknown since always: the wiring may be at rest with it, but what is
 // unknown may change at any moment, between two instants as well. The known spans of a pulse have
 // ended wherever a state is saved, so the state needs to hold no more than the values.
+
+#include <algorithm>
+
+#include "simulate/kernel.h"
 
 namespace grafwire {
 
@@ -129,18 +129,13 @@ void Simulator::Kernel::append_coming(const Pulse& pulse, std::uint32_t net, Tic
     if (pulse.open_from != no_tick) append(pulse.open_from, 8);
 }
 
-void Simulator::Kernel::hold_pulses(bool on) {
-    pulses_held_ = on;
-    if (on) return;
+void Simulator::Kernel::release_pulses() {
+    pulses_held_ = false;
     pulses_remember_ = false;
     // Cells look again once they may fire. What they remember of the time before the initialisation
     // may differ from what they see, and an input that is unknown may change from now on; an input
     // at rest would give them no other occasion.
     for (const Pulse& pulse : pulses_) touch(memories_[pulse.memory].node);
-}
-
-void Simulator::Kernel::remember_pulse_inputs() {
-    pulses_remember_ = true;
 }
 
 }  // namespace grafwire

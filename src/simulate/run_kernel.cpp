@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cassert>
-
-#include "simulate/kernel.h"
-
 // How the gates are simulated
 //
 // The method is event-driven selective trace (E. G. Ulrich, "Exclusive simulation of activity in
@@ -37,6 +32,11 @@
 // change of its own; one follows the least that the function can be, the other the greatest. That
 // is neither too optimistic nor, for a cell by itself, too pessimistic.
 
+#include <algorithm>
+#include <cassert>
+
+#include "simulate/kernel.h"
+
 namespace grafwire {
 
 namespace {
@@ -44,7 +44,6 @@ namespace {
 /// Moments of one settle() before the watch for oscillation begins; there must also have been twice
 /// as many changes as there are nets, for the watch costs as much to set up.
 constexpr std::uint64_t patience = 64;
-constexpr std::size_t read_ahead = 12;
 constexpr std::uint64_t moments_between_questions = 1024;
 
 }  // namespace

@@ -1,12 +1,3 @@
-#include "simulate/simulate.h"
-
-#include <algorithm>
-#include <string_view>
-#include <unordered_map>
-
-#include "simulate/delay_ends.h"
-#include "simulate/waveform.h"
-
 // A netlist under stimuli
 //
 // The instants are those of the reference, so that the rows of the two traces can be laid side by
@@ -15,6 +6,15 @@
 // every instant as many as it takes until a cycle changes nothing. (The memory of an edge is a
 // flip-flop too, so a cycle in which an edge is 1 changes something.) Cycles that come back to a
 // state they have been in are found as oscillations of gates are, by Brent's scheme.
+
+#include "simulate/simulate.h"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
+#include "simulate/waveform.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
@@ -76,18 +76,15 @@ class Run {
         const Stimuli& stimuli, const SimulateOptions& options)
         : netlist_(netlist),
           stimuli_(stimuli),
-          ports_(map_ports(grafcet, netlist)),
-          rows_(grafcet, netlist, ports_),
-          simulator_(netlist, delays),
-          delay_ends_(netlist),
-          inputs_(grafcet.all_input_count(), 0) {
+          machine_(grafcet, netlist, delays),
+          rows_(grafcet, netlist, machine_.ports()),
+          player_(stimuli, grafcet.all_input_count()) {
         result_.trace = empty_trace(grafcet);
         if (options.waveform) waveform_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
-        take_changes(0);
-        const std::vector<Logic> start = logic_inputs();
-        started_ = note(0, initialise(simulator_, grafcet, netlist, ports_, start));
-        if (waveform_) waveform_->follow(simulator_);
-        if (options.observer) simulator_.observe(options.observer);
+        player_.advance(0);
+        started_ = note(0, machine_.start(known_inputs(player_.inputs())));
+        if (waveform_) waveform_->follow(simulator());
+        if (options.observer) simulator().observe(options.observer);
     }
 
     SimulateResult make(Time scan_period) {
@@ -96,12 +93,12 @@ class Run {
         bool goes_on = started_;
         while (goes_on) {
             if (!(scans ? scan(at) : instant(at))) break;
-            rows_.append_row(simulator_, at, inputs_, result_.trace);
+            rows_.append_row(simulator(), at, player_.inputs(), result_.trace);
             const Time next = scans ? add_times(at, scan_period) : next_instant(at);
             goes_on = next <= stimuli_.end && next != never;
             if (goes_on) at = next;
         }
-        if (waveform_) result_.waveform = waveform_->stop(simulator_, at);
+        if (waveform_) result_.waveform = waveform_->stop(simulator(), at);
         return std::move(result_);
     }
 
@@ -112,28 +109,7 @@ class Run {
                            [](const Stimuli::Change& c) { return c.at % nanosecond == 0; });
     }
 
-    /// The changes of the stimuli up to and including a moment go into the inputs.
-    void take_changes(Time at) {
-        for (; next_change_ < stimuli_.changes.size(); ++next_change_) {
-            const Stimuli::Change& change = stimuli_.changes[next_change_];
-            if (change.at > at) return;
-            for (const Stimuli::Assignment& set : change.assignments)
-                inputs_[set.input] = set.value;
-        }
-    }
-    std::vector<Logic> logic_inputs() const {
-        std::vector<Logic> values;
-        for (const std::uint8_t input : inputs_) {
-            values.push_back(logic_of(input != 0));
-        }
-        return values;
-    }
-    void set_inputs() {
-        for (std::size_t i = 0; i < inputs_.size(); ++i) {
-            if (ports_.inputs[i] == no_net) continue;
-            simulator_.set_input(ports_.inputs[i], logic_of(inputs_[i] != 0));
-        }
-    }
+    Simulator& simulator() { return machine_.simulator(); }
 
     /// Counts the events of a part of an instant; false if it did not settle.
     bool note(Time at, const Settling& settling) {
@@ -144,30 +120,26 @@ class Run {
         return false;
     }
 
+    void begin_instant(Time at) {
+        player_.advance(at);
+        machine_.begin_instant(at, known_inputs(player_.inputs()));
+    }
+
     bool instant(Time at) {
-        take_changes(at);
-        simulator_.begin_instant(at);
-        set_inputs();
-        if (at > 0) delay_ends_.take_effect(simulator_, at);
-        return note(
-            at, netlist_.is_clocked() ? cycle_until_stable() : delay_ends_.settle(simulator_, at));
+        begin_instant(at);
+        if (at > 0) machine_.end_delays();
+        return note(at, netlist_.is_clocked() ? cycle_until_stable() : machine_.settle());
     }
 
     bool scan(Time at) {
-        take_changes(at);
-        simulator_.begin_instant(at);
-        set_inputs();
-        return note(at, simulator_.clock_cycle());
+        begin_instant(at);
+        return note(at, simulator().clock_cycle());
     }
 
     /// The instant after this one; `never` after the last.
     Time next_instant(Time at) const {
         if (at >= stimuli_.end) return never;
-        Time next = std::min(simulator_.next_due(), stimuli_.end);
-        if (next_change_ < stimuli_.changes.size()) {
-            next = std::min(next, stimuli_.changes[next_change_].at);
-        }
-        return next;
+        return std::min({machine_.simulator().next_due(), stimuli_.end, player_.next_change()});
     }
 
     Settling cycle_until_stable();
@@ -175,37 +147,30 @@ class Run {
 
     const Netlist& netlist_;
     const Stimuli& stimuli_;
-    PortMap ports_;
+    NetlistMachine machine_;
     RowReader rows_;
     std::optional<Waveform> waveform_;
-    Simulator simulator_;
-    DelayEnds delay_ends_;
-    InputValues inputs_;
-    std::size_t next_change_ = 0;
+    StimuliPlayer player_;
     bool started_ = false;
     SimulateResult result_;
 };
 
-bool goes_on_alike(const SimulatorState& a, const SimulatorState& b) {
-    return a.values == b.values && a.due == b.due && a.towards == b.towards;
-}
-
 Settling Run::cycle_until_stable() {
-    Settling sum = simulator_.settle();
-    SimulatorState before = simulator_.save();
+    Settling sum = simulator().settle();
+    SimulatorState before = simulator().save();
     SimulatorState kept = before;
     std::uint64_t cycles = 0;
     std::uint64_t stretch = 1;
     while (sum.settled) {
-        const Settling cycle = simulator_.clock_cycle();
+        const Settling cycle = simulator().clock_cycle();
         sum.events += cycle.events;
         sum.settled = cycle.settled;
         sum.oscillating = cycle.oscillating;
         if (!cycle.settled) break;
-        SimulatorState after = simulator_.save();
-        if (goes_on_alike(before, after)) break;
+        SimulatorState after = simulator().save();
+        if (after == before) break;
         ++cycles;
-        if (goes_on_alike(kept, after)) {
+        if (after == kept) {
             sum.settled = false;
             sum.oscillating = changing_in(cycles);
             break;
@@ -222,11 +187,11 @@ Settling Run::cycle_until_stable() {
 
 /// The nets whose values between the clock cycles differ during so many cycles.
 std::vector<NetId> Run::changing_in(std::uint64_t cycles) {
-    const SimulatorState first = simulator_.save();
+    const SimulatorState first = simulator().save();
     std::vector<bool> changes(first.values.size(), false);
     for (; cycles > 1; --cycles) {
-        simulator_.clock_cycle();
-        const SimulatorState state = simulator_.save();
+        simulator().clock_cycle();
+        const SimulatorState state = simulator().save();
         for (std::size_t net = 0; net < changes.size(); ++net) {
             if (state.values[net] != first.values[net]) changes[net] = true;
         }

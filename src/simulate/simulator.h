@@ -30,15 +30,20 @@ struct Settling {
     std::vector<NetId> oscillating;
 };
 
-/// The memory of a simulation between two changes of the inputs; compares equal where the
-/// simulation goes on alike, moments aside.
+/// The memory of a simulation between two changes of the inputs.
 struct SimulatorState {
     std::vector<Logic> values;  ///< per net
-    /// Per timer cell (in the order of cells): the moment its delay ends, `never` where none runs.
+    /// Per timer cell (in the order of cells): when its delay ends, `never` where none runs.
     std::vector<Time> due;
     Time now = 0;
     /// Per timer cell: the value its output takes when the running delay ends.
     std::vector<Logic> towards;
+
+    /// Whether the simulation goes on alike from both within one instant; `now`, which moves on
+    /// with the gates, does not count.
+    bool operator==(const SimulatorState& other) const {
+        return values == other.values && due == other.due && towards == other.towards;
+    }
 };
 
 /// Event-driven simulation of a netlist with inertial delays and three values. All state lives in
@@ -67,22 +72,8 @@ class Simulator {
     /// unless gates have already taken it further.
     void begin_instant(Time at);
 
-    /// Once settled: the clock goes back to 0, for the end of what comes before the first instant.
-    void restart_clock();
-
     /// The input takes the value now; what reads it is evaluated by settle().
     void set_input(NetId input, Logic value);
-    /// While on, pulse cells do not fire: the inputs are taken to have been so since always, even
-    /// where they are unknown.
-    void hold_pulses(bool on);
-    /// While pulses are held: from now on, and until they are let go, pulse cells go on comparing
-    /// with the inputs they see now, whatever happens in between (power_up() included).
-    void remember_pulse_inputs();
-    /// Gives a net a value until it is released; for setting up initial situations.
-    void force(NetId net, Logic value);
-    /// Lets go of all forced nets; their drivers are evaluated by settle(). Cells with a memory and
-    /// inputs keep the value.
-    void release_all();
 
     /// Runs until nothing is left to happen but delays of timers. An oscillation is found exactly
     /// (a state of values and pending events that comes back) and ends there.
@@ -97,9 +88,9 @@ class Simulator {
     /// The cells that are timers (is_timer), in order; their numbers are used below.
     const std::vector<CellId>& timers() const;
     bool is_running(std::size_t timer) const;
-    /// The earliest moment at which a running delay ends; `never` if none runs.
+    /// The earliest time at which a running delay ends; `never` if none runs.
     Time next_due() const;
-    /// The moment at which a running delay ends; `never` where none runs.
+    /// The time at which a running delay ends; `never` where none runs.
     Time due(std::size_t timer) const;
     /// Lets one running delay end at once, whatever its length, under this value of its operand,
     /// which the timer takes (gates see it with settle()); it becomes unknown where the delay may
@@ -123,8 +114,33 @@ class Simulator {
     void observe(Observer observer);
 
   private:
+    friend class Preparation;
     class Kernel;
     std::unique_ptr<Kernel> kernel_;
+};
+
+/// The time before an instant, in which a netlist is brought to rest. While the object lives, pulse
+/// cells do not fire: the inputs are taken to have been what they are since always, even where they
+/// are unknown. When it goes, no net is held any more, and the clock of the simulation stands at 0
+/// if the netlist has settled. One at a time per simulator, which must outlive it.
+class Preparation {
+  public:
+    explicit Preparation(Simulator& simulator);
+    ~Preparation();
+    Preparation(const Preparation&) = delete;
+    Preparation& operator=(const Preparation&) = delete;
+
+    /// Gives a net a value until it is released.
+    void hold(NetId net, Logic value);
+    /// Lets go of all nets held; their drivers are evaluated by Simulator::settle(). Cells with a
+    /// memory and inputs keep the value.
+    void release();
+    /// Powers the netlist up; what pulse cells see now is what they compare with once they fire,
+    /// whatever they see until then.
+    void power_up_again();
+
+  private:
+    Simulator::Kernel& kernel_;
 };
 
 }  // namespace grafwire

@@ -1,7 +1,7 @@
-#include "trace/assumptions.h"
-
 #include <algorithm>
 #include <cassert>
+
+#include "trace/stimuli.h"
 
 namespace grafwire {
 

@@ -261,4 +261,10 @@ std::optional<Stimuli> parse_stimuli(const SourceFile& source, const Grafcet& gr
     return reader.finish();
 }
 
+std::vector<Logic> known_inputs(const InputValues& values) {
+    std::vector<Logic> inputs(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) inputs[i] = logic_of(values[i] != 0);
+    return inputs;
+}
+
 }  // namespace grafwire

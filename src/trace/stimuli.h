@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
+#include "logic/logic.h"
 #include "text/diagnostics.h"
 #include "text/time.h"
 
@@ -13,6 +14,9 @@ namespace grafwire {
 
 /// One value for every input, declared inputs first, then Init, AUdur, AUdoux; 0 or 1 each.
 using InputValues = std::vector<std::uint8_t>;
+
+/// The same in three values, all known.
+std::vector<Logic> known_inputs(const InputValues& values);
 
 /// What is applied to the inputs over time.
 struct Stimuli {
@@ -36,6 +40,9 @@ std::optional<Stimuli> parse_stimuli(const SourceFile& source, const Grafcet& gr
 
 /// The stimuli as a `.stim` text; reading it back gives the same stimuli.
 std::string write_stimuli(const Stimuli& stimuli, const Grafcet& grafcet);
+
+/// Whether one assumption of the GRAFCET, given by its index, is 1 under these inputs.
+bool assumption_holds(const Grafcet& grafcet, std::size_t assumption, const InputValues& inputs);
 
 /// Whether a declared assumption is 0 under these inputs: the index of the first that is, else
 /// assumptions.size().

@@ -185,7 +185,7 @@ TEST_CASE("the clock moves with the instants unless the gates are ahead") {
     bench.step("a", one);
     CHECK(bench.simulator.now() == 12 * nanosecond + 1);
     CHECK(bench.changes == "1@5");
-    bench.simulator.restart_clock();
+    { const Preparation preparation(bench.simulator); }
     CHECK(bench.simulator.now() == 0);
     bench.record("y");
     bench.step("a", zero);

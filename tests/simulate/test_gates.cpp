@@ -158,7 +158,7 @@ TEST_CASE(
     CHECK(bench.simulator.now() == nanosecond);
 }
 
-TEST_CASE("a forced net keeps its value until it is released") {
+TEST_CASE("a net that is held keeps its value until it is released") {
     SmallNetlist small;
     small.input("a");
     small.cell(CellType::buffer, "y", {"a"});
@@ -166,21 +166,22 @@ TEST_CASE("a forced net keeps its value until it is released") {
     small.cell(CellType::xor_gate, "w", {"a", "a"});
     Bench bench(small);
     bench.step("a", one);
-    bench.simulator.force(small.net("y"), zero);
-    bench.simulator.force(small.net("w"), one);
+    Preparation preparation(bench.simulator);
+    preparation.hold(small.net("y"), zero);
+    preparation.hold(small.net("w"), one);
     bench.simulator.settle();
     CHECK(bench.get("z") == one);
     bench.step("a", zero);
     bench.step("a", one);
     CHECK(bench.get("y") == zero);
     CHECK(bench.get("w") == one);
-    bench.simulator.release_all();
+    preparation.release();
     CHECK(bench.get("y") == zero);
     bench.simulator.settle();
     CHECK(bench.get("y") == one);
     CHECK(bench.get("z") == zero);
     CHECK(bench.get("w") == zero);
-    bench.simulator.force(small.net("y"), zero);
+    preparation.hold(small.net("y"), zero);
     bench.simulator.power_up();
     bench.step("a", one);
     CHECK(bench.get("y") == one);

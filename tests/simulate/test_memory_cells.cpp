@@ -85,9 +85,11 @@ TEST_CASE("the flip-flop takes its data at the rise of the clock, and in doubt n
         bench.set("c", from);
         bench.simulator.settle();
         // From power-up on the clock was unknown: it may have risen.
-        bench.simulator.force(small.net("q"), held);
-        bench.simulator.settle();
-        bench.simulator.release_all();
+        {
+            Preparation preparation(bench.simulator);
+            preparation.hold(small.net("q"), held);
+            bench.simulator.settle();
+        }
         bench.simulator.settle();
         bench.step("c", to);
         return bench.get("q");

@@ -162,9 +162,10 @@ TEST_CASE("a pulse that sets itself off again oscillates") {
     small.cell(CellType::nor_gate, "n", {"p", "stop"});
     small.cell(CellType::inverter, "stop", {"go"});
     Bench bench(small);
-    bench.simulator.hold_pulses(true);
-    bench.step("go", zero);
-    bench.simulator.hold_pulses(false);
+    {
+        const Preparation preparation(bench.simulator);
+        bench.step("go", zero);
+    }
     CHECK(bench.get("n") == zero);
     bench.set("go", one);
     const Settling settling = bench.simulator.settle();
@@ -191,9 +192,13 @@ TEST_CASE("a cascade may be long without being an oscillation") {
         CellDelays delays = unit_delays(small.netlist);
         delays.rise[0] = odd;
         Bench bench(small, delays);
-        for (int i = 0; i < steps; ++i) bench.simulator.force(small.net(x(i)), i == 0 ? one : zero);
-        bench.step("a", zero);
-        bench.simulator.release_all();
+        {
+            Preparation preparation(bench.simulator);
+            for (int i = 0; i < steps; ++i) {
+                preparation.hold(small.net(x(i)), i == 0 ? one : zero);
+            }
+            bench.step("a", zero);
+        }
         REQUIRE(bench.simulator.settle().settled);
         bench.set("a", one);
         const Settling settling = bench.simulator.settle();
@@ -219,9 +224,11 @@ TEST_CASE("a counter of gates runs through all its states before it comes back")
     }
     Bench bench(small);
     // The first clock edge after power-up is none that is known of.
-    for (int i = 0; i < bits; ++i) bench.simulator.force(small.net("q" + std::to_string(i)), zero);
-    bench.step("go", zero);
-    bench.simulator.release_all();
+    {
+        Preparation preparation(bench.simulator);
+        for (int i = 0; i < bits; ++i) preparation.hold(small.net("q" + std::to_string(i)), zero);
+        bench.step("go", zero);
+    }
     CHECK(bench.get("q7") == zero);
     bench.set("go", one);
     const Settling settling = bench.simulator.settle();

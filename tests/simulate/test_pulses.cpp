@@ -23,11 +23,9 @@ struct PulseBench {
         delays.rise[0] = delay;
         delays.rise[2] = inverter_delay;
         bench = std::make_unique<Bench>(small, delays);
-        bench->simulator.hold_pulses(true);
+        const Preparation preparation(bench->simulator);
         bench->set("b", zero);
         bench->step("a", zero);
-        bench->simulator.hold_pulses(false);
-        bench->simulator.restart_clock();
     }
     /// The changes of a net when a takes these values, each as soon as all has settled.
     std::string seen(const char* net, std::initializer_list<Logic> values) {
@@ -66,10 +64,11 @@ struct Shaped {
             delays.rise[i] = delays.fall[i] = buffer_delays[i];
         }
         Bench bench(small, delays);
-        bench.simulator.hold_pulses(true);
-        bench.set("v", last);
-        bench.step("a", zero);
-        bench.simulator.hold_pulses(false);
+        {
+            const Preparation preparation(bench.simulator);
+            bench.set("v", last);
+            bench.step("a", zero);
+        }
         bench.record("p");
         bench.step("a", one);
         return bench.changes;
@@ -116,9 +115,10 @@ TEST_CASE("edges within the delay of a pulse cell have a pulse each") {
     small.cell(CellType::xor_gate, "x", {"a", "t1", "t3"});
     small.timed(CellType::rise_pulse, "p", {"x"}, {0, 2 * nanosecond, 0});
     Bench bench(small, {{1000, 3000, 1000, 7000}, {1000, 3000, 1000, 7000}});
-    bench.simulator.hold_pulses(true);
-    bench.step("a", zero);
-    bench.simulator.hold_pulses(false);
+    {
+        const Preparation preparation(bench.simulator);
+        bench.step("a", zero);
+    }
     bench.record("p");
     bench.step("a", one);
     CHECK(bench.changes == "1@8 0@10 1@11 0@13");
@@ -127,13 +127,15 @@ TEST_CASE("edges within the delay of a pulse cell have a pulse each") {
 TEST_CASE("a pulse cell at rest with an unknown input is unknown, after a restoring as well") {
     PulseBench rest;
     Simulator& simulator = rest.bench->simulator;
-    simulator.hold_pulses(true);
-    rest.bench->step("a", unknown);
-    // Since always as it is: no edge.
-    CHECK(rest.bench->get("down") == zero);
-    const SimulatorState held = simulator.save();
+    SimulatorState held;
+    {
+        const Preparation preparation(simulator);
+        rest.bench->step("a", unknown);
+        // Since always as it is: no edge.
+        CHECK(rest.bench->get("down") == zero);
+        held = simulator.save();
+    }
     rest.bench->record("down");
-    simulator.hold_pulses(false);
     CHECK(simulator.settle().settled);
     CHECK(rest.bench->changes == "x@1");
     const SimulatorState open = simulator.save();
@@ -151,7 +153,7 @@ TEST_CASE("a pulse cell at rest with an unknown input is unknown, after a restor
         CHECK(rest.bench->changes == "0@11");
     }
     SUBCASE("closed while they are held") {
-        simulator.hold_pulses(true);
+        const Preparation preparation(simulator);
         rest.bench->step("a", zero);
         CHECK(rest.bench->changes == "0@1");
     }
@@ -159,9 +161,10 @@ TEST_CASE("a pulse cell at rest with an unknown input is unknown, after a restor
 
 TEST_CASE("held pulses do not fire, and compare with what they see when they are let go") {
     PulseBench held;
-    held.bench->simulator.hold_pulses(true);
-    CHECK(held.seen("up", {one, zero, unknown, one}) == "");
-    held.bench->simulator.hold_pulses(false);
+    {
+        const Preparation preparation(held.bench->simulator);
+        CHECK(held.seen("up", {one, zero, unknown, one}) == "");
+    }
     CHECK(held.seen("up", {one}) == "");
     CHECK(held.seen("down", {zero}) == "1@1 0@11");
 }
@@ -169,12 +172,12 @@ TEST_CASE("held pulses do not fire, and compare with what they see when they are
 TEST_CASE("what a pulse cell is told to remember outlives the time it is held") {
     PulseBench held;
     Simulator& simulator = held.bench->simulator;
-    simulator.hold_pulses(true);
-    simulator.remember_pulse_inputs();
-    simulator.power_up();
-    held.bench->step("b", zero);
-    held.bench->step("a", one);
-    simulator.hold_pulses(false);
+    {
+        Preparation preparation(simulator);
+        preparation.power_up_again();
+        held.bench->step("b", zero);
+        held.bench->step("a", one);
+    }
     held.bench->record("up");
     // Remembered was 0: the fall back to it is no edge, nor was the rise while held.
     held.bench->step("a", zero);
@@ -193,9 +196,10 @@ TEST_CASE("powering up is no edge: there is no pulse, and nothing that one would
             small.cell(CellType::latch, "q", {"p", "never"});
             Bench bench(small);
             bench.record("p");
-            bench.simulator.hold_pulses(true);
-            bench.step("a", value);
-            bench.simulator.hold_pulses(false);
+            {
+                const Preparation preparation(bench.simulator);
+                bench.step("a", value);
+            }
             bench.simulator.settle();
             CHECK(bench.get("p") == zero);
             CHECK(bench.get("q") == unknown);

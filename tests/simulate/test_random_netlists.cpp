@@ -128,6 +128,7 @@ TEST_CASE("random netlists do nanosecond by nanosecond what the naive simulation
         for (std::size_t net = 0; net < values.size(); ++net) {
             values[net] = simulator.value(static_cast<NetId>(net));
         }
+        std::optional<Preparation> idle;
         Time start = 0;
         std::vector<Values> history;
         simulator.observe([&](Time at, NetId net, Logic value) {
@@ -146,7 +147,7 @@ TEST_CASE("random netlists do nanosecond by nanosecond what the naive simulation
             }
             if (round % 2 == 1) {
                 values.back() = one;
-                if (instant == 0) simulator.force(small.net("idle"), one);
+                if (instant == 0) idle.emplace(simulator).hold(small.net("idle"), one);
             }
             const Settling settling = simulator.settle();
             std::size_t moment = 0;

@@ -25,8 +25,8 @@ struct TimerBench {
         small.cell(CellType::buffer, "y", {"t"});
         bench = std::make_unique<Bench>(small);
         delay_ends = std::make_unique<DelayEnds>(small.netlist);
+        const Preparation preparation(bench->simulator);
         bench->step("a", zero);
-        bench->simulator.restart_clock();
     }
     Simulator& simulator() { return bench->simulator; }
     /// An instant at so many milliseconds at which a takes a value.
@@ -215,9 +215,9 @@ struct ScanTimerBench {
         small.cell(CellType::flip_flop, "q", {"t", "clk"}, zero);
         small.timed(CellType::scan_timer_next, "next", {"a", "t", "clk"}, timing);
         bench = std::make_unique<Bench>(small);
+        const Preparation preparation(bench->simulator);
         bench->set("clk", zero);
         bench->step("a", zero);
-        bench->simulator.restart_clock();
     }
     /// One scan at so many milliseconds; t and q after it.
     std::string scan(Time at, Logic a) {
@@ -344,9 +344,11 @@ TEST_CASE(
         small.cell(CellType::and_gate, "op", {"a", "not"});
         Bench bench(small);
         DelayEnds delay_ends(small.netlist);
-        bench.step("a", zero);
-        bench.step("b", zero);
-        bench.simulator.restart_clock();
+        {
+            const Preparation preparation(bench.simulator);
+            bench.step("a", zero);
+            bench.step("b", zero);
+        }
         const auto at = [&](Time moment) {
             bench.simulator.begin_instant(moment);
             delay_ends.take_effect(bench.simulator, moment);

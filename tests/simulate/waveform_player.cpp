@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace grafwire {
 
@@ -66,12 +67,12 @@ void WaveformPlayer::set_inputs(const InputRow& inputs) {
 
 bool WaveformPlayer::come_to_rest(const InputRow& inputs) {
     simulator_.observe({});
-    simulator_.hold_pulses(true);
+    std::optional<Preparation> preparation(std::in_place, simulator_);
     simulator_.power_up();
     beat_ = zero;
     simulator_.set_input(start_, zero);
     set_inputs(inputs);
-    for (const auto& [net, value] : held_) simulator_.force(net, value);
+    for (const auto& [net, value] : held_) preparation->hold(net, value);
     if (!simulator_.settle().settled) return false;
     // The clocks have been what they are since always: no delay is running.
     SimulatorState state = simulator_.save();
@@ -79,12 +80,10 @@ bool WaveformPlayer::come_to_rest(const InputRow& inputs) {
     std::fill(state.towards.begin(), state.towards.end(), zero);
     simulator_.restore(state);
     simulator_.begin_instant(0);
-    simulator_.release_all();
+    preparation->release();
     if (!simulator_.settle().settled) return false;
-    simulator_.hold_pulses(false);
-    if (!simulator_.settle().settled) return false;
-    simulator_.restart_clock();
-    return true;
+    preparation.reset();
+    return simulator_.settle().settled;
 }
 
 void WaveformPlayer::play_instant(std::size_t first_row, std::size_t instant,

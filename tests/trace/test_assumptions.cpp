@@ -1,5 +1,5 @@
-#include "trace/assumptions.h"
 #include "trace/small_grafcet.h"
+#include "trace/stimuli.h"
 
 namespace grafwire {
 

@@ -115,9 +115,10 @@ Measured measure_ours(std::size_t steps, const fs::path& folder, std::size_t sho
         write_file(folder / "bench.v", test_bench(shown));
     }
 
-    Simulator simulator(*netlist, unit_delays(*netlist));
-    const PortMap ports = map_ports(*grafcet, *netlist);
-    initialise(simulator, *grafcet, *netlist, ports, std::vector<Logic>(5, Logic::zero));
+    NetlistMachine machine(*grafcet, *netlist, unit_delays(*netlist));
+    Simulator& simulator = machine.simulator();
+    const PortMap& ports = machine.ports();
+    machine.start(std::vector<Logic>(5, Logic::zero));
     simulator.begin_instant(0);
     simulator.settle();
     const SimulatorState start = simulator.save();

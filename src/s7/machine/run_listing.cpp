@@ -1,34 +1,33 @@
 #include "s7/machine/run_listing.h"
 
+#include "trace/stimuli_player.h"
+
 namespace grafwire::s7 {
 
 namespace {
 
 class ListingRunner {
   public:
-    ListingRunner(Machine& machine, const Grafcet& grafcet, const Binding& binding)
+    ListingRunner(Machine& machine, const Grafcet& grafcet, const Binding& binding,
+                  const Stimuli& stimuli)
         : machine_(machine),
           binding_(binding),
           state_(machine.start()),
-          inputs_(grafcet.all_input_count(), 0) {
+          player_(stimuli, grafcet.all_input_count()) {
         run_.trace = empty_trace(grafcet);
     }
 
-    ListingRun run(const Stimuli& stimuli, Time period) {
-        std::size_t next = 0;
-        for (Time now = 0; now <= stimuli.end; now += period) {
-            for (; next < stimuli.changes.size() && stimuli.changes[next].at <= now; ++next) {
-                for (const Stimuli::Assignment& set : stimuli.changes[next].assignments) {
-                    inputs_[set.input] = set.value ? 1 : 0;
-                }
-            }
-            const Machine::ScanEnd end = machine_.scan(state_, image_of(binding_, inputs_), now);
+    ListingRun run(Time end_of_run, Time period) {
+        for (Time now = 0; now <= end_of_run; now += period) {
+            player_.advance(now);
+            const InputImage image = image_of(binding_, player_.inputs());
+            const Machine::ScanEnd end = machine_.scan(state_, image, now);
             if (end.error) {
                 run_.failure = {now, *end.error};
                 break;
             }
             add_row(now);
-            if (period > stimuli.end - now) break;
+            if (period > end_of_run - now) break;
         }
         return std::move(run_);
     }
@@ -37,8 +36,9 @@ class ListingRunner {
     void add_row(Time now) {
         Trace& trace = run_.trace;
         trace.times.push_back(now);
-        for (std::size_t i = 0; i < inputs_.size(); ++i) {
-            trace.values.push_back(binding_.inputs[i] ? inputs_[i] : 0);
+        const InputValues& inputs = player_.inputs();
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            trace.values.push_back(binding_.inputs[i] ? inputs[i] : 0);
         }
         add_bits(binding_.steps);
         add_bits(binding_.outputs);
@@ -57,7 +57,7 @@ class ListingRunner {
     Machine& machine_;
     const Binding& binding_;
     MachineState state_;
-    InputValues inputs_;
+    StimuliPlayer player_;
     ListingRun run_;
 };
 
@@ -65,7 +65,7 @@ class ListingRunner {
 
 ListingRun run_listing(Machine& machine, const Grafcet& grafcet, const Binding& binding,
                        const Stimuli& stimuli, Time period) {
-    return ListingRunner(machine, grafcet, binding).run(stimuli, period);
+    return ListingRunner(machine, grafcet, binding, stimuli).run(stimuli.end, period);
 }
 
 }  // namespace grafwire::s7

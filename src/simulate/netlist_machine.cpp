@@ -1,9 +1,3 @@
-#include <string>
-#include <string_view>
-#include <unordered_map>
-
-#include "simulate/simulate.h"
-
 // From power-up to the state in which a netlist starts
 //
 // The reference deems all inputs to have been what they are since always: nothing has an edge at
@@ -18,6 +12,12 @@
 // pulse cells, the netlist is therefore powered up twice. The first time all inputs have their true
 // values and the steps are held at the initial situation; what the pulse cells see then is what
 // they compare with from the first instant on.
+
+#include "simulate/netlist_machine.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
 
 namespace grafwire {
 
@@ -40,7 +40,11 @@ class Initialisation {
   public:
     Initialisation(Simulator& simulator, const Grafcet& grafcet, const Netlist& netlist,
                    const PortMap& ports)
-        : simulator_(simulator), grafcet_(grafcet), netlist_(netlist), ports_(ports) {
+        : simulator_(simulator),
+          preparation_(simulator),
+          grafcet_(grafcet),
+          netlist_(netlist),
+          ports_(ports) {
         const std::size_t first_control = ports.inputs.size() - control_input_count;
         init_ = ports.inputs[first_control + static_cast<std::size_t>(ControlInput::init)];
         au_dur_ = ports.inputs[first_control + static_cast<std::size_t>(ControlInput::au_dur)];
@@ -48,13 +52,9 @@ class Initialisation {
     }
 
     Settling make(const std::vector<Logic>& inputs) {
-        simulator_.hold_pulses(true);
         const bool by_init = netlist_.has_modes && init_ != no_net;
-        Settling settling =
-            by_init && !netlist_.is_clocked() ? start_by_init(inputs) : start_held(inputs, by_init);
-        simulator_.hold_pulses(false);
-        if (settling.settled) simulator_.restart_clock();
-        return settling;
+        return by_init && !netlist_.is_clocked() ? start_by_init(inputs)
+                                                 : start_held(inputs, by_init);
     }
 
   private:
@@ -63,7 +63,7 @@ class Initialisation {
     }
     void set_all(const std::vector<Logic>& inputs) {
         if (netlist_.is_clocked()) simulator_.set_input(netlist_.clock, Logic::zero);
-        for (std::size_t i = 0; i < inputs.size(); ++i) set(ports_.inputs[i], inputs[i]);
+        ports_.set_inputs(simulator_, inputs);
     }
     void set_controls(Logic init) {
         set(init_, init);
@@ -74,18 +74,18 @@ class Initialisation {
     void hold_memories() {
         for (const Cell& cell : netlist_.cells) {
             if (row_of(cell.type).has_memory && cell.initial != Logic::unknown) {
-                simulator_.force(cell.output, cell.initial);
+                preparation_.hold(cell.output, cell.initial);
             }
         }
         for (const Netlist::InitialValue& initial : netlist_.initial_values) {
-            simulator_.force(initial.net, logic_of(initial.value));
+            preparation_.hold(initial.net, logic_of(initial.value));
         }
     }
     void hold_steps() {
         for (std::size_t i = 0; i < ports_.steps.size(); ++i) {
             const bool initial = grafcet_.steps[grafcet_.steps.id_at(i)].initial;
             if (ports_.steps[i] == no_net) continue;
-            simulator_.force(ports_.steps[i], logic_of(initial));
+            preparation_.hold(ports_.steps[i], logic_of(initial));
         }
     }
 
@@ -93,7 +93,7 @@ class Initialisation {
     Settling settle_and_release() {
         Settling settling = simulator_.settle();
         if (!settling.settled) return settling;
-        simulator_.release_all();
+        preparation_.release();
         return simulator_.settle();
     }
 
@@ -105,15 +105,18 @@ class Initialisation {
     }
 
     Settling start_by_init(const std::vector<Logic>& inputs) {
+        simulator_.power_up();
         if (has_pulse_cells()) {
-            simulator_.power_up();
             set_all(inputs);
             hold_memories();
             hold_steps();
             // If this does not settle, neither will the first instant.
-            if (simulator_.settle().settled) simulator_.remember_pulse_inputs();
+            if (simulator_.settle().settled) {
+                preparation_.power_up_again();
+            } else {
+                simulator_.power_up();
+            }
         }
-        simulator_.power_up();
         set_all(inputs);
         set_controls(Logic::one);
         hold_memories();
@@ -134,7 +137,7 @@ class Initialisation {
         hold_memories();
         if (!has_init && netlist_.starts_initially) hold_steps();
         Settling settling = simulator_.settle();
-        simulator_.release_all();
+        preparation_.release();
         if (!has_init || !settling.settled || is_known()) return settling;
         set_controls(Logic::one);
         settling = simulator_.clock_cycle();
@@ -144,6 +147,7 @@ class Initialisation {
     }
 
     Simulator& simulator_;
+    Preparation preparation_;
     const Grafcet& grafcet_;
     const Netlist& netlist_;
     const PortMap& ports_;
@@ -170,9 +174,47 @@ PortMap map_ports(const Grafcet& grafcet, const Netlist& netlist) {
     return ports;
 }
 
+void PortMap::set_inputs(Simulator& simulator, const std::vector<Logic>& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (inputs[i] != no_net) simulator.set_input(inputs[i], values[i]);
+    }
+}
+
 Settling initialise(Simulator& simulator, const Grafcet& grafcet, const Netlist& netlist,
                     const PortMap& ports, const std::vector<Logic>& inputs) {
     return Initialisation(simulator, grafcet, netlist, ports).make(inputs);
+}
+
+NetlistMachine::NetlistMachine(const Grafcet& grafcet, const Netlist& netlist,
+                               const CellDelays& delays)
+    : grafcet_(grafcet),
+      netlist_(netlist),
+      simulator_(netlist, delays),
+      delay_ends_(netlist),
+      ports_(map_ports(grafcet, netlist)) {}
+
+Settling NetlistMachine::start(const std::vector<Logic>& inputs) {
+    return initialise(simulator_, grafcet_, netlist_, ports_, inputs);
+}
+
+void NetlistMachine::rest_under(const std::vector<Logic>& inputs) {
+    const Preparation preparation(simulator_);
+    ports_.set_inputs(simulator_, inputs);
+    simulator_.settle();
+}
+
+void NetlistMachine::begin_instant(Time at, const std::vector<Logic>& inputs) {
+    instant_ = at;
+    simulator_.begin_instant(at);
+    ports_.set_inputs(simulator_, inputs);
+}
+
+void NetlistMachine::end_delays() {
+    delay_ends_.take_effect(simulator_, instant_);
+}
+
+Settling NetlistMachine::settle() {
+    return delay_ends_.settle(simulator_, instant_);
 }
 
 }  // namespace grafwire
