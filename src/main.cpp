@@ -1,14 +1,11 @@
 // grafwire: from a GRAFCET (IEC 60848) to checked wiring.
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <sstream>
 #include <string_view>
 
 #include "command/command.h"
-#include "command/exit_status.h"
-#include "command/inputs.h"
-#include "command/request_error.h"
+#include "command/files.h"
+#include "command/messages.h"
 
 namespace {
 
@@ -49,43 +46,18 @@ Language language_of_locale() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.",
-                 "grafwire"};
-    app.set_version_flag("--version", "grafwire " GRAFWIRE_VERSION);
-    app.footer(
-        "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; "
-        "3 undecided.\n'grafwire COMMAND --help' shows the options of a command.");
     Language language = language_of_locale();
-    app.add_option_function<std::string>(
-           "--lang",
-           [&](const std::string& name) {
-               language = name == "fr" ? Language::french : Language::english;
-           },
-           "language of reports: en or fr (default: from the locale)")
-        ->check(CLI::IsMember({"en", "fr"}))
-        ->trigger_on_parse();
-    app.fallthrough();
-
-    std::function<int()> chosen;
-    for (const Command& command : commands) {
-        const CommandLine line = CommandLine(app).add_command(
-            std::string(command.name), std::string(command.summary), std::string(command.example));
-        const std::function<int()> action = command.declare(line, language);
-        line.when_read([&chosen, action] { chosen = action; });
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
+    const ReadCommandLine line = read_command_line(argc, argv, commands, language);
+    ExitStatus status = ExitStatus::bad_request;
+    if (line.action) {
+        status = line.action();
+    } else if (line.problem.empty()) {
         // Help and version are no errors, but results like any other.
-        if (error.get_exit_code() == 0) {
-            std::ostringstream text;
-            app.exit(error, text, text);
-            OutputFiles files({});
-            files.add("-", text.str());
-            return finish(files, done);
-        }
-        complain(explain(app, error));
-        return bad_request;
+        OutputFiles files({});
+        files.add("-", line.help);
+        status = finish(files, ExitStatus::done);
+    } else {
+        complain(line.problem);
     }
-    return chosen();
+    return static_cast<int>(status);
 }

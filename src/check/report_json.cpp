@@ -5,6 +5,7 @@
 
 #include "check/report.h"
 #include "grafcet/write_grafcet.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -154,7 +155,7 @@ Json told_witness(const Witness& witness, const CheckSubject& subject, const Gra
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
                              const CheckResult& result, const ToldWitness& told) {
     Json json;
-    json["grafwire"] = GRAFWIRE_VERSION;
+    json["grafwire"] = version();
     json["chart"] = grafcet.name;
     json["file"] = subject.file;
     json["verdict"] = name_of(result.verdict);

@@ -1,160 +1,283 @@
+#include "workflow/check.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
-#include "check/check_equivalence.h"
-#include "check/compare_ports.h"
-#include "check/netlist_witness.h"
-#include "command/check_request.h"
 #include "command/command.h"
-#include "evolution/run.h"
-#include "explain/explain.h"
-#include "explain/tell_witness.h"
-#include "grafcet/parse_grafcet.h"
-#include "simulate/simulate.h"
+#include "command/inputs.h"
+#include "command/option_uses.h"
+#include "command/progress.h"
 #include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
 
-/// Of the way through the gates, what a report for people shows.
-constexpr std::size_t most_links = 36;
+struct Request {
+    std::string path;
+    NetlistRequest netlist;
+    std::string against;
+    std::string program;
+    std::string io;
+    std::string cpu = "214";
+    std::string scan;
+    std::string delay = "unit";
+    std::string changes;   ///< empty: one
+    std::string power_up;  ///< empty: unknown
+    std::string format = "text";
+    std::string witness;
+    std::vector<std::string> assumptions;
+    std::uint64_t max_cases = 0;
+    double max_seconds = 0;
+    std::string max_memory;  ///< empty: no bound
+    std::string output;
+};
 
-bool add_assumptions(const std::vector<std::string>& texts, Grafcet& grafcet) {
-    bool good = true;
-    for (const std::string& text : texts) {
-        Diagnostics diagnostics;
-        const SourceFile source{"--assume", text};
-        parse_assumption(source, grafcet, diagnostics);
-        show_diagnostics(diagnostics, source);
-        good = good && !diagnostics.has_errors();
+/// All that a check works with besides what is compared.
+struct Session {
+    const Request& request;
+    const CommandLine& line;
+    const Chart& chart;
+    Language language;
+    std::uint64_t max_memory = 0;  ///< in bytes; 0: no bound
+    std::optional<Time> period;
+};
+
+ExitStatus exit_status(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::equivalent:
+            return ExitStatus::done;
+        case Verdict::different:
+            return ExitStatus::answer_is_no;
+        case Verdict::undecided:
+            return ExitStatus::out_of_bounds;
     }
-    return good;
+    return ExitStatus::bad_request;
 }
 
-/// A netlist from elsewhere, if its ports allow a comparison.
-std::optional<Netlist> netlist_to_compare(const CheckRequest& request, const LoadedGrafcet& loaded,
-                                          Language language) {
-    if (request.against.empty()) return make_netlist(loaded, request.netlist);
-    auto netlist = load_netlist(request.against);
-    if (!netlist) return std::nullopt;
-    const PortComparison ports = compare_ports(loaded.grafcet, *netlist);
-    if (!ports.fits()) {
-        show(fmt::format("{}: the ports do not fit {}:\n{}", visible(request.against),
-                         visible(request.path), write_port_table(ports, language)));
+/// What is known of the request before anything is read.
+unsigned facts_of(const Request& request) {
+    if (request.against.empty()) {
+        return fact::generated |
+               (request.netlist.options().style == Style::clocked ? fact::clocked
+                                                                  : fact::asynchronous);
     }
-    if (!ports.can_compare()) return std::nullopt;
-    adopt_ports(loaded.grafcet, *netlist);
-    netlist->starts_initially = request.power_up == "initial";
-    return netlist;
+    const AgainstRow* row = against_of_path(request.against);
+    if (row != nullptr && row->kind == Against::listing) return fact::listing;
+    if (row != nullptr && row->kind == Against::ladder) return fact::ladder;
+    return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
 }
 
-/// The files that show a witness: stimuli, what reference and netlist make of them, the story.
-std::vector<WitnessFile> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
-                                          const CellDelays& delays, const Witness& witness,
-                                          const std::string& story) {
-    const Stimuli& stimuli = witness.stimuli;
-    const RunResult run = witness.scan_period == 0
-                              ? run_until_stable(grafcet, stimuli)
-                              : run_scans(grafcet, stimuli, witness.scan_period);
-    SimulateOptions options;
-    options.waveform = true;
-    options.scan_period = witness.scan_period;
-    const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
-            {"witness.txt", story},
-            {"expected.csv", write_csv(run.trace)},
-            {"expected.vcd", write_vcd(run.trace, grafcet.name)},
-            {"got.csv", write_csv(simulated.trace)},
-            {"got.vcd", simulated.waveform}};
+/// What is known of a netlist from elsewhere once it is there.
+unsigned facts_of(const Chart& chart, const Netlist& netlist) {
+    unsigned facts = fact::elsewhere;
+    facts |= netlist.is_clocked() ? fact::clocked : fact::asynchronous;
+    if (power_up_of(chart, netlist, true) != PowerUp::init) facts |= fact::open_start;
+    return facts;
 }
 
-/// How the steps of a netlist get their first values.
-PowerUp power_up_of(const CheckRequest& request, const Grafcet& grafcet, const Netlist& netlist) {
-    const NetId init = map_ports(grafcet, netlist).inputs[grafcet.inputs.size()];
-    if (init != no_net) return PowerUp::init;
-    if (request.against.empty()) return PowerUp::initial_values;
-    return netlist.starts_initially ? PowerUp::given : PowerUp::unknown;
-}
-
-CheckSubject netlist_subject(const CheckRequest& request, const LoadedGrafcet& loaded,
-                             const Netlist& netlist) {
-    CheckSubject subject = subject_of(request);
-    if (netlist.is_clocked()) {
-        subject.period = request.scan.empty() ? "every" : request.scan;
-    } else {
-        subject.changes = request.changes == "many" ? Changes::many : Changes::one;
+/// What the reports say of a request before anything has been read.
+CheckSubject subject_of(const Request& request) {
+    CheckSubject subject;
+    subject.file = request.path;
+    subject.against = request.against;
+    if (request.against.empty()) {
+        subject.style = request.netlist.style;
+        subject.cdx = name_of(cdx_form(request.netlist.options()));
     }
-    subject.power_up = power_up_of(request, loaded.grafcet, netlist);
-    subject.warnings = loaded.warnings;
+    subject.delay = request.delay;
+    subject.name = request.against.empty() ? subject.style + " " + subject.cdx : request.against;
+    for (const std::string* asked : {&request.changes, &request.power_up, &request.scan}) {
+        if (!asked->empty()) subject.name += " " + *asked;
+    }
     return subject;
 }
 
-/// Compares a netlist with the GRAFCET; empty, with the reason shown, where that is not possible.
-std::optional<Judgement> judge_netlist(const CheckRequest& request, const LoadedGrafcet& loaded,
-                                       Language language) {
-    // Make the netlist, or read the one to compare with.
-    const Grafcet& grafcet = loaded.grafcet;
-    const auto netlist = netlist_to_compare(request, loaded, language);
-    if (!netlist) return std::nullopt;
-    Judgement judgement{netlist_subject(request, loaded, *netlist), {}, {}, {}};
-    if (!can_check(request, grafcet, judgement.subject, netlist->has_modes)) return std::nullopt;
-    const CellDelays delays = unit_delays(*netlist);
-    // Compare it with the reference in every reachable case.
+/// Runs a check within its bounds, and shows what it has to say.
+template <typename Check>
+std::optional<Judgement> within_bounds(const Session& session, const Check& check) {
+    const Request& request = session.request;
+    CheckRequest asked;
+    asked.subject = subject_of(request);
+    asked.changes = request.changes == "many" ? Changes::many : Changes::one;
+    asked.period = session.period;
+    asked.max_cases = request.max_cases;
+    asked.language = session.language;
+    asked.with_files = !request.witness.empty();
+    Diagnostics messages;
+    std::optional<Judgement> judgement;
     {
-        Progress progress(request.max_seconds, memory_of(request));
-        CheckOptions options = check_options(request, progress);
-        if (!request.scan.empty()) {
-            options.scan_period = parse_period(request.scan);
-            if (!options.scan_period) return std::nullopt;
-            judgement.subject.period = format_duration(*options.scan_period);
-        }
-        judgement.result = check_equivalence(grafcet, *netlist, delays, options);
-    }
-    // Tell a difference.
-    if (const auto& witness = judgement.result.witness) {
-        const Netlist powered = with_power_up(*netlist, witness->power_up);
-        const Explanation explanation = explain(grafcet, powered, delays, *witness);
-        const auto tell = [&](Language in, std::size_t links) {
-            return tell_witness(grafcet, powered, *witness, explanation,
-                                {in, links, request.against});
+        Progress progress(request.max_seconds, session.max_memory);
+        asked.keep_going = [&progress](const Coverage& coverage) {
+            return progress.goes_on(coverage);
         };
-        judgement.told.text = tell(language, most_links);
-        for (const Netlist::InitialValue& initial : witness->power_up) {
-            judgement.told.power_up.emplace_back(netlist->names[initial.net], initial.value);
-        }
-        if (explanation.cause) judgement.told.cause = identifier_of(explanation.cause->kind);
-        judgement.told.story = lines_of(tell(Language::english, 0));
-        if (!request.witness.empty()) {
-            judgement.witness_files =
-                files_of_witness(grafcet, powered, delays, *witness, tell(language, 0));
-        }
+        judgement = check(asked, messages);
     }
+    show_messages(messages);
     return judgement;
 }
 
-std::optional<Judgement> judge(const CheckRequest& request, const LoadedGrafcet& loaded,
-                               Language language) {
-    const std::filesystem::path extension = std::filesystem::path(request.against).extension();
-    if (extension == ".awl") return judge_listing(request, loaded, language);
-    if (extension == ".xml") return judge_ladder(request, loaded, language);
-    return judge_netlist(request, loaded, language);
-}
-
-/// The GRAFCET, with all that the plant never does; empty, and shown, if that or a bound of the
-/// exploration is wrong.
-std::optional<LoadedGrafcet> load_plant(const CheckRequest& request) {
-    auto loaded = load_grafcet(request.path);
-    if (!loaded || !add_assumptions(request.assumptions, loaded->grafcet) ||
-        (!request.max_memory.empty() && !parse_memory(request.max_memory))) {
+/// A netlist from elsewhere, if its ports allow a comparison.
+std::optional<Netlist> load_fitting_netlist(const Session& session) {
+    const Request& request = session.request;
+    auto netlist = load_netlist(request.against);
+    if (!netlist) return std::nullopt;
+    const PortComparison ports =
+        fit_netlist(session.chart, *netlist, request.power_up == "initial");
+    if (!ports.fits()) {
+        show(fmt::format("{}: the ports do not fit {}:\n{}", visible(request.against),
+                         visible(request.path), write_port_table(ports, session.language)));
+    }
+    if (!ports.can_compare()) return std::nullopt;
+    if (refuse_idle_options(session.line, "check", facts_of(session.chart, *netlist))) {
         return std::nullopt;
     }
-    return loaded;
+    return netlist;
 }
 
-void declare_options(const CommandLine& line, CheckRequest& request) {
+std::optional<Judgement> judge_netlist(const Session& session) {
+    const auto netlist = session.request.against.empty()
+                             ? make_netlist(session.chart, session.request.netlist)
+                             : load_fitting_netlist(session);
+    if (!netlist) return std::nullopt;
+    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
+        return check_netlist(session.chart, *netlist, asked, messages);
+    });
+}
+
+std::optional<Judgement> judge_listing(const Session& session) {
+    const Request& request = session.request;
+    if (request.io.empty()) {
+        complain(
+            fmt::format("--io: {} needs a table that says which address is which input, "
+                        "output and step",
+                        request.against));
+        return std::nullopt;
+    }
+    const auto io = load_assignment(request.io);
+    if (!io) return std::nullopt;
+    const s7::Cpu cpu = cpu_of_number(request.cpu).value_or(s7::Cpu::cpu_214);
+    const auto listing = load_listing(request.against, cpu, &io->assignment);
+    if (!listing) return std::nullopt;
+    Diagnostics diagnostics;
+    const auto binding = s7::bind(session.chart.grafcet, io->assignment, diagnostics);
+    show_diagnostics(diagnostics, io->source);
+    if (!binding) return std::nullopt;
+    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
+        return check_listing(session.chart, *listing, cpu, *binding, asked, messages);
+    });
+}
+
+std::optional<Judgement> judge_ladder(const Session& session) {
+    const Request& request = session.request;
+    Diagnostics diagnostics;
+    const SourceFile source = read_source(request.against, diagnostics);
+    std::optional<ladder::Ladder> ladder;
+    if (!diagnostics.has_errors()) ladder = read_ladder(source, request.program, diagnostics);
+    show_diagnostics(diagnostics, source);
+    if (!ladder) return std::nullopt;
+    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
+        return check_ladder(session.chart, *ladder, asked, messages);
+    });
+}
+
+/// Compares what is asked for with the chart; empty, with the reason shown, where that is not
+/// possible.
+std::optional<Judgement> judge(const Session& session) {
+    const unsigned facts = facts_of(session.request);
+    if ((facts & fact::listing) != 0) return judge_listing(session);
+    if ((facts & fact::ladder) != 0) return judge_ladder(session);
+    return judge_netlist(session);
+}
+
+/// The GRAFCET, with all that the plant never does.
+std::optional<Chart> load_plant(const Request& request) {
+    auto chart = load_chart(request.path);
+    if (!chart) return std::nullopt;
+    bool is_good = true;
+    for (const std::string& text : request.assumptions) {
+        Diagnostics diagnostics;
+        const SourceFile source{"--assume", text};
+        is_good = add_assumption(source, *chart, diagnostics) && is_good;
+        show_diagnostics(diagnostics, source);
+    }
+    if (!is_good) return std::nullopt;
+    return chart;
+}
+
+/// Adds the files to their folder, and says where they will stand; those of an earlier difference
+/// go, so that what is there always belongs to the last verdict.
+std::vector<std::string> add_witness(OutputFiles& files, const std::string& folder,
+                                     const std::vector<NamedText>& witness_files) {
+    std::vector<std::string> paths;
+    if (!witness_files.empty()) files.add_folder(folder);
+    for (const std::string_view name : witness_file_names) {
+        const std::string path = (std::filesystem::path(folder) / name).string();
+        const auto file = std::find_if(witness_files.begin(), witness_files.end(),
+                                       [&](const NamedText& item) { return item.name == name; });
+        if (file == witness_files.end()) {
+            files.remove(path);
+        } else {
+            files.add(path, file->text);
+            paths.push_back(path);
+        }
+    }
+    return paths;
+}
+
+/// Writes the report, and the files of the witness into the folder asked for, if one is, where
+/// those of an earlier witness go. `seconds`: what the check took.
+ExitStatus report(const Request& request, const Chart& chart, Judgement& judgement, double seconds,
+                  Language language) {
+    OutputFiles files({request.path, request.against, request.io});
+    if (!request.witness.empty()) {
+        judgement.subject.witness_files =
+            add_witness(files, request.witness, judgement.witness_files);
+    }
+    const ReportRow* form = row_named(report_table, request.format);
+    files.add(request.output, form->write(judgement, chart, seconds, language));
+    return finish(files, exit_status(judgement.result.verdict));
+}
+
+/// Where no check could be made for the reasons that the messages say: a JUnit report, if one is
+/// asked for, has them too, since whoever reads these reports may see nothing else.
+ExitStatus report_refused(const Request& request, const std::string& messages, double seconds) {
+    if (request.format != "junit") return ExitStatus::bad_request;
+    OutputFiles files({request.path, request.against, request.io});
+    files.add(request.output, write_refused_junit(subject_of(request), messages, seconds));
+    return finish(files, ExitStatus::bad_request);
+}
+
+ExitStatus check(const Request& request, const CommandLine& line, Language language) {
+    const auto began = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    };
+    const MessageRecord messages;
+    const auto refused = [&] { return report_refused(request, messages.text(), seconds()); };
+    // Read the request and the GRAFCET.
+    if (refuse_idle_options(line, "check", facts_of(request))) return refused();
+    const auto chart = load_plant(request);
+    if (!chart) return refused();
+    Session session{request, line, *chart, language, 0, {}};
+    if (!request.max_memory.empty()) {
+        const auto bytes = parse_memory(request.max_memory);
+        if (!bytes) return refused();
+        session.max_memory = *bytes;
+    }
+    const Period period = parse_period(request.scan);
+    if (period.is_wrong) return refused();
+    session.period = period.value;
+    // Judge what is to be compared with it, and report.
+    auto judgement = judge(session);
+    if (!judgement) return refused();
+    return report(request, *chart, *judgement, seconds(), language);
+}
+
+void declare_subject(const CommandLine& line, Request& request) {
     line.add("FILE", request.path, "the GRAFCET, - for standard input").required();
     request.netlist.declare(line, false);
     line.add("--delay", request.delay, "delay of every gate: unit (1 ns)")
@@ -180,10 +303,13 @@ void declare_options(const CommandLine& line, CheckRequest& request) {
              "(default: every one); listings and ladder diagrams: that time (default: one that "
              "divides all delays)");
     line.add("--cpu", request.cpu, "listings: the controller, 212 or 214")
-        .one_of({"212", "214"})
+        .one_of(cpu_numbers())
         .shows_default();
+}
+
+void declare_report(const CommandLine& line, Request& request) {
     line.add("--to", request.format, "form of the report")
-        .one_of({"text", "json", "junit"})
+        .one_of_names(report_table)
         .shows_default();
     line.add("-o", request.output, "file for the report (default: standard output)");
     line.add("--witness", request.witness,
@@ -200,21 +326,11 @@ void declare_options(const CommandLine& line, CheckRequest& request) {
 
 }  // namespace
 
-std::function<int()> declare_check(const CommandLine& line, const Language& language) {
-    const auto request = std::make_shared<CheckRequest>();
-    declare_options(line, *request);
-    return [request, &language] {
-        const auto began = std::chrono::steady_clock::now();
-        const MessageRecord messages;
-        // Read the GRAFCET, and judge what is to be compared with it.
-        const auto loaded = load_plant(*request);
-        auto judgement = loaded ? judge(*request, *loaded, language) : std::nullopt;
-        // Report.
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-        if (!judgement) return report_refused(*request, messages.text(), seconds);
-        return report_check(*request, loaded->grafcet, std::move(*judgement), seconds, language);
-    };
+Task declare_check(const CommandLine& line, const Language& language) {
+    const auto request = std::make_shared<Request>();
+    declare_subject(line, *request);
+    declare_report(line, *request);
+    return [request, line, &language] { return check(*request, line, language); };
 }
 
 }  // namespace grafwire

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "command/command_line.h"
@@ -14,16 +15,16 @@ struct Command {
     std::string_view name;
     std::string_view summary;
     std::string_view example;
-    std::function<int()> (*declare)(const CommandLine& line, const Language& language);
+    Task (*declare)(const CommandLine& line, const Language& language);
 };
 
-std::function<int()> declare_info(const CommandLine& line, const Language& language);
-std::function<int()> declare_equations(const CommandLine& line, const Language& language);
-std::function<int()> declare_run(const CommandLine& line, const Language& language);
-std::function<int()> declare_netlist(const CommandLine& line, const Language& language);
-std::function<int()> declare_simulate(const CommandLine& line, const Language& language);
-std::function<int()> declare_check(const CommandLine& line, const Language& language);
-std::function<int()> declare_plc(const CommandLine& line, const Language& language);
-std::function<int()> declare_s7(const CommandLine& line, const Language& language);
+Task declare_info(const CommandLine& line, const Language& language);
+Task declare_equations(const CommandLine& line, const Language& language);
+Task declare_run(const CommandLine& line, const Language& language);
+Task declare_netlist(const CommandLine& line, const Language& language);
+Task declare_simulate(const CommandLine& line, const Language& language);
+Task declare_check(const CommandLine& line, const Language& language);
+Task declare_plc(const CommandLine& line, const Language& language);
+Task declare_s7(const CommandLine& line, const Language& language);
 
 }  // namespace grafwire

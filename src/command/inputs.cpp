@@ -2,82 +2,41 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
-
-#include "command/exit_status.h"
-#include "equations/wiring_hazards.h"
-#include "formats/blif/read_blif.h"
-#include "formats/yosys/read_yosys_json.h"
-#include "grafcet/parse_grafcet.h"
-#include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
 
-/// A broken file can have very many errors; nobody reads more than these.
-constexpr std::size_t most_errors = 100;
-
-/// Messages may hold a list of all steps, say.
-constexpr std::size_t most_of_message = 4000;
-
-/// Who keeps the messages, if anybody does. Any part of a command may have one to show, so they are
-/// caught where they leave the program.
-std::string* kept_messages = nullptr;
+/// Reads a file, then what `read` makes of its text; shows what is to be said of either.
+template <typename Read>
+auto load(const std::string& path, SourceFile& source, const Read& read) {
+    Diagnostics diagnostics;
+    source = read_source(path, diagnostics);
+    decltype(read(source, diagnostics)) result;
+    if (!diagnostics.has_errors()) result = read(source, diagnostics);
+    show_diagnostics(diagnostics, source);
+    return result;
+}
 
 }  // namespace
 
-MessageRecord::MessageRecord() {
-    kept_messages = &text_;
+std::optional<Chart> load_chart(const std::string& path) {
+    SourceFile source;
+    return load(path, source, [](const SourceFile& text, Diagnostics& diagnostics) {
+        return read_chart(text, diagnostics);
+    });
 }
 
-MessageRecord::~MessageRecord() {
-    kept_messages = nullptr;
-}
-
-void show(std::string_view text) {
-    fmt::print(stderr, "{}", text);
-    if (kept_messages != nullptr) *kept_messages += text;
-}
-
-void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
-    show(format_diagnostics(diagnostics, source, most_errors));
-}
-
-void complain(std::string_view message) {
-    show(
-        fmt::format("grafwire: error: {}\n", visible(shortened(message, most_of_message), "\t\n")));
-}
-
-void warn(std::string_view message) {
-    show(fmt::format("grafwire: warning: {}\n", visible(message, "\t\n")));
-}
-
-std::optional<LoadedGrafcet> load_grafcet(const std::string& path) {
-    Diagnostics diagnostics;
-    SourceFile source = read_source(path, diagnostics);
-    std::optional<Grafcet> grafcet;
-    if (!diagnostics.has_errors()) grafcet = parse_grafcet(source, diagnostics);
-    show_diagnostics(diagnostics, source);
-    if (!grafcet) return std::nullopt;
-    return LoadedGrafcet{std::move(source), std::move(*grafcet), diagnostics.items()};
-}
-
-void show_wiring_warnings(const LoadedGrafcet& loaded, CdxForm cdx) {
-    Diagnostics diagnostics;
-    warn_of_wiring(loaded.grafcet, cdx, diagnostics);
-    diagnostics.sort_by_place();
-    show_diagnostics(diagnostics, loaded.source);
+void show_wiring_warnings(const Chart& chart, CdxForm cdx) {
+    show_diagnostics(wiring_warnings(chart, cdx), chart.source);
 }
 
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet) {
-    Diagnostics diagnostics;
-    const SourceFile source = read_source(path, diagnostics);
-    std::optional<Stimuli> stimuli;
-    if (!diagnostics.has_errors()) stimuli = parse_stimuli(source, grafcet, diagnostics);
-    show_diagnostics(diagnostics, source);
-    return stimuli;
+    SourceFile source;
+    return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
+        return parse_stimuli(text, grafcet, diagnostics);
+    });
 }
 
 bool share_standard_input(const std::string& path, const std::string& stimuli) {
@@ -86,39 +45,100 @@ bool share_standard_input(const std::string& path, const std::string& stimuli) {
     return true;
 }
 
+const AgainstRow* against_of_path(const std::string& path) {
+    return against_of(std::filesystem::path(path).extension().string());
+}
+
 std::optional<Netlist> load_netlist(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension();
-    if (extension != ".blif" && extension != ".json") {
+    const AgainstRow* row = against_of_path(path);
+    if (row == nullptr || !row->is_netlist) {
         complain(
             fmt::format("{}: a netlist to compare with is a .blif or a .json (Yosys) file", path));
         return std::nullopt;
     }
-    Diagnostics diagnostics;
-    const SourceFile source = read_source(path, diagnostics);
-    std::optional<Netlist> netlist;
-    if (!diagnostics.has_errors()) {
-        netlist = extension == ".blif" ? read_blif(source, diagnostics)
-                                       : read_yosys_json(source, diagnostics);
-    }
-    show_diagnostics(diagnostics, source);
-    return netlist;
+    SourceFile source;
+    return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
+        return read_netlist(text, row->kind, diagnostics);
+    });
 }
 
-std::optional<Time> parse_period(const std::string& text) {
+std::optional<LoadedAssignment> load_assignment(const std::string& path) {
+    SourceFile source;
+    auto assignment = load(path, source, [](const SourceFile& text, Diagnostics& diagnostics) {
+        return read_assignment(text, diagnostics);
+    });
+    if (!assignment) return std::nullopt;
+    return LoadedAssignment{std::move(source), std::move(*assignment)};
+}
+
+std::optional<s7::Listing> load_listing(const std::string& path, s7::Cpu cpu,
+                                        const s7::IoAssignment* io) {
+    SourceFile source;
+    return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
+        return read_listing(text, cpu, io, diagnostics);
+    });
+}
+
+Period parse_period(const std::string& text) {
+    if (text.empty()) return {};
     const auto period = parse_duration(text);
     if (!period || *period <= 0) {
         complain(fmt::format("'{}' is no period: write a positive duration such as 10ms", text));
-        return std::nullopt;
+        return {std::nullopt, true};
     }
-    return period;
+    return {period, false};
 }
 
-int finish(OutputFiles& files, int status) {
-    if (const auto problem = files.write()) {
-        complain(*problem);
-        return bad_request;
+void complain_of_format(std::string_view name, const std::vector<std::string_view>& names) {
+    std::string message = fmt::format("there is no format '{}'", name);
+    const auto nearest = nearest_name(name, names);
+    if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
+    complain(message);
+}
+
+void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
+    const AddedOption option =
+        line.add("--style", style, "how the equations become cells").one_of_names(style_table);
+    if (style_is_required) {
+        option.required();
+    } else {
+        style = "nand";
+        option.shows_default();
     }
-    return status;
+    line.add("--cdx", cdx, "form of CDX (default: successor; transition for clocked)")
+        .one_of_names(cdx_table);
+    line.add("--modes", modes, "with Init, AUdur and AUdoux, or without")
+        .one_of({"on", "off"})
+        .shows_default();
+}
+
+NetlistOptions NetlistRequest::options() const {
+    NetlistOptions options;
+    if (const StyleRow* row = row_named(style_table, style)) options.style = row->style;
+    if (const CdxRow* row = row_named(cdx_table, cdx)) options.cdx = row->form;
+    options.modes = modes == "on";
+    return options;
+}
+
+std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request) {
+    if (const std::string conflict = conflict_in(request.options()); !conflict.empty()) {
+        complain(conflict);
+        return std::nullopt;
+    }
+    Diagnostics diagnostics;
+    auto netlist = make_netlist(chart, request.options(), diagnostics);
+    show_diagnostics(diagnostics, chart.source);
+    return netlist;
+}
+
+void TraceOutput::declare(const CommandLine& line) {
+    line.add("-o", csv, "the trace as CSV (default: standard output)");
+    line.add("--vcd", vcd, "the waveform as VCD, for GTKWave");
+}
+
+void TraceOutput::add_files(OutputFiles& files, std::string trace, std::string waveform) const {
+    files.add(csv, std::move(trace));
+    if (!vcd.empty()) files.add(vcd, std::move(waveform));
 }
 
 }  // namespace grafwire

@@ -1,80 +1,102 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "command/command_line.h"
 #include "command/files.h"
-#include "equations/equations.h"
-#include "grafcet/grafcet.h"
-#include "netlist/netlist.h"
-#include "s7/machine/binding.h"
+#include "command/messages.h"
 #include "trace/stimuli.h"
+#include "workflow/chart.h"
+#include "workflow/netlists.h"
+#include "workflow/programs.h"
 
 namespace grafwire {
 
-/// A GRAFCET read from a file, with every message about it shown; empty after an error.
-struct LoadedGrafcet {
-    SourceFile source;
-    Grafcet grafcet;
-    std::vector<Diagnostic> warnings;
-};
-std::optional<LoadedGrafcet> load_grafcet(const std::string& path);
+// What commands read. All messages are shown; the results are empty after an error.
+
+/// A GRAFCET from a file.
+std::optional<Chart> load_chart(const std::string& path);
 
 /// Shows what the structure of a GRAFCET puts at risk in asynchronous wiring with this form of CDX.
-void show_wiring_warnings(const LoadedGrafcet& loaded, CdxForm cdx);
+void show_wiring_warnings(const Chart& chart, CdxForm cdx);
 
-/// Stimuli for a GRAFCET, likewise.
+/// Stimuli for a GRAFCET.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);
 
 /// Whether both are to come from standard input, which can be read only once; shows it if so.
 bool share_standard_input(const std::string& path, const std::string& stimuli);
 
-/// A netlist from a `.blif` or `.json` file, with messages shown; empty after an error.
+/// What the extension of a file says that it is, if it is anything to compare with.
+const AgainstRow* against_of_path(const std::string& path);
+
+/// A netlist from a `.blif` or `.json` file.
 std::optional<Netlist> load_netlist(const std::string& path);
 
-/// A table of assignment, an S7-200 listing for a controller (`212` or `214`), and where it keeps
-/// what a GRAFCET names, likewise.
+/// A table of assignment, with the text that it was read from; an S7-200 listing for a controller.
 struct LoadedAssignment {
     SourceFile source;
     s7::IoAssignment assignment;
 };
 std::optional<LoadedAssignment> load_assignment(const std::string& path);
-s7::Cpu cpu_named(const std::string& name);
-std::optional<s7::Listing> load_listing(const std::string& path, const std::string& cpu,
+std::optional<s7::Listing> load_listing(const std::string& path, s7::Cpu cpu,
                                         const s7::IoAssignment* io);
-std::optional<s7::Binding> bind_listing(const Grafcet& grafcet, const s7::IoAssignment& io,
-                                        const SourceFile& source);
 
-/// Keeps what is shown on standard error while it lives; one at a time.
-class MessageRecord {
-  public:
-    MessageRecord();
-    ~MessageRecord();
-    MessageRecord(const MessageRecord&) = delete;
-    MessageRecord& operator=(const MessageRecord&) = delete;
+/// A duration option: its value. An empty one is none.
+struct Period {
+    std::optional<Time> value;
+    bool is_wrong = false;  ///< it is no positive duration; shown
+};
+Period parse_period(const std::string& text);
 
-    const std::string& text() const { return text_; }
+/// The row of that name in a table; nullptr where there is none.
+template <typename Rows>
+auto row_named(const Rows& rows, std::string_view name) -> decltype(&*std::begin(rows)) {
+    for (const auto& row : rows) {
+        if (row.name == name) return &row;
+    }
+    return nullptr;
+}
 
-  private:
-    std::string text_;
+/// The same of a table of formats, where it is shown that there is none, with the nearest name.
+template <typename Row>
+const Row* format_named(std::span<const Row> rows, std::string_view name);
+
+/// The options that say which netlist to make; shared by several commands.
+struct NetlistRequest {
+    std::string style;
+    std::string cdx;
+    std::string modes = "on";
+    void declare(const CommandLine& line, bool style_is_required);
+    NetlistOptions options() const;
 };
 
-/// Shows lines on standard error; so do all functions that show something.
-void show(std::string_view text);
+/// The generated netlist.
+std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request);
 
-/// Shows messages about a source file on standard error.
-void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);
+/// Where the trace and the waveform of a run go.
+struct TraceOutput {
+    std::string csv;
+    std::string vcd;
 
-/// `fits` a duration option: parses it, or says why not on standard error.
-std::optional<Time> parse_period(const std::string& text);
+    void declare(const CommandLine& line);
+    void add_files(OutputFiles& files, std::string trace, std::string waveform) const;
+};
 
-/// Shows a message of the program itself on standard error.
-void complain(std::string_view message);
-void warn(std::string_view message);
+// Implementation.
 
-/// Writes the files; a problem is shown, and turns `status` into bad_request.
-int finish(OutputFiles& files, int status);
+void complain_of_format(std::string_view name, const std::vector<std::string_view>& names);
+
+template <typename Row>
+const Row* format_named(std::span<const Row> rows, std::string_view name) {
+    if (const Row* row = row_named(rows, name)) return row;
+    std::vector<std::string_view> names;
+    for (const Row& row : rows) names.push_back(row.name);
+    complain_of_format(name, names);
+    return nullptr;
+}
 
 }  // namespace grafwire

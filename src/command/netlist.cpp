@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "command/command.h"
-#include "command/exit_status.h"
-#include "command/netlist_request.h"
-#include "evolution/run.h"
-#include "formats/exporters.h"
+#include "command/inputs.h"
+#include "command/option_uses.h"
 
 namespace grafwire {
 
@@ -15,31 +15,58 @@ struct Request {
     NetlistRequest netlist;
     std::string format;
     std::string stimuli;
+    bool bench = false;
     std::string scan = "10ms";
     std::string output;
 };
 
-const Exporter* find_exporter(const std::string& name) {
-    if (const Exporter* exporter = exporter_named(name)) return exporter;
-    std::string message = fmt::format("there is no format '{}'", name);
-    const auto nearest = nearest_name(name, exporter_names());
-    if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-    complain(message);
-    return nullptr;
+/// What is known of the request before anything is read.
+unsigned facts_of(const Request& request, const Exporter& exporter) {
+    unsigned facts =
+        request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous;
+    if (!request.stimuli.empty()) facts |= fact::stimuli;
+    // A deck is a bench itself: it needs no asking, and no file beside it.
+    const bool has_own_bench = exporter.write_bench != nullptr;
+    if (request.bench || !has_own_bench) facts |= fact::bench;
+    if (!has_own_bench || (!request.output.empty() && request.output != "-")) {
+        facts |= fact::output;
+    }
+    return facts;
 }
 
-/// The bench that applies the stimuli; it looks at the outputs at the instants of the reference, or
-/// at its scans where there is a clock.
-Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
-                Time period) {
-    const RunResult run = netlist.is_clocked() ? run_scans(grafcet, stimuli, period)
-                                               : run_until_stable(grafcet, stimuli);
-    return bench_from(netlist, stimuli, run.trace.times);
+/// `OUT_bench.v` for `OUT.v`.
+std::string bench_path(const std::string& output) {
+    const std::filesystem::path path(output);
+    return (path.parent_path() / (path.stem().string() + "_bench" + path.extension().string()))
+        .string();
+}
+
+ExitStatus write(const Request& request, const Exporter& exporter, Time period) {
+    // Read the GRAFCET and make the netlist.
+    const auto chart = load_chart(request.path);
+    if (!chart) return ExitStatus::bad_request;
+    const auto netlist = make_netlist(*chart, request.netlist);
+    if (!netlist) return ExitStatus::bad_request;
+    std::optional<Stimuli> stimuli;
+    if (!request.stimuli.empty()) {
+        stimuli = load_stimuli(request.stimuli, chart->grafcet);
+        if (!stimuli) return ExitStatus::bad_request;
+    }
+    // Write it.
+    Diagnostics messages;
+    WrittenNetlist written =
+        write_netlist(*chart, *netlist, exporter, stimuli ? &*stimuli : nullptr, period, messages);
+    show_messages(messages);
+    if (messages.has_errors()) return ExitStatus::bad_request;
+    OutputFiles files({request.path, request.stimuli});
+    files.add(request.output, std::move(written.text));
+    if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));
+    return finish(files, ExitStatus::done);
 }
 
 }  // namespace
 
-std::function<int()> declare_netlist(const CommandLine& line, const Language&) {
+Task declare_netlist(const CommandLine& line, const Language&) {
     const auto request = std::make_shared<Request>();
     line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
     request->netlist.declare(line, true);
@@ -47,40 +74,24 @@ std::function<int()> declare_netlist(const CommandLine& line, const Language&) {
              fmt::format("output format: {}", fmt::join(exporter_names(), ", ")))
         .required();
     line.add("--stim", request->stimuli,
-             "stimuli to hold in the file as well (formats with a test bench)");
+             "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)");
+    line.add_flag(
+        "--bench", request->bench,
+        "with the test bench that applies the stimuli; Verilog: OUT_bench.v beside OUT.v");
     line.add("--scan", request->scan, "scan period that clocked timers count with").shows_default();
     line.add("-o", request->output, "output file (default: standard output)");
-    return [request] {
-        // Read the request.
-        const Exporter* exporter = find_exporter(request->format);
-        const auto period = parse_period(request->scan);
-        if (exporter == nullptr || !period ||
-            share_standard_input(request->path, request->stimuli)) {
-            return static_cast<int>(bad_request);
+    return [request, line] {
+        const Exporter* exporter = format_named(exporters(), request->format);
+        if (exporter == nullptr) return ExitStatus::bad_request;
+        const ChosenFormat format = chosen_format(exporters(), *exporter);
+        if (refuse_idle_options(line, "netlist", facts_of(*request, *exporter), &format)) {
+            return ExitStatus::bad_request;
         }
-        // Read the GRAFCET and make the netlist.
-        const auto loaded = load_grafcet(request->path);
-        if (!loaded) return static_cast<int>(bad_request);
-        const auto netlist = make_netlist(*loaded, request->netlist);
-        if (!netlist) return static_cast<int>(bad_request);
-        ExportOptions options{*period, nullptr};
-        Bench bench;
-        if (!request->stimuli.empty()) {
-            const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
-            if (!stimuli) return static_cast<int>(bad_request);
-            bench = bench_for(loaded->grafcet, *netlist, *stimuli, *period);
-            options.bench = &bench;
+        const Period period = parse_period(request->scan);
+        if (!period.value || share_standard_input(request->path, request->stimuli)) {
+            return ExitStatus::bad_request;
         }
-        // Write it.
-        Diagnostics diagnostics;
-        std::string text = exporter->write(*netlist, options, diagnostics);
-        if (diagnostics.has_errors()) {
-            for (const Diagnostic& item : diagnostics.items()) complain(item.message);
-            return static_cast<int>(bad_request);
-        }
-        OutputFiles files({request->path, request->stimuli});
-        files.add(request->output, std::move(text));
-        return finish(files, done);
+        return write(*request, *exporter, *period.value);
     };
 }
 

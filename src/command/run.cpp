@@ -1,11 +1,8 @@
-#include "evolution/run.h"
-
 #include <fmt/format.h>
 
 #include "command/command.h"
-#include "command/exit_status.h"
 #include "command/inputs.h"
-#include "command/trace_output.h"
+#include "workflow/runs.h"
 
 namespace grafwire {
 
@@ -20,7 +17,7 @@ struct Request {
 
 }  // namespace
 
-std::function<int()> declare_run(const CommandLine& line, const Language& language) {
+Task declare_run(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<Request>();
     line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
     line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
@@ -29,23 +26,18 @@ std::function<int()> declare_run(const CommandLine& line, const Language& langua
     request->output.declare(line);
     return [request, &language] {
         // Read the GRAFCET and the stimuli.
-        if (share_standard_input(request->path, request->stimuli)) {
-            return static_cast<int>(bad_request);
-        }
-        const auto loaded = load_grafcet(request->path);
-        if (!loaded) return static_cast<int>(bad_request);
-        const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
-        if (!stimuli) return static_cast<int>(bad_request);
-        Time period = 0;
-        if (!request->scan.empty()) {
-            const auto parsed = parse_period(request->scan);
-            if (!parsed) return static_cast<int>(bad_request);
-            period = *parsed;
-        }
+        if (share_standard_input(request->path, request->stimuli)) return ExitStatus::bad_request;
+        const auto chart = load_chart(request->path);
+        if (!chart) return ExitStatus::bad_request;
+        const auto stimuli = load_stimuli(request->stimuli, chart->grafcet);
+        if (!stimuli) return ExitStatus::bad_request;
+        const Period period = parse_period(request->scan);
+        if (period.is_wrong) return ExitStatus::bad_request;
         // Let the reference evolve.
-        const RunResult result = period == 0 ? run_until_stable(loaded->grafcet, *stimuli)
-                                             : run_scans(loaded->grafcet, *stimuli, period);
-        warn_of_broken_assumptions(loaded->grafcet, result.broken_assumptions);
+        const RunResult result = run_reference(*chart, *stimuli, period.value);
+        for (const auto& broken : result.broken_assumptions) {
+            warn(broken_assumption_text(chart->grafcet, broken));
+        }
         // Write the trace, up to the instant without a stable situation if there is one.
         if (result.unstable_at) {
             complain(fmt::format(
@@ -55,9 +47,9 @@ std::function<int()> declare_run(const CommandLine& line, const Language& langua
                 format_milliseconds(*result.unstable_at), fmt::join(result.changing, ", ")));
         }
         OutputFiles files({request->path, request->stimuli});
-        request->output.add_files(files, result.trace,
-                                  write_vcd(result.trace, loaded->grafcet.name));
-        return finish(files, result.unstable_at ? answer_is_no : done);
+        request->output.add_files(files, write_csv(result.trace),
+                                  write_vcd(result.trace, chart->grafcet.name));
+        return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
     };
 }
 

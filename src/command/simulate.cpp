@@ -1,13 +1,10 @@
-#include "simulate/simulate.h"
-
 #include <fmt/format.h>
 
-#include "check/compare_ports.h"
 #include "command/command.h"
-#include "command/exit_status.h"
-#include "command/netlist_request.h"
-#include "command/trace_output.h"
-#include "evolution/run.h"
+#include "command/inputs.h"
+#include "command/option_uses.h"
+#include "workflow/check.h"
+#include "workflow/runs.h"
 
 namespace grafwire {
 
@@ -24,34 +21,58 @@ struct Request {
     TraceOutput output;
 };
 
-std::string oscillation_text(const Netlist& netlist, const std::vector<NetId>& nets) {
-    constexpr std::size_t most = 12;
-    const Table<NetId, CellId> drivers = drivers_of(netlist);
-    std::vector<std::string> names;
-    for (const NetId net : nets) {
-        if (drivers[net] != no_cell) names.push_back(cell_description(netlist, drivers[net]));
+/// What is known of the request before anything is read.
+unsigned facts_of(const Request& request) {
+    if (!request.against.empty()) {
+        return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
     }
-    const bool cut = names.size() > most;
-    if (cut) names.resize(most);
-    return fmt::format("{}{}", fmt::join(names, ", "), cut ? ", …" : "");
+    return fact::generated |
+           (request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous);
 }
 
-int simulate_netlist(const Request& request, const LoadedGrafcet& loaded, const Stimuli& stimuli,
-                     const Netlist& netlist, Language language) {
-    SimulateOptions options;
-    options.waveform = !request.output.vcd.empty();
-    if (!request.scan.empty()) {
-        const auto period = parse_period(request.scan);
-        if (!period) return bad_request;
-        if (!netlist.is_clocked()) {
-            complain("--scan is for the clocked style: the others have no scans");
-            return bad_request;
-        }
-        options.scan_period = *period;
+/// What is known once the netlist is there.
+unsigned facts_of(const Request& request, const Chart& chart, const Netlist& netlist) {
+    unsigned facts = request.against.empty() ? fact::generated : fact::elsewhere;
+    facts |= netlist.is_clocked() ? fact::clocked : fact::asynchronous;
+    if (!request.against.empty() && power_up_of(chart, netlist, true) != PowerUp::init) {
+        facts |= fact::open_start;
     }
+    return facts;
+}
+
+/// The netlist, made or read; one from elsewhere is made to fit.
+std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
+                                   const CommandLine& line, Language language) {
+    if (request.against.empty()) return make_netlist(chart, request.netlist);
+    auto netlist = load_netlist(request.against);
+    if (!netlist) return std::nullopt;
+    const PortComparison ports = fit_netlist(chart, *netlist, request.power_up == "initial");
+    if (!ports.fits()) warn("ports:\n" + write_port_table(ports, language));
+    if (refuse_idle_options(line, "simulate", facts_of(request, chart, *netlist))) {
+        return std::nullopt;
+    }
+    return netlist;
+}
+
+ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Language language) {
+    if (refuse_idle_options(line, "simulate", facts_of(request))) return ExitStatus::bad_request;
+    // Read the GRAFCET and the stimuli.
+    if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
+    const auto chart = load_chart(request.path);
+    if (!chart) return ExitStatus::bad_request;
+    const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
+    if (!stimuli) return ExitStatus::bad_request;
+    // Make the netlist, or read it.
+    const auto netlist = netlist_for(request, *chart, line, language);
+    if (!netlist) return ExitStatus::bad_request;
+    for (const auto& broken : broken_assumptions(chart->grafcet, *stimuli)) {
+        warn(broken_assumption_text(chart->grafcet, broken));
+    }
+    const Period period = parse_period(request.scan);
+    if (period.is_wrong) return ExitStatus::bad_request;
     // Let the gates work.
-    const SimulateResult result =
-        simulate(loaded.grafcet, netlist, unit_delays(netlist), stimuli, options);
+    SimulateResult result =
+        simulate_gates(*chart, *netlist, *stimuli, period.value, !request.output.vcd.empty());
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
         complain(fmt::format(fmt::runtime(language == Language::french
@@ -60,16 +81,16 @@ int simulate_netlist(const Request& request, const LoadedGrafcet& loaded, const 
                                               : "the netlist does not settle at {} ms; these keep "
                                                 "changing: {}"),
                              format_milliseconds(*result.unsettled_at),
-                             oscillation_text(netlist, result.oscillating)));
+                             oscillating_cells(*netlist, result.oscillating)));
     }
     OutputFiles files({request.path, request.stimuli, request.against});
-    request.output.add_files(files, result.trace, result.waveform);
-    return finish(files, result.unsettled_at ? answer_is_no : done);
+    request.output.add_files(files, write_csv(result.trace), std::move(result.waveform));
+    return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
 }  // namespace
 
-std::function<int()> declare_simulate(const CommandLine& line, const Language& language) {
+Task declare_simulate(const CommandLine& line, const Language& language) {
     const auto request = std::make_shared<Request>();
     line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
     line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
@@ -86,34 +107,7 @@ std::function<int()> declare_simulate(const CommandLine& line, const Language& l
     line.add("--scan", request->scan,
              "clocked style: one scan every so much time (default: until stable)");
     request->output.declare(line);
-    return [request, &language] {
-        // Read the GRAFCET and the stimuli.
-        if (share_standard_input(request->path, request->stimuli)) {
-            return static_cast<int>(bad_request);
-        }
-        const auto loaded = load_grafcet(request->path);
-        if (!loaded) return static_cast<int>(bad_request);
-        const auto stimuli = load_stimuli(request->stimuli, loaded->grafcet);
-        if (!stimuli) return static_cast<int>(bad_request);
-        if (request->against.empty() && !request->power_up.empty()) {
-            complain("--power-up has no effect here: it is for a netlist given with --against");
-            return static_cast<int>(bad_request);
-        }
-        // Make the netlist, or read it.
-        auto netlist = request->against.empty() ? make_netlist(*loaded, request->netlist)
-                                                : load_netlist(request->against);
-        if (!netlist) return static_cast<int>(bad_request);
-        if (!request->against.empty()) {
-            const PortComparison ports = compare_ports(loaded->grafcet, *netlist);
-            if (ports.missing_outputs.empty()) {
-                adopt_ports(loaded->grafcet, *netlist);
-                netlist->starts_initially = request->power_up == "initial";
-            }
-            if (!ports.fits()) warn("ports:\n" + write_port_table(ports, language));
-        }
-        warn_of_broken_assumptions(loaded->grafcet, broken_assumptions(loaded->grafcet, *stimuli));
-        return simulate_netlist(*request, *loaded, *stimuli, *netlist, language);
-    };
+    return [request, line, &language] { return simulate_netlist(*request, line, language); };
 }
 
 }  // namespace grafwire

@@ -22,14 +22,19 @@ std::string verilog(const Netlist& netlist, const ExportOptions& options, Diagno
     return write_verilog(netlist, options.scan_period);
 }
 
+std::string verilog_bench(const Netlist& netlist, const ExportOptions& options) {
+    return write_verilog_testbench(netlist, *options.bench, options.scan_period);
+}
+
 std::string spice(const Netlist& netlist, const ExportOptions& options, Diagnostics&) {
     return write_spice(netlist, options.bench != nullptr ? *options.bench : idle_bench(),
                        options.scan_period);
 }
 
 constexpr std::array<Exporter, 7> table{{
-    {"verilog", ".v", "structural Verilog (IEEE 1364-2005)", verilog},
-    {"spice", ".cir", "ngspice deck of XSPICE digital gates", spice},
+    {"verilog", ".v", "structural Verilog (IEEE 1364-2005)", verilog, "--scan --stim --bench",
+     verilog_bench},
+    {"spice", ".cir", "ngspice deck of XSPICE digital gates", spice, "--scan --stim --bench"},
     {"blif", ".blif", "Berkeley logic interchange format", plain<write_blif>},
     {"json", ".json", "Yosys JSON netlist", plain<write_yosys_json>},
     {"dot", ".dot", "Graphviz graph, a cluster per module", plain<write_dot>},

@@ -28,6 +28,11 @@ struct Exporter {
     std::string_view description;
     std::string (*write)(const Netlist& netlist, const ExportOptions& options,
                          Diagnostics& diagnostics);
+    /// The options that it heeds, as they are called on the command line: `--scan --stim --bench`.
+    std::string_view options = "";
+    /// The test bench for that file, of formats that keep it in one of its own; the options have a
+    /// bench.
+    std::string (*write_bench)(const Netlist& netlist, const ExportOptions& options) = nullptr;
 };
 
 /// All formats, in the order in which help shows them.

@@ -195,9 +195,11 @@ TEST_CASE("netlist --stim: a deck looks at the instants of the reference, or at 
     const std::string stim = example("rule-5.stim");
     const auto samples = [&](const std::string& style, const std::string& period) {
         const ScratchFolder folder;
-        const Ran made =
-            grafwire_with({"netlist", chart, "--style", style, "--to", "spice", "--stim", stim,
-                           "--scan", period, "-o", folder.path("deck.cir")});
+        std::vector<std::string> arguments{
+            "netlist", chart,    "--style", style, "--to",
+            "spice",   "--stim", stim,      "-o",  folder.path("deck.cir")};
+        if (!period.empty()) arguments.insert(arguments.end(), {"--scan", period});
+        const Ran made = grafwire_with(arguments);
         CHECK(made.status == 0);
         const std::string out = run_program({"ngspice", "-b", folder.path("deck.cir")}).out;
         // Rows in which the sampling node, the first, has come back to 0; there is one at the
@@ -211,9 +213,34 @@ TEST_CASE("netlist --stim: a deck looks at the instants of the reference, or at 
         return count - 1;
     };
     const std::string trace = grafwire_with({"run", chart, stim}).out;
-    CHECK(samples("nand", "100ms") == read_csv(trace).size() - 1);
+    CHECK(samples("nand", "") == read_csv(trace).size() - 1);
     const std::string scans = grafwire_with({"run", chart, stim, "--scan", "40ms"}).out;
     CHECK(samples("clocked", "40ms") == read_csv(scans).size() - 1);
+}
+
+TEST_CASE("netlist --bench: a test bench beside the netlist that says PASS, or what is wrong") {
+    const std::string chart = example("rule-5.grafcet");
+    const std::string stim = example("rule-5.stim");
+    const ScratchFolder folder;
+    for (const std::string style : {"gates", "nand", "nor", "clocked"}) {
+        INFO("style: " << style);
+        const Ran made = grafwire_with({"netlist", chart, "--style", style, "--to", "verilog",
+                                        "--stim", stim, "--bench", "-o", folder.path("n.v")});
+        CHECK(made.status == 0);
+        CHECK(made.out.empty());
+        CHECK(text_of(folder.path("n.v")) ==
+              grafwire_with({"netlist", chart, "--style", style, "--to", "verilog"}).out);
+        CHECK(run_program({"iverilog", "-o", folder.path("run"), folder.path("n_bench.v"),
+                           folder.path("n.v")})
+                  .status == 0);
+        const Ran ran = run_program({"vvp", "-n", folder.path("run")});
+        const std::string last = ran.out.substr(ran.out.rfind('\n', ran.out.size() - 2) + 1);
+        INFO("its end: " << last);
+        // Where deactivation wins, step 1 is lost.
+        const bool is_lost = style == "nor";
+        CHECK(ran.status == (is_lost ? 1 : 0));
+        CHECK(last == (is_lost ? "X1 is 0, the reference gives 1\n" : "PASS\n"));
+    }
 }
 
 }  // namespace grafwire::test

@@ -23,6 +23,9 @@ struct Bench {
     /// The moments that have a row of results, strictly in order. For the settled values of an
     /// asynchronous netlist: every change and every end of a delay; for a clocked one: the scans.
     std::vector<Time> instants;
+    /// What the outputs shall be in each row, row after row, unknown where anything will do; empty
+    /// where nothing is expected. For benches that can compare.
+    std::vector<Logic> expected;
     std::uint32_t clock_cycles = 1;  ///< clocked netlists: clock cycles at every instant
     /// A row is taken so long after its instant, or nine tenths of the way to the next where that
     /// is sooner.

@@ -15,7 +15,8 @@ std::string write_verilog(const Netlist& netlist, Time scan_period = 10 * millis
 /// A test bench for that file: applies the bench and prints one CSV row per instant, `time_ms`,
 /// then the outputs in the order of the ports. It must stand before the netlist on the simulator's
 /// command line, which lets the delays count from the moments of the stimuli. Its module is called
-/// `grafwire_bench`.
+/// `grafwire_bench`. Where the bench says what is expected, the last line printed is PASS, or the
+/// first difference, and the simulator ends with the status 1.
 std::string write_verilog_testbench(const Netlist& netlist, const Bench& bench,
                                     Time scan_period = 10 * millisecond);
 

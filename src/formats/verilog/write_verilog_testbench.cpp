@@ -1,6 +1,9 @@
 // The test bench counts in picoseconds. Before the moments of the stimuli lies the start: Init at
 // 1, the other inputs as at instant 0, until a gate delay for every cell has passed; that is more
 // than any netlist without oscillation takes.
+//
+// A bench that knows what the reference gives compares every row with it: it ends with PASS, or
+// with the first difference and the status 1.
 
 #include <algorithm>
 
@@ -33,8 +36,11 @@ class BenchWriter {
     void write_head();
     void write_instance();
     void write_row_task();
+    void write_compare_task();
     void write_header_row();
     void write_event(const BenchEvent& event);
+    void write_comparison(std::size_t row);
+    bool compares() const { return !bench_.expected.empty(); }
     void write_cycles(Time half_period);
     void wait_until(Time moment);
 
@@ -52,10 +58,12 @@ std::string BenchWriter::write() {
     write_head();
     write_instance();
     write_row_task();
+    if (compares()) write_compare_task();
     out_ += "\n  initial begin\n";
     write_header_row();
     append(out_, "    #(64'd", start_, ");\n");
     for (const BenchEvent& event : bench_events(netlist_, bench_)) write_event(event);
+    if (compares()) out_ += "    if (!failed) $display(\"PASS\");\n";
     out_ += "    $finish;\n  end\nendmodule\n";
     return std::move(out_);
 }
@@ -70,6 +78,12 @@ void BenchWriter::write_head() {
     }
     append(out_, "`define GRAFWIRE_START ", start_ / nanosecond, "\n");
     append(out_, "`define GRAFWIRE_INSTANT ", module_, ".instant\n");
+    if (compares()) {
+        // What ends the simulation with the status 1.
+        out_ +=
+            "`ifdef __ICARUS__\n`define GRAFWIRE_FAIL $finish_and_return(1)\n"
+            "`else\n`define GRAFWIRE_FAIL $fatal(1)\n`endif\n";
+    }
     append(out_, "`timescale 1ps/1ps\n\nmodule ", module_, ";\n");
 }
 
@@ -112,9 +126,38 @@ void BenchWriter::write_row_task() {
     // on until the next instant, nanosecond by nanosecond.
     append(out_, "\n  always @(out) begin\n    changes = changes + 1;\n    if (changes > ",
            10'000 + 10 * netlist_.outputs.size(),
-           ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      "
-           "$finish;\n"
-           "    end\n  end\n");
+           ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      ",
+           compares() ? "failed = 1;\n      `GRAFWIRE_FAIL" : "$finish", ";\n    end\n  end\n");
+}
+
+/// Ends the simulation with the first output that is not what the reference gives.
+void BenchWriter::write_compare_task() {
+    const std::size_t last = std::max<std::size_t>(netlist_.outputs.size(), 1) - 1;
+    append(out_, "\n  reg failed = 0;\n\n  task compare(input [", last, ":0] expected, input [",
+           last, ":0] known);\n    for (i = 0; i < ", netlist_.outputs.size(),
+           "; i = i + 1) begin\n      if (!failed && known[i] && out[i] !== expected[i]) begin\n"
+           "        failed = 1;\n        case (i)\n");
+    for (std::size_t i = 0; i < netlist_.outputs.size(); ++i) {
+        append(out_, "          ", i, ": $write(\"");
+        append_verilog_text(out_, netlist_.outputs[i].name);
+        out_ += "\");\n";
+    }
+    out_ +=
+        "        endcase\n        $display(\" is %b, the reference gives %b\", out[i], "
+        "expected[i]);\n        `GRAFWIRE_FAIL;\n      end\n    end\n  endtask\n";
+}
+
+/// Of a row: what it shall hold, the last output first.
+void BenchWriter::write_comparison(std::size_t row) {
+    const std::size_t width = netlist_.outputs.size();
+    std::string expected;
+    std::string known;
+    for (std::size_t i = width; i-- > 0;) {
+        const Logic value = bench_.expected[row * width + i];
+        expected += value == Logic::one ? '1' : '0';
+        known += value == Logic::unknown ? '0' : '1';
+    }
+    append(out_, "    compare(", width, "'b", expected, ", ", width, "'b", known, ");\n");
 }
 
 void BenchWriter::write_header_row() {
@@ -164,6 +207,7 @@ void BenchWriter::write_event(const BenchEvent& event) {
     }
     wait_until(event.at + delay);
     append(out_, "    $write(\"", format_milliseconds(event.at), "\"); row;\n");
+    if (compares()) write_comparison(event.row);
 }
 
 }  // namespace

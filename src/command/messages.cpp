@@ -1,0 +1,69 @@
+#include "command/messages.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+/// A broken file can have very many errors; nobody reads more than these.
+constexpr std::size_t most_errors = 100;
+
+/// Messages may hold a list of all steps, say.
+constexpr std::size_t most_of_message = 4000;
+
+/// Who keeps the messages, if anybody does. Any part of a command may have one to show, so they are
+/// caught where they leave the program.
+std::string* kept_messages = nullptr;
+
+}  // namespace
+
+MessageRecord::MessageRecord() {
+    kept_messages = &text_;
+}
+
+MessageRecord::~MessageRecord() {
+    kept_messages = nullptr;
+}
+
+void show(std::string_view text) {
+    fmt::print(stderr, "{}", text);
+    if (kept_messages != nullptr) *kept_messages += text;
+}
+
+void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
+    show(format_diagnostics(diagnostics, source, most_errors));
+}
+
+void show_messages(const Diagnostics& messages) {
+    for (const Diagnostic& item : messages.items()) {
+        if (item.severity == Severity::error) {
+            complain(item.message);
+        } else {
+            warn(item.message);
+        }
+    }
+}
+
+void complain(std::string_view message) {
+    show(
+        fmt::format("grafwire: error: {}\n", visible(shortened(message, most_of_message), "\t\n")));
+}
+
+void warn(std::string_view message) {
+    show(fmt::format("grafwire: warning: {}\n", visible(message, "\t\n")));
+}
+
+ExitStatus finish(OutputFiles& files, ExitStatus status) {
+    if (const auto problem = files.write()) {
+        complain(*problem);
+        return ExitStatus::bad_request;
+    }
+    return status;
+}
+
+}  // namespace grafwire

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "command/command_line.h"
+#include "command/files.h"
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+// What the program says on standard error. All of it goes through show().
+
+/// Keeps what is shown on standard error while it lives; one at a time.
+class MessageRecord {
+  public:
+    MessageRecord();
+    ~MessageRecord();
+    MessageRecord(const MessageRecord&) = delete;
+    MessageRecord& operator=(const MessageRecord&) = delete;
+
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+/// Shows lines as they stand.
+void show(std::string_view text);
+
+/// Shows messages about a text, the first of many.
+void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);
+
+/// Shows messages about the request as a whole, which have no place.
+void show_messages(const Diagnostics& messages);
+
+/// Shows a message of the program itself.
+void complain(std::string_view message);
+void warn(std::string_view message);
+
+/// Writes the files; a problem is shown, and turns `status` into bad_request.
+ExitStatus finish(OutputFiles& files, ExitStatus status);
+
+}  // namespace grafwire

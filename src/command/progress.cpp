@@ -1,0 +1,77 @@
+#include "command/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+#include "command/messages.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void note_interrupt(int) {
+    is_interrupted = 1;
+}
+
+/// What the program holds in memory, in bytes; 0 where the system does not tell.
+std::uint64_t memory_held() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t whole = 0;
+    std::uint64_t held = 0;
+    file >> whole >> held;
+    return held * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+Progress::Progress(double max_seconds, std::uint64_t max_memory)
+    : max_seconds_(max_seconds), max_memory_(max_memory), is_terminal_(isatty(STDERR_FILENO) == 1) {
+    is_interrupted = 0;
+    struct sigaction once {};
+    once.sa_handler = note_interrupt;
+    once.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &once, nullptr);
+}
+
+Progress::~Progress() {
+    std::signal(SIGINT, SIG_DFL);
+    if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+bool Progress::goes_on(const Coverage& coverage) {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    is_over_ = is_over_ || is_interrupted != 0 || (max_seconds_ != 0 && elapsed >= max_seconds_);
+    if (max_memory_ != 0 && elapsed >= next_look_at_memory_) {
+        is_over_ = is_over_ || memory_held() >= max_memory_;
+        next_look_at_memory_ = elapsed + 0.05;
+    }
+    if (is_terminal_ && elapsed > next_) {
+        fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
+                   coverage.situations, coverage.waiting);
+        shown_ = true;
+        next_ = elapsed + 0.5;
+    }
+    return !is_over_;
+}
+
+std::optional<std::uint64_t> parse_memory(const std::string& text) {
+    std::uint64_t amount = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), amount);
+    const std::string unit(end, text.data() + text.size());
+    const int shift = unit == "k" ? 10 : unit == "M" || unit.empty() ? 20 : unit == "G" ? 30 : 0;
+    if (error != std::errc() || shift == 0 || amount == 0 || amount > (UINT64_MAX >> shift)) {
+        complain(fmt::format("'{}' is no amount of memory: write 500M or 2G", visible(text)));
+        return std::nullopt;
+    }
+    return amount << shift;
+}
+
+}  // namespace grafwire

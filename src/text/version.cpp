@@ -1,0 +1,9 @@
+#include "text/version.h"
+
+namespace grafwire {
+
+std::string_view version() {
+    return GRAFWIRE_VERSION;
+}
+
+}  // namespace grafwire

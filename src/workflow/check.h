@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/check_result.h"
+#include "check/report.h"
+#include "ladder/ladder.h"
+#include "netlist/netlist.h"
+#include "s7/machine/binding.h"
+#include "text/diagnostics.h"
+#include "text/language.h"
+#include "text/time.h"
+#include "workflow/chart.h"
+#include "workflow/programs.h"
+
+namespace grafwire {
+
+/// What a check is asked to do.
+struct CheckRequest {
+    /// What is known of the subject before: file, style, cdx, against, delay, name.
+    CheckSubject subject;
+    Changes changes = Changes::one;  ///< of asynchronous netlists
+    /// Clocked netlists: the only scan period that the verdict is for (none: every one). Programs:
+    /// the scan period (none: one that divides all delays).
+    std::optional<Time> period;
+    std::uint64_t max_cases = 0;  ///< give up after so many; 0: never
+    /// Shown how far the exploration is, many times a second; it ends undecided when this says no.
+    std::function<bool(const Coverage&)> keep_going;
+    Language language = Language::english;  ///< of the story
+    bool with_files = false;                ///< whether the files of a witness are wanted
+};
+
+/// A file as it would be written: its name and its text.
+struct NamedText {
+    std::string name;
+    std::string text;
+};
+
+/// The names of the files that show a witness.
+inline constexpr std::string_view witness_file_names[] = {
+    "witness.stim", "witness.txt", "expected.csv", "expected.vcd", "got.csv", "got.vcd"};
+
+/// What a check came to, and all that its reports say.
+struct Judgement {
+    CheckSubject subject;
+    CheckResult result;
+    ToldWitness told;
+    std::vector<NamedText> witness_files;
+};
+
+/// The form of a report by the name users write.
+struct ReportRow {
+    std::string_view name;
+    std::string (*write)(const Judgement& judgement, const Chart& chart, double seconds,
+                         Language language);
+};
+extern const ReportRow report_table[3];  ///< text, json, junit
+
+/// How the steps of a netlist get their first values; one from elsewhere may leave that open.
+PowerUp power_up_of(const Chart& chart, const Netlist& netlist, bool is_from_elsewhere);
+
+/// Compares a netlist, generated or from elsewhere and made to fit, with the chart. Empty, with the
+/// reasons in `messages`, where that makes no sense.
+std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlist,
+                                       const CheckRequest& request, Diagnostics& messages);
+
+/// Reads the ladder diagram of a PLCopen project; `program`: which one, where it holds several.
+std::optional<ladder::Ladder> read_ladder(const SourceFile& source, const std::string& program,
+                                          Diagnostics& diagnostics);
+
+/// The same of a ladder diagram, scan by scan.
+std::optional<Judgement> check_ladder(const Chart& chart, const ladder::Ladder& ladder,
+                                      const CheckRequest& request, Diagnostics& messages);
+
+/// The same of an S7-200 listing; the binding says where it keeps what the chart names.
+std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& listing, s7::Cpu cpu,
+                                       const s7::Binding& binding, const CheckRequest& request,
+                                       Diagnostics& messages);
+
+}  // namespace grafwire

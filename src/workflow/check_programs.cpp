@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/scan_check.h"
+#include "evolution/run.h"
+#include "laddercheck/ladder_device.h"
+#include "plcopen/read_plcopen_ladder.h"
+#include "s7check/blame.h"
+#include "s7check/listing_device.h"
+#include "s7check/listing_story.h"
+#include "workflow/check_parts.h"
+
+namespace grafwire {
+
+namespace {
+
+/// The files that show the witness of a program: stimuli, what reference and program make of them,
+/// the story.
+std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
+                                      const Witness& witness, const std::string& story) {
+    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
+    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+            {"witness.txt", story},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
+            {"got.csv", write_csv(got)},
+            {"got.vcd", write_vcd(got, grafcet.name)}};
+}
+
+/// Compares a program with the reference after every scan, in every state that can be reached.
+/// `tell` puts a witness into words.
+std::optional<Judgement> check_device(
+    const Chart& chart, const ScannedDevice& device, const CheckRequest& request,
+    Diagnostics& messages, const std::function<std::string(const Witness&, Language)>& tell) {
+    const Grafcet& grafcet = chart.grafcet;
+    if (!is_worth_checking(chart, request.subject.file, device.has_modes(), messages)) {
+        return std::nullopt;
+    }
+    const Time period = request.period ? *request.period : natural_period(grafcet, device);
+    Judgement judgement{request.subject, {}, {}, {}};
+    CheckSubject& subject = judgement.subject;
+    subject.is_program = true;
+    subject.period = format_duration(period);
+    subject.power_up = device.has_modes() ? PowerUp::init : PowerUp::initial_values;
+    subject.warnings = chart.warnings;
+    judgement.result = check_scans(grafcet, device, period, check_options(request));
+    if (const auto& witness = judgement.result.witness) {
+        judgement.told.text = tell(*witness, request.language);
+        judgement.told.story = lines_of(tell(*witness, Language::english));
+        if (request.with_files) {
+            judgement.witness_files =
+                files_of_scans(grafcet, device, *witness, judgement.told.text);
+        }
+    }
+    return judgement;
+}
+
+/// Whether every step and output has its variable; what is missing goes into `messages`.
+bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnostics& messages) {
+    const bool french = request.language == Language::french;
+    if (!names.missing.empty()) {
+        messages.error(
+            Code::bad_ladder, {},
+            fmt::format(
+                fmt::runtime(french
+                                 ? "{}: pas de variable BOOL de ce nom : {} ; chaque étape (X...) "
+                                   "et chaque sortie doit avoir la sienne"
+                                 : "{}: no BOOL variable of this name: {}; every step (X...) and "
+                                   "every output must have its own"),
+                request.subject.against, fmt::join(names.missing, ", ")));
+        return false;
+    }
+    if (!names.missing_inputs.empty()) {
+        messages.warning(
+            Code::bad_ladder, {},
+            fmt::format(fmt::runtime(french ? "{}: sans l'entrée {}" : "{}: has no input {}"),
+                        request.subject.against, fmt::join(names.missing_inputs, ", ")));
+    }
+    return true;
+}
+
+/// Init, AUdur and AUdoux have addresses, all of them or none; AUdoux needs none where it has
+/// nothing to switch off.
+bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
+    const bool has_continuous =
+        std::any_of(grafcet.actions.begin(), grafcet.actions.end(),
+                    [](const Action& action) { return action.kind == ActionKind::continuous; });
+    const auto first = binding.inputs.end() - control_input_count;
+    const auto end = binding.inputs.end() - (has_continuous ? 0 : 1);
+    const auto count =
+        std::count_if(first, end, [](const auto& operand) { return operand.has_value(); });
+    return count == 0 || count == end - first;
+}
+
+}  // namespace
+
+std::optional<ladder::Ladder> read_ladder(const SourceFile& source, const std::string& program,
+                                          Diagnostics& diagnostics) {
+    auto ladder = ladder::read_plcopen_ladder(source, diagnostics, program);
+    diagnostics.sort_by_place();
+    return ladder;
+}
+
+std::optional<Judgement> check_ladder(const Chart& chart, const ladder::Ladder& ladder,
+                                      const CheckRequest& request, Diagnostics& messages) {
+    const LadderNames names = find_names(chart.grafcet, ladder);
+    if (!can_compare(request, names, messages)) return std::nullopt;
+    const LadderDevice device(chart.grafcet, ladder, names);
+    return check_device(
+        chart, device, request, messages,
+        [&](const Witness& witness, Language language) { return device.tell(witness, language); });
+}
+
+std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& listing, s7::Cpu cpu,
+                                       const s7::Binding& binding, const CheckRequest& request,
+                                       Diagnostics& messages) {
+    const Grafcet& grafcet = chart.grafcet;
+    if (!has_all_modes_or_none(grafcet, binding)) {
+        messages.error(Code::unassigned_name, {},
+                       "Init, AUdur and AUdoux: give all three an address, or none");
+        return std::nullopt;
+    }
+    const ListingDevice device(listing, cpu, binding);
+    std::optional<Finding> finding;
+    bool is_sought = false;
+    const auto tell = [&](const Witness& witness, Language language) {
+        // Find the network that the difference comes from, once.
+        if (!is_sought) finding = find_cause(grafcet, listing, cpu, binding, witness);
+        is_sought = true;
+        return tell_listing_witness(grafcet, listing, witness, finding, device.error(), language);
+    };
+    return check_device(chart, device, request, messages, tell);
+}
+
+}  // namespace grafwire

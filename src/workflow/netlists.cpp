@@ -1,0 +1,113 @@
+#include "workflow/netlists.h"
+
+#include <unordered_map>
+
+#include "evolution/run.h"
+#include "formats/blif/read_blif.h"
+#include "formats/yosys/read_yosys_json.h"
+
+namespace grafwire {
+
+const StyleRow* style_named(std::string_view name) {
+    for (const StyleRow& row : style_table) {
+        if (row.name == name) return &row;
+    }
+    return nullptr;
+}
+
+CdxForm cdx_form(const NetlistOptions& options) {
+    return options.cdx.value_or(style_table[static_cast<std::size_t>(options.style)].default_cdx);
+}
+
+std::string conflict_in(const NetlistOptions& options) {
+    if (options.style != Style::clocked || cdx_form(options) == CdxForm::transition) return {};
+    return "the clocked style has the transition form of CDX only: leave out --cdx successor";
+}
+
+std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options,
+                                    Diagnostics& diagnostics) {
+    if (std::string conflict = conflict_in(options); !conflict.empty()) {
+        diagnostics.error(Code::unsupported_by_style, {}, std::move(conflict));
+        return std::nullopt;
+    }
+    Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});
+    return netlist_from(equations, options.style, diagnostics);
+}
+
+const AgainstRow* against_of(std::string_view extension) {
+    for (const AgainstRow& row : against_table) {
+        if (row.extension == extension) return &row;
+    }
+    return nullptr;
+}
+
+std::optional<Netlist> read_netlist(const SourceFile& source, Against kind,
+                                    Diagnostics& diagnostics) {
+    return kind == Against::blif ? read_blif(source, diagnostics)
+                                 : read_yosys_json(source, diagnostics);
+}
+
+PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_initially) {
+    PortComparison ports = compare_ports(chart.grafcet, netlist);
+    if (ports.missing_outputs.empty()) {
+        adopt_ports(chart.grafcet, netlist);
+        netlist.starts_initially = starts_initially;
+    }
+    return ports;
+}
+
+namespace {
+
+/// What the outputs of the netlist are in every row of the trace.
+std::vector<Logic> expected_rows(const Netlist& netlist, const Trace& trace) {
+    std::unordered_map<std::string_view, std::size_t> column_of;
+    for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+        if (trace.columns[c].width == 1) column_of[trace.columns[c].name] = c;
+    }
+    std::vector<std::optional<std::size_t>> columns;
+    for (const Port& port : netlist.outputs) {
+        const auto column = column_of.find(port.name);
+        columns.push_back(column == column_of.end() ? std::nullopt : std::optional(column->second));
+    }
+    std::vector<Logic> expected;
+    for (std::size_t row = 0; row < trace.row_count(); ++row) {
+        for (const auto& column : columns) {
+            Logic value = Logic::unknown;
+            if (column) {
+                const bool is_set = trace.values[row * trace.columns.size() + *column] != 0;
+                value = is_set ? Logic::one : Logic::zero;
+            }
+            expected.push_back(value);
+        }
+    }
+    return expected;
+}
+
+/// The bench that applies the stimuli; it looks at the outputs at the instants of the reference, or
+/// at its scans where there is a clock, and expects what the reference has there.
+Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,
+                Time period) {
+    const RunResult run = netlist.is_clocked() ? run_scans(grafcet, stimuli, period)
+                                               : run_until_stable(grafcet, stimuli);
+    Bench bench = bench_from(netlist, stimuli, run.trace.times);
+    bench.expected = expected_rows(netlist, run.trace);
+    return bench;
+}
+
+}  // namespace
+
+WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist, const Exporter& exporter,
+                             const Stimuli* stimuli, Time scan_period, Diagnostics& diagnostics) {
+    WrittenNetlist written;
+    ExportOptions options{scan_period, nullptr};
+    Bench bench;
+    if (stimuli != nullptr) {
+        bench = bench_for(chart.grafcet, netlist, *stimuli, scan_period);
+        options.bench = &bench;
+        if (exporter.write_bench != nullptr) written.bench = exporter.write_bench(netlist, options);
+    }
+    written.text = exporter.write(netlist, options, diagnostics);
+    return written;
+}
+
+}  // namespace grafwire

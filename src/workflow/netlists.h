@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "check/compare_ports.h"
+#include "equations/equations.h"
+#include "formats/exporters.h"
+#include "netlist/netlist.h"
+#include "netlist/styles/netlist_from.h"
+#include "text/diagnostics.h"
+#include "text/time.h"
+#include "trace/stimuli.h"
+#include "workflow/chart.h"
+
+namespace grafwire {
+
+/// Which netlist to make of a GRAFCET.
+struct NetlistOptions {
+    Style style = Style::nand;
+    std::optional<CdxForm> cdx;  ///< none: the style's own
+    bool modes = true;           ///< with Init, AUdur and AUdoux
+};
+
+/// The style of that name; nullptr where there is none.
+const StyleRow* style_named(std::string_view name);
+
+/// The form of CDX that results.
+CdxForm cdx_form(const NetlistOptions& options);
+
+/// Why these options do not go together; empty where they do.
+std::string conflict_in(const NetlistOptions& options);
+
+/// The netlist of a chart. What the style cannot hold goes into `diagnostics`, with its place in
+/// the chart; empty then.
+std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options,
+                                    Diagnostics& diagnostics);
+
+/// What can be compared with a chart, by the extension of its file.
+enum class Against { blif, yosys_json, listing, ladder };
+struct AgainstRow {
+    std::string_view extension;
+    Against kind;
+    bool is_netlist;
+};
+inline constexpr AgainstRow against_table[] = {
+    {".blif", Against::blif, true},
+    {".json", Against::yosys_json, true},
+    {".awl", Against::listing, false},
+    {".xml", Against::ladder, false},
+};
+/// The row of an extension; nullptr where there is none.
+const AgainstRow* against_of(std::string_view extension);
+
+/// Reads a netlist, a BLIF or Yosys JSON text; empty after an error.
+std::optional<Netlist> read_netlist(const SourceFile& source, Against kind,
+                                    Diagnostics& diagnostics);
+
+/// Gives the ports of a netlist from elsewhere the order of the chart, and settles whether its
+/// steps start in the initial situation where nothing sets them. Nothing is changed where an X or
+/// an output of the chart is missing.
+PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_initially);
+
+/// A netlist as a file, and the test bench that drives it, of formats that have one.
+struct WrittenNetlist {
+    std::string text;
+    std::string bench;
+};
+
+/// Writes the netlist of a chart. `stimuli`: what a deck or a test bench applies, or none;
+/// `scan_period`: what clocked timers count with. Errors go into `diagnostics`.
+WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist, const Exporter& exporter,
+                             const Stimuli* stimuli, Time scan_period, Diagnostics& diagnostics);
+
+}  // namespace grafwire

@@ -1,0 +1,25 @@
+#include "workflow/check.h"
+
+namespace grafwire {
+
+namespace {
+
+std::string text(const Judgement& judgement, const Chart& chart, double, Language language) {
+    return write_check_text(judgement.subject, chart.grafcet, judgement.result, judgement.told,
+                            language);
+}
+
+std::string json(const Judgement& judgement, const Chart& chart, double, Language) {
+    return write_check_json(judgement.subject, chart.grafcet, judgement.result, judgement.told);
+}
+
+std::string junit(const Judgement& judgement, const Chart& chart, double seconds, Language) {
+    return write_check_junit(judgement.subject, chart.grafcet, judgement.result, judgement.told,
+                             seconds);
+}
+
+}  // namespace
+
+const ReportRow report_table[3] = {{"text", text}, {"json", json}, {"junit", junit}};
+
+}  // namespace grafwire

@@ -1,0 +1,280 @@
+// An option that has no effect with what was asked for is refused, with what it is for: every
+// option of every command, in every context in which it is idle; and in the others it is not.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+namespace grafwire::test {
+
+namespace {
+
+const std::string chart = example("single-sequence.grafcet");
+const std::string stimuli = example("single-sequence.stim");
+
+/// A request, and the options that change nothing in it.
+struct Context {
+    std::vector<std::string> request;
+    std::set<std::string> idle;
+};
+
+/// The options of a command as its help lists them, but for help itself.
+std::set<std::string> options_of(const std::vector<std::string>& command) {
+    std::vector<std::string> arguments = command;
+    arguments.push_back("--help");
+    std::istringstream help(grafwire_with(arguments).out);
+    std::set<std::string> options;
+    for (std::string line; std::getline(help, line);) {
+        if (line.rfind("  -", 0) != 0) continue;
+        std::string option = line.substr(2, line.find(' ', 2) - 2);
+        option = option.substr(option.rfind(',') + 1);
+        if (option != "--help" && option != "--lang") options.insert(option);
+    }
+    return options;
+}
+
+/// The files that the contexts need.
+class Files {
+  public:
+    Files() {
+        const std::string text =
+            grafwire_with({"netlist", chart, "--style", "nand", "--to", "blif"}).out;
+        folder_.file("init.blif", text);
+        folder_.file("clocked.blif",
+                     grafwire_with({"netlist", chart, "--style", "clocked", "--to", "blif"}).out);
+        folder_.file("bare.blif",
+                     ".model bare\n.inputs m a b\n.outputs X0 X1 X2\n"
+                     ".names X2 b X1 X0 X0\n11-- 1\n--01 1\n"
+                     ".names X0 m X2 X1 X1\n11-- 1\n--01 1\n"
+                     ".names X1 a X0 X2 X2\n11-- 1\n--01 1\n.end\n");
+        folder_.file("ladder.xml", grafwire_with({"plc", chart, "--to", "plcopen"}).out);
+        const Ran listing = grafwire_with({"plc", chart, "--to", "s7-200", "--addresses",
+                                           folder_.path("a.io"), "-o", folder_.path("a.awl")});
+        CHECK(listing.status == 0);
+        folder_.file("by-address.stim", "0ms : E0.0=1\n+1ms : end\n");
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+  private:
+    ScratchFolder folder_;
+};
+
+/// A value that can be written after each option; flags have none.
+using Values = std::map<std::string, std::vector<std::string>>;
+
+/// Every option of the command, in every context.
+void try_all(const std::vector<std::string>& command, const Values& values,
+             const std::vector<Context>& contexts) {
+    const std::set<std::string> options = options_of(command);
+    std::set<std::string> known;
+    for (const auto& [option, value] : values) known.insert(option);
+    // An option that this table does not know shows here.
+    CHECK(options == known);
+    for (const Context& context : contexts) {
+        std::vector<std::string> request = command;
+        request.insert(request.end(), context.request.begin(), context.request.end());
+        std::ostringstream shown;
+        for (const std::string& word : request) shown << ' ' << word;
+        INFO("request: " << shown.str());
+        for (const auto& [option, value] : values) {
+            if (std::count(request.begin(), request.end(), option) != 0) continue;
+            INFO("option: " << option);
+            std::vector<std::string> arguments = request;
+            arguments.push_back(option);
+            arguments.insert(arguments.end(), value.begin(), value.end());
+            const Ran ran = grafwire_with(arguments);
+            const bool is_refused = contains(ran.err, option + " has no effect here: ") ||
+                                    contains(ran.err, " has no " + option + "; it is for ");
+            CHECK(is_refused == (context.idle.count(option) != 0));
+            if (is_refused) {
+                CHECK(ran.status == 2);
+                CHECK(ran.out.empty());
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("options of equations and of run") {
+    const Files files;
+    std::vector<Context> contexts;
+    for (const std::string form : {"text", "markdown", "latex", "json"}) {
+        contexts.push_back({{chart, "--to", form}, {}});
+    }
+    contexts.push_back({{chart, "--to", "csv"}, {"--karnaugh"}});
+    try_all({"equations"},
+            {{"--cdx", {"transition"}},
+             {"--modes", {"off"}},
+             {"--to", {"text"}},
+             {"--karnaugh", {}},
+             {"-o", {files.path("out")}}},
+            contexts);
+    try_all({"run"},
+            {{"--scan", {"10ms"}}, {"--vcd", {files.path("vcd")}}, {"-o", {files.path("out")}}},
+            {{{chart, stimuli}, {}}});
+    CHECK(options_of({"info"}).empty());
+}
+
+TEST_CASE("options of netlist") {
+    const Files files;
+    std::vector<Context> contexts;
+    for (const std::string style : {"gates", "nand", "nor"}) {
+        for (const std::string format : {"blif", "json", "dot", "stats", "text"}) {
+            contexts.push_back(
+                {{chart, "--style", style, "--to", format}, {"--scan", "--stim", "--bench"}});
+        }
+        contexts.push_back(
+            {{chart, "--style", style, "--to", "verilog"}, {"--scan", "--stim", "--bench"}});
+        contexts.push_back({{chart, "--style", style, "--to", "spice"}, {"--scan", "--bench"}});
+    }
+    contexts.push_back(
+        {{chart, "--style", "clocked", "--to", "blif"}, {"--scan", "--stim", "--bench"}});
+    contexts.push_back({{chart, "--style", "clocked", "--to", "verilog"}, {"--stim", "--bench"}});
+    contexts.push_back({{chart, "--style", "clocked", "--to", "spice"}, {"--bench"}});
+    // A bench needs stimuli and a file to stand beside; a deck is its own.
+    const std::string out = files.path("n.v");
+    contexts.push_back(
+        {{chart, "--style", "nand", "--to", "verilog", "--stim", stimuli}, {"--scan", "--bench"}});
+    contexts.push_back(
+        {{chart, "--style", "nand", "--to", "verilog", "--stim", stimuli, "--bench", "-o", out},
+         {"--scan"}});
+    contexts.push_back(
+        {{chart, "--style", "clocked", "--to", "verilog", "--stim", stimuli, "--bench", "-o", out},
+         {}});
+    contexts.push_back(
+        {{chart, "--style", "nand", "--to", "spice", "--stim", stimuli}, {"--scan"}});
+    try_all({"netlist"},
+            {{"--style", {"nand"}},
+             {"--cdx", {"transition"}},
+             {"--modes", {"off"}},
+             {"--to", {"blif"}},
+             {"--stim", {stimuli}},
+             {"--bench", {}},
+             {"--scan", {"10ms"}},
+             {"-o", {files.path("out")}}},
+            contexts);
+}
+
+TEST_CASE("options of simulate") {
+    const Files files;
+    try_all({"simulate"},
+            {{"--style", {"nand"}},
+             {"--cdx", {"transition"}},
+             {"--modes", {"off"}},
+             {"--against", {files.path("init.blif")}},
+             {"--power-up", {"initial"}},
+             {"--delay", {"unit"}},
+             {"--scan", {"10ms"}},
+             {"--vcd", {files.path("vcd")}},
+             {"-o", {files.path("out")}}},
+            {{{chart, stimuli}, {"--power-up", "--scan"}},
+             {{chart, stimuli, "--against", files.path("init.blif")},
+              {"--style", "--cdx", "--modes", "--power-up", "--scan"}},
+             {{chart, stimuli, "--against", files.path("bare.blif")},
+              {"--style", "--cdx", "--modes", "--scan"}},
+             {{chart, stimuli, "--against", files.path("clocked.blif")},
+              {"--style", "--cdx", "--modes", "--power-up"}},
+             {{chart, stimuli, "--style", "clocked"}, {"--power-up"}}});
+}
+
+TEST_CASE("options of check") {
+    const Files files;
+    const std::set<std::string> of_programs{"--style", "--cdx",     "--modes",
+                                            "--delay", "--changes", "--power-up"};
+    const auto with = [](std::set<std::string> some, const std::set<std::string>& more) {
+        some.insert(more.begin(), more.end());
+        return some;
+    };
+    const std::set<std::string> of_netlists{"--program", "--io", "--cpu"};
+    const std::set<std::string> of_elsewhere = with(of_netlists, {"--style", "--cdx", "--modes"});
+    std::vector<Context> contexts{
+        {{chart}, with(of_netlists, {"--power-up", "--scan"})},
+        {{chart, "--style", "clocked"}, with(of_netlists, {"--power-up", "--changes"})},
+        {{chart, "--against", files.path("init.blif")},
+         with(of_elsewhere, {"--power-up", "--scan"})},
+        {{chart, "--against", files.path("bare.blif")}, with(of_elsewhere, {"--scan"})},
+        {{chart, "--against", files.path("clocked.blif")},
+         with(of_elsewhere, {"--power-up", "--changes"})},
+        {{chart, "--against", files.path("ladder.xml")}, with(of_programs, {"--io", "--cpu"})},
+        {{chart, "--against", files.path("a.awl"), "--io", files.path("a.io")},
+         with(of_programs, {"--program"})}};
+    for (const std::string style : {"gates", "nor"}) {
+        contexts.push_back(
+            {{chart, "--style", style}, with(of_netlists, {"--power-up", "--scan"})});
+    }
+    try_all({"check"},
+            {{"--style", {"nand"}},
+             {"--cdx", {"transition"}},
+             {"--modes", {"off"}},
+             {"--delay", {"unit"}},
+             {"--against", {files.path("init.blif")}},
+             {"--program", {"p"}},
+             {"--io", {files.path("a.io")}},
+             {"--changes", {"many"}},
+             {"--power-up", {"initial"}},
+             {"--scan", {"10ms"}},
+             {"--cpu", {"212"}},
+             {"--to", {"json"}},
+             {"-o", {files.path("out")}},
+             {"--witness", {files.path("w")}},
+             {"--assume", {"m + /m"}},
+             {"--max-cases", {"5"}},
+             {"--max-seconds", {"1"}},
+             {"--max-memory", {"1G"}}},
+            contexts);
+}
+
+TEST_CASE("options of plc and of s7 run") {
+    const Files files;
+    const std::set<std::string> of_listings{"--io",      "--addresses", "--mnemonics",
+                                            "--offsets", "--tables",    "--cpu"};
+    std::vector<Context> contexts{
+        {{chart, "--to", "s7-200"}, {}},
+        {{chart, "--to", "stl"}, {"--addresses", "--offsets", "--tables", "--cpu"}}};
+    for (const std::string format : {"text", "il", "ladder", "ladder-svg", "pl7-2", "plcopen", "st",
+                                     "c", "arduino", "pascal", "python"}) {
+        contexts.push_back({{chart, "--to", format}, of_listings});
+    }
+    try_all({"plc"},
+            {{"--to", {"c"}},
+             {"--modes", {"off"}},
+             {"--io", {files.path("a.io")}},
+             {"--addresses", {files.path("addresses")}},
+             {"--mnemonics", {"iec"}},
+             {"--offsets", {"off"}},
+             {"--tables", {"wide"}},
+             {"--cpu", {"212"}},
+             {"-o", {files.path("out")}}},
+            contexts);
+    try_all(
+        {"s7", "run"},
+        {{"--stim", {files.path("by-address.stim")}},
+         {"--scan", {"10ms"}},
+         {"--io", {files.path("a.io")}},
+         {"--cpu", {"212"}},
+         {"--grafcet", {chart}},
+         {"--vcd", {files.path("vcd")}},
+         {"-o", {files.path("out")}}},
+        {{{files.path("a.awl"), "--stim", files.path("by-address.stim"), "--scan", "10ms"}, {}}});
+}
+
+TEST_CASE("the refusal says what the option is for, and is in the JUnit report") {
+    CHECK(grafwire_with({"check", chart, "--cpu", "212"}).err ==
+          "grafwire: error: --cpu has no effect here: it is for an S7-200 listing given with "
+          "--against\n");
+    CHECK(grafwire_with({"netlist", chart, "--style", "clocked", "--to", "blif", "--scan", "1h"})
+              .err == "grafwire: error: blif has no --scan; it is for verilog, spice\n");
+    const Ran ran = grafwire_with({"check", chart, "--scan", "1h", "--to", "junit"});
+    CHECK(ran.status == 2);
+    CHECK(contains(ran.out, "--scan has no effect here: nothing is scanned"));
+}
+
+}  // namespace grafwire::test
