@@ -24,7 +24,7 @@ struct Request {
 PlcOptions options_from(const Request& request) {
     PlcOptions options;
     options.mnemonics =
-        request.mnemonics == "simatic" ? Mnemonics::simatic : Mnemonics::international;
+        request.mnemonics == "simatic" ? s7::Mnemonics::simatic : s7::Mnemonics::international;
     options.offsets = request.offsets == "on";
     options.wide_tables = request.tables == "wide";
     options.cpu = cpu_of_number(request.cpu);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "grafcet/forcing_hierarchy.h"
 #include "grafcet/write_grafcet.h"
@@ -24,49 +25,13 @@ std::vector<std::vector<Condition>> by_step(std::size_t steps) {
 
 }  // namespace
 
-/// A transition is cleared where its preceding steps are active and its receptivity is 1: SBR 3 and
-/// the conditions of SBR 4 in one.
-void LadderBuild::note_cleared_transitions() {
-    std::vector<Condition> receptivity(grafcet_.transitions.size());
-    cleared_.resize(grafcet_.transitions.size());
-    before_.resize(grafcet_.transitions.size());
-    for (const Statement& statement : program_.section(SectionKind::receptivities)) {
-        receptivity[statement.targets.front().index] = statement.condition;
-    }
-    for (const Statement& statement : program_.section(SectionKind::evolution)) {
-        std::vector<Condition> parts;
-        std::uint32_t transition = none;
-        const auto add = [&](const Condition& part) {
-            const bool is_transition =
-                part.kind == Condition::Kind::bit && part.bit.kind == BitKind::transition;
-            if (is_transition) transition = part.bit.index;
-            parts.push_back(is_transition ? receptivity[transition] : part);
-        };
-        if (statement.condition.kind == Condition::Kind::conjunction) {
-            for (const Condition& part : statement.condition.operands) add(part);
-        } else {
-            add(statement.condition);
-        }
-        if (transition == none) continue;
-        cleared_[transition] = and_condition(std::move(parts));
-        collect_reads(statement.condition, before_[transition]);
-        before_[transition].erase({BitKind::transition, transition});
-    }
-    for (std::uint32_t t = 0; t < cleared_.size(); ++t) {
-        cleared_[t] = simplified(cleared_[t]);
-        if (cleared_[t].is_constant(false)) constants_.emplace(Bit{BitKind::transition, t}, false);
-    }
-}
-
 void LadderBuild::make_transitions() {
-    begin("Transitions that are cleared");
-    for (const Statement& statement : section(SectionKind::receptivities)) {
+    for (const Statement& statement : scan_.section(SectionKind::receptivities)) {
         const Bit bit = statement.targets.front();
-        if (constants_.count(bit) > 0) continue;
-        context_ = statement.comment;
-        origin_ = statement.origin;
-        Power cause = power(cleared_[bit.index]);
-        add_rung(std::move(cause), CoilKind::normal, {bit}, statement.comment, statement.origin);
+        if (scan_.is_constant(bit)) continue;
+        const Purpose purpose{statement.comment, statement.origin};
+        Power cause = rungs_.power(scan_.cleared(bit.index), purpose);
+        rungs_.add(std::move(cause), CoilKind::normal, {bit}, purpose);
     }
 }
 
@@ -74,7 +39,6 @@ void LadderBuild::make_transitions() {
 /// formula in the program (Init) stands in the same two rungs, as in the course's tables:
 /// `CAX + Init` and `CDX . /Init` of an initial step, `CAX . /Init` and `CDX + Init` of another.
 void LadderBuild::make_steps() {
-    begin("Steps: CDX resets, CAX sets");
     const std::size_t steps = grafcet_.steps.size();
     auto into = by_step(steps);
     auto out_of = by_step(steps);
@@ -83,7 +47,7 @@ void LadderBuild::make_steps() {
         return condition.kind == Condition::Kind::conjunction ? condition.operands.back()
                                                               : condition;
     };
-    for (const Statement& statement : section(SectionKind::evolution)) {
+    for (const Statement& statement : scan_.section(SectionKind::evolution)) {
         for (const Bit bit : statement.targets) {
             // The transition is the last factor of a statement of SBR 4.
             if (bit.kind == BitKind::activate) {
@@ -108,30 +72,26 @@ void LadderBuild::make_steps() {
             std::vector<Condition> parts;
             parts.push_back(or_condition(std::move(causes)));
             parts.push_back(not_condition(but_not));
-            return simplified(and_condition(std::move(parts)));
+            return scan_.simplified(and_condition(std::move(parts)));
         };
         const Condition deactivation = changed_by(std::move(out_of[s]), reset, set);
         const Condition activation = changed_by(std::move(into[s]), set, reset);
         const Step& step = grafcet_.steps[StepId{s}];
         const std::string name = quoted_where_needed(step.name);
         const std::vector<Bit> bit{{BitKind::step, s}};
-        if (!deactivation.is_constant(false)) {
-            Power cause = power(deactivation);
-            add_rung(std::move(cause), CoilKind::reset, bit, "step " + name + " is deactivated",
-                     step.where);
-        }
-        if (!activation.is_constant(false)) {
-            Power cause = power(activation);
-            add_rung(std::move(cause), CoilKind::set, bit, "step " + name + " is activated",
-                     step.where);
-        }
+        const auto add_rung = [&](const Condition& cause, CoilKind coil, const char* what) {
+            if (cause.is_constant(false)) return;
+            const Purpose purpose{fmt::format("step {} is {}", name, what), step.where};
+            rungs_.add(rungs_.power(cause, purpose), coil, bit, purpose);
+        };
+        add_rung(deactivation, CoilKind::reset, "deactivated");
+        add_rung(activation, CoilKind::set, "activated");
     }
 }
 
 /// SBR 5. The forcing orders, a run of statements that set Tf0 and Tf1, are taken together.
 void LadderBuild::make_orders() {
-    begin("Forcing, enclosures, emergency stop");
-    const std::vector<Statement>& statements = section(SectionKind::orders);
+    const std::vector<Statement>& statements = scan_.section(SectionKind::orders);
     for (std::size_t at = 0; at < statements.size();) {
         const Statement& statement = statements[at];
         const bool forces =
@@ -154,7 +114,7 @@ void LadderBuild::make_orders() {
 /// the rungs begin with the steps that are deepest in the hierarchy of orders: a step is changed
 /// only after all rungs that ask for it. Gives the index of the first statement after the orders.
 std::size_t LadderBuild::force(std::size_t first) {
-    const std::vector<Statement>& statements = section(SectionKind::orders);
+    const std::vector<Statement>& statements = scan_.section(SectionKind::orders);
     std::vector<std::vector<Bit>> off(grafcet_.steps.size());  // per step: who gives the orders
     std::vector<std::vector<Bit>> on(grafcet_.steps.size());
     std::size_t at = first;
@@ -177,8 +137,8 @@ std::size_t LadderBuild::force(std::size_t first) {
         }
         for (const auto& [givers, steps] : steps_of) {
             std::vector<Power> contacts;
-            for (const Bit giver : givers) contacts.push_back(contact(id_of(giver)));
-            add_rung(parallel(std::move(contacts)), kind, steps, comment, where);
+            for (const Bit giver : givers) contacts.push_back(contact(variables_[giver]));
+            rungs_.add(parallel(std::move(contacts)), kind, steps, {comment, where});
         }
     };
     for (std::size_t level = *std::max_element(depths.begin(), depths.end()); level > 0; --level) {

@@ -10,6 +10,6 @@ namespace grafwire::ladder {
 /// is reset by the transitions out of it and set by those into it (course "Mise en œuvre du
 /// GRAFCET", section 3.1). Inputs, outputs, steps, vars and counters keep the names of the chart.
 /// Sums of counters beyond 64 bits are an error.
-Ladder ladder_from(const ScanProgram& program, Diagnostics& diagnostics);
+Ladder ladder_from(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics);
 
 }  // namespace grafwire::ladder

@@ -13,8 +13,9 @@ namespace grafwire {
 
 namespace {
 
-std::string text(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
-    return write_program_text(program);
+std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                 Diagnostics&) {
+    return write_program_text(grafcet, program);
 }
 
 void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {

@@ -18,8 +18,8 @@ struct PlcFormat {
     std::string_view name;
     std::string_view extension;
     std::string_view description;
-    std::string (*write)(const ScanProgram& program, const PlcOptions& options,
-                         Diagnostics& diagnostics);
+    std::string (*write)(const Grafcet& grafcet, const ScanProgram& program,
+                         const PlcOptions& options, Diagnostics& diagnostics);
     /// The options that it heeds, as they are called on the command line: `--io --mnemonics`.
     std::string_view options = "";
     /// What is wrong with `PlcOptions::io` for that chart, with places in the assignment; of
@@ -28,8 +28,8 @@ struct PlcFormat {
                      Diagnostics& diagnostics) = nullptr;
     /// Where everything in the file lives, as a text that `PlcOptions::io` can be read from; of
     /// formats that heed `--addresses`.
-    std::string (*write_addresses)(const ScanProgram& program, const PlcOptions& options,
-                                   Diagnostics& diagnostics) = nullptr;
+    std::string (*write_addresses)(const Grafcet& grafcet, const ScanProgram& program,
+                                   const PlcOptions& options, Diagnostics& diagnostics) = nullptr;
 };
 
 /// All formats, in the order in which help shows them.

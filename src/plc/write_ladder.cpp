@@ -2,7 +2,7 @@
 
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "plcopen/write_plcopen.h"
+#include "plcopen/write_project.h"
 
 namespace grafwire {
 
@@ -10,28 +10,30 @@ namespace {
 
 /// The ladder diagram of a program, written by `write`; nothing where it has none.
 template <typename Write>
-std::string ladder_of(const ScanProgram& program, Diagnostics& diagnostics, const Write& write) {
-    const ladder::Ladder ladder = ladder::ladder_from(program, diagnostics);
+std::string ladder_of(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics,
+                      const Write& write) {
+    const ladder::Ladder ladder = ladder::ladder_from(grafcet, program, diagnostics);
     return diagnostics.has_errors() ? std::string() : write(ladder);
 }
 
 }  // namespace
 
-std::string write_ladder_text(const ScanProgram& program, const PlcOptions&,
+std::string write_ladder_text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
                               Diagnostics& diagnostics) {
-    return ladder_of(program, diagnostics,
+    return ladder_of(grafcet, program, diagnostics,
                      [](const ladder::Ladder& ladder) { return ladder::write_text(ladder); });
 }
 
-std::string write_ladder_svg(const ScanProgram& program, const PlcOptions&,
+std::string write_ladder_svg(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
                              Diagnostics& diagnostics) {
-    return ladder_of(program, diagnostics,
+    return ladder_of(grafcet, program, diagnostics,
                      [](const ladder::Ladder& ladder) { return ladder::write_svg(ladder); });
 }
 
-std::string write_plcopen(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    return ladder_of(program, diagnostics, [&](const ladder::Ladder& ladder) {
-        return ladder::write_plcopen(program, ladder);
+std::string write_plcopen(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                          Diagnostics& diagnostics) {
+    return ladder_of(grafcet, program, diagnostics, [&](const ladder::Ladder& ladder) {
+        return plcopen::write_project(grafcet, ladder);
     });
 }
 

@@ -10,11 +10,11 @@ namespace grafwire {
 
 // Ladder diagrams (src/ladder) as rows of the table of languages.
 
-std::string write_ladder_text(const ScanProgram& program, const PlcOptions& options,
-                              Diagnostics& diagnostics);
-std::string write_ladder_svg(const ScanProgram& program, const PlcOptions& options,
-                             Diagnostics& diagnostics);
-std::string write_plcopen(const ScanProgram& program, const PlcOptions& options,
-                          Diagnostics& diagnostics);
+std::string write_ladder_text(const Grafcet& grafcet, const ScanProgram& program,
+                              const PlcOptions& options, Diagnostics& diagnostics);
+std::string write_ladder_svg(const Grafcet& grafcet, const ScanProgram& program,
+                             const PlcOptions& options, Diagnostics& diagnostics);
+std::string write_plcopen(const Grafcet& grafcet, const ScanProgram& program,
+                          const PlcOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafwire

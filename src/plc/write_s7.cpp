@@ -8,17 +8,18 @@ namespace grafwire {
 
 namespace {
 
-std::optional<s7::AssignedListing> listing(const ScanProgram& program, const PlcOptions& options,
-                                           Diagnostics& diagnostics) {
-    return s7::listing_from(
-        program, {options.io, options.wide_tables, options.cpu, options.mnemonics}, diagnostics);
+std::optional<s7::AssignedListing> listing(const Grafcet& grafcet, const ScanProgram& program,
+                                           const PlcOptions& options, Diagnostics& diagnostics) {
+    return s7::listing_from(grafcet, program,
+                            {options.io, options.wide_tables, options.cpu, options.mnemonics},
+                            diagnostics);
 }
 
 }  // namespace
 
-std::string write_s7(const ScanProgram& program, const PlcOptions& options,
+std::string write_s7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics) {
-    const auto made = listing(program, options, diagnostics);
+    const auto made = listing(grafcet, program, options, diagnostics);
     if (!made) return {};
     return s7::write_listing(made->listing, {options.mnemonics, options.offsets});
 }
@@ -27,9 +28,9 @@ void check_s7_io(const Grafcet& grafcet, const PlcOptions& options, Diagnostics&
     s7::resolve_assignment(grafcet, *options.io, options.wide_tables, diagnostics);
 }
 
-std::string write_s7_addresses(const ScanProgram& program, const PlcOptions& options,
-                               Diagnostics& diagnostics) {
-    const auto made = listing(program, options, diagnostics);
+std::string write_s7_addresses(const Grafcet& grafcet, const ScanProgram& program,
+                               const PlcOptions& options, Diagnostics& diagnostics) {
+    const auto made = listing(grafcet, program, options, diagnostics);
     if (!made) return {};
     return s7::write_io_assignment(made->assignment, options.mnemonics);
 }

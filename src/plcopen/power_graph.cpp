@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-namespace grafwire::ladder {
+namespace grafwire::plcopen {
 
-void PowerGraph::add(Point from, Point to, Power power, std::int64_t rank) {
+void PowerGraph::add(Point from, Point to, ladder::Power power, Rank rank) {
     edges_.push_back({from, to, std::move(power), rank, 1});
 }
 
@@ -22,7 +22,7 @@ bool PowerGraph::join_parallel() {
     bool any = false;
     for (std::size_t at = 0; at < edges_.size();) {
         Edge edge = std::move(edges_[at]);
-        std::vector<Power> branches;
+        std::vector<ladder::Power> branches;
         branches.push_back(std::move(edge.power));
         for (++at; at < edges_.size() && edges_[at].from == edge.from && edges_[at].to == edge.to;
              ++at) {
@@ -57,7 +57,7 @@ bool PowerGraph::join_series(Point begin, Point end) {
         if (point == begin || point == end || first >= edges_.size() || second >= edges_.size()) {
             continue;
         }
-        std::vector<Power> both;
+        std::vector<ladder::Power> both;
         both.push_back(std::move(edges_[first].power));
         both.push_back(std::move(edges_[second].power));
         edges_[first].power = series(std::move(both));
@@ -111,7 +111,7 @@ bool PowerGraph::split_one(Point begin, Point end) {
     }
     for (const Edge& a : in) {
         for (const Edge& b : out) {
-            std::vector<Power> both{a.power, b.power};
+            std::vector<ladder::Power> both{a.power, b.power};
             left.push_back(
                 {a.from, b.to, series(std::move(both)), std::min(a.rank, b.rank), a.size + b.size});
         }
@@ -120,7 +120,7 @@ bool PowerGraph::split_one(Point begin, Point end) {
     return true;
 }
 
-std::optional<Power> PowerGraph::tree(Point from, Point to, std::size_t limit) {
+std::optional<ladder::Power> PowerGraph::tree(Point from, Point to, std::size_t limit) {
     while (edges_.size() > 1) {
         const bool joined = join_parallel();
         if (join_series(from, to) || joined) continue;
@@ -132,8 +132,8 @@ std::optional<Power> PowerGraph::tree(Point from, Point to, std::size_t limit) {
     if (edges_.empty() || edges_.front().from != from || edges_.front().to != to) {
         return std::nullopt;
     }
-    Power whole = std::move(edges_.front().power);
+    ladder::Power whole = std::move(edges_.front().power);
     return whole;
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::plcopen

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "grafcet/sum_range.h"
 #include "grafcet/write_grafcet.h"
-#include "plcopen/plcopen_parts.h"
-#include "program/program.h"
+#include "plcopen/bodies.h"
 
-namespace grafwire::ladder {
+namespace grafwire::plcopen {
 
 namespace {
 
@@ -16,40 +16,46 @@ class Interface {
   public:
     explicit Interface(pugi::xml_node pou) : interface_(pou.append_child("interface")) {}
 
-    void begin(const char* list) {
-        name_ = list;
-        list_ = {};
-    }
-    void add(const std::string& name, const char* type, bool derived = false) {
-        if (!list_) list_ = interface_.append_child(name_);
-        variable_ = list_.append_child("variable");
-        variable_.append_attribute("name") = name.c_str();
-        pugi::xml_node node = variable_.append_child("type");
-        if (!derived) {
-            node.append_child(type);
-        } else {
-            node.append_child("derived").append_attribute("name") = type;
+    struct Declaration {
+        std::string name;
+        const char* type = "BOOL";
+        std::string initial = {};      ///< empty: the type's own
+        std::string explanation = {};  ///< empty: none
+    };
+    void add(const char* list, const Declaration& declaration) {
+        pugi::xml_node variable = add_variable(list, declaration.name);
+        variable.append_child("type").append_child(declaration.type);
+        if (!declaration.initial.empty()) {
+            variable.append_child("initialValue")
+                .append_child("simpleValue")
+                .append_attribute("value") = declaration.initial.c_str();
         }
+        if (declaration.explanation.empty()) return;
+        add_text(variable.append_child("documentation"), declaration.explanation);
     }
-    // Of the variable added last:
-    void initial(std::int64_t value) {
-        if (value != 0) initial(fmt::format("{}", value));
-    }
-    void initial(const std::string& value) {
-        variable_.append_child("initialValue")
-            .append_child("simpleValue")
-            .append_attribute("value") = value.c_str();
-    }
-    void explain(const std::string& text) {
-        add_text(variable_.append_child("documentation"), text);
+    void add_local(const Declaration& declaration) { add("localVars", declaration); }
+    void add_instance(const std::string& name, const char* block) {
+        pugi::xml_node variable = add_variable("localVars", name);
+        variable.append_child("type").append_child("derived").append_attribute("name") = block;
     }
 
   private:
+    /// Lists are made when they are first needed.
+    pugi::xml_node add_variable(const char* list, const std::string& name) {
+        pugi::xml_node node = interface_.child(list);
+        if (!node) node = interface_.append_child(list);
+        pugi::xml_node variable = node.append_child("variable");
+        variable.append_attribute("name") = name.c_str();
+        return variable;
+    }
+
     pugi::xml_node interface_;
-    pugi::xml_node list_;
-    pugi::xml_node variable_;
-    const char* name_ = "";
 };
+
+/// Nothing for 0, with which integers begin by themselves.
+std::string initial_text(std::int64_t value) {
+    return value == 0 ? std::string() : fmt::format("{}", value);
+}
 
 /// The type that holds every counter and every sum.
 const char* integer_type(const Grafcet& grafcet) {
@@ -83,10 +89,10 @@ void add_times(const Grafcet& grafcet, const sfc::Names& names, Interface& inter
     for (std::size_t i = 0; i < names.times.size(); ++i) {
         if (names.times[i].empty()) continue;
         const ExprId id = grafcet.expressions.time_conditions()[i];
-        interface.add(names.times[i], "BOOL");
-        interface.explain(write_expression(grafcet, grafcet.expressions, id));
-        interface.add(names.timers[i], "TON", true);
-        if (!names.off_timers[i].empty()) interface.add(names.off_timers[i], "TON", true);
+        interface.add_local({.name = names.times[i],
+                             .explanation = write_expression(grafcet, grafcet.expressions, id)});
+        interface.add_instance(names.timers[i], "TON");
+        if (!names.off_timers[i].empty()) interface.add_instance(names.off_timers[i], "TON");
     }
 }
 
@@ -111,16 +117,16 @@ void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* int
     };
     for (const auto& [variable, name] : names.copies) {
         const bool is_counter = variable.kind == VariableKind::counter;
-        interface.add(name, is_counter ? integer : "BOOL");
-        if (is_counter) interface.initial(grafcet.counters[CounterId{variable.index}].low);
-        if (starts_true(variable)) interface.initial("TRUE");
-        interface.explain("when the scan began: " + variable_name(grafcet, variable));
+        std::string initial = starts_true(variable) ? "TRUE" : "";
+        if (is_counter) initial = initial_text(grafcet.counters[CounterId{variable.index}].low);
+        interface.add_local({name, is_counter ? integer : "BOOL", std::move(initial),
+                             "when the scan began: " + variable_name(grafcet, variable)});
     }
     for (const auto& [time, name] : names.time_copies) {
         const ExprId id = grafcet.expressions.time_conditions()[time];
-        interface.add(name, "BOOL");
-        interface.explain("when the scan began: " +
-                          write_expression(grafcet, grafcet.expressions, id));
+        interface.add_local({.name = name,
+                             .explanation = "when the scan began: " +
+                                            write_expression(grafcet, grafcet.expressions, id)});
     }
 }
 
@@ -129,29 +135,28 @@ void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* int
 void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node pou) {
     const Grafcet& grafcet = *plan.grafcet;
     Interface interface(pou);
-    interface.begin("inputVars");
     const std::size_t declared = grafcet.inputs.size();
-    for (std::size_t i = 0; i < declared; ++i) interface.add(names.inputs[i], "BOOL");
-    for (const std::uint32_t i : plan.controls) interface.add(names.inputs[declared + i], "BOOL");
-    interface.begin("outputVars");
-    for (const std::string& name : names.outputs) interface.add(name, "BOOL");
-    interface.begin("localVars");
-    for (const std::string& name : names.vars) interface.add(name, "BOOL");
+    for (std::size_t i = 0; i < declared; ++i) interface.add("inputVars", {names.inputs[i]});
+    for (const std::uint32_t i : plan.controls) {
+        interface.add("inputVars", {names.inputs[declared + i]});
+    }
+    for (const std::string& name : names.outputs) interface.add("outputVars", {name});
+    for (const std::string& name : names.vars) interface.add_local({name});
     const char* integer = integer_type(grafcet);
     for (std::uint32_t c = 0; c < names.counters.size(); ++c) {
-        interface.add(names.counters[c], integer);
-        interface.initial(grafcet.counters[CounterId{c}].low);
+        interface.add_local(
+            {names.counters[c], integer, initial_text(grafcet.counters[CounterId{c}].low)});
     }
     add_times(grafcet, names, interface);
     for (const auto& [operand, name] : names.before) {
-        interface.add(name, "BOOL");
-        interface.explain("before this scan: " +
-                          write_expression(grafcet, grafcet.expressions, operand));
+        interface.add_local(
+            {.name = name,
+             .explanation =
+                 "before this scan: " + write_expression(grafcet, grafcet.expressions, operand)});
     }
     add_copies(grafcet, names, integer, interface);
     if (!plan.has_start_bit) return;
-    interface.add(names.started, "BOOL");
-    interface.explain("0 in the first scan only");
+    interface.add_local({.name = names.started, .explanation = "0 in the first scan only"});
 }
 
-}  // namespace grafwire::ladder
+}  // namespace grafwire::plcopen

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "program/program_build.h"
+#include "program/program_parts.h"
 
 namespace grafwire {
 
@@ -66,19 +66,7 @@ Condition or_condition(std::vector<Condition> operands) {
     return folded(Condition::Kind::disjunction, false, std::move(operands));
 }
 
-Bit step_bit(BitKind table, StepId step) {
-    return {table, static_cast<std::uint32_t>(index_of(step))};
-}
-
-std::vector<Bit> graph_bits(BitKind table, const Graph& graph) {
-    std::vector<Bit> bits;
-    for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-        bits.push_back({table, graph.first_step + i});
-    }
-    return bits;
-}
-
-Condition ProgramBuild::any_step(std::uint32_t first, std::uint32_t count) const {
+Condition ChartConditions::any_step(std::uint32_t first, std::uint32_t count) {
     std::vector<Condition> steps;
     for (std::uint32_t i = 0; i < count; ++i) {
         steps.push_back(bit_condition({BitKind::step, first + i}));
@@ -86,12 +74,12 @@ Condition ProgramBuild::any_step(std::uint32_t first, std::uint32_t count) const
     return or_condition(std::move(steps));
 }
 
-Condition ProgramBuild::control(ControlInput control) const {
-    if (!program_.has_modes) return constant_condition(false);
+Condition ChartConditions::control(ControlInput control) const {
+    if (!has_modes_) return constant_condition(false);
     return bit_condition({BitKind::control, static_cast<std::uint32_t>(control)});
 }
 
-Condition ProgramBuild::variable_condition(Variable variable) const {
+Condition ChartConditions::of(Variable variable) const {
     switch (variable.kind) {
         case VariableKind::input:
             return bit_condition({BitKind::input, variable.index});
@@ -117,20 +105,20 @@ Condition ProgramBuild::variable_condition(Variable variable) const {
     return constant_condition(false);
 }
 
-Condition ProgramBuild::condition_of(ExprId id) const {
+Condition ChartConditions::of(ExprId id) const {
     const Expressions& pool = grafcet_.expressions;
     std::vector<Condition> operands;
     const ExprKind kind = pool.kind(id);
     if (kind == ExprKind::conjunction || kind == ExprKind::disjunction ||
         kind == ExprKind::exclusive_or || kind == ExprKind::negation) {
-        for (const ExprId operand : pool.operands(id)) operands.push_back(condition_of(operand));
+        for (const ExprId operand : pool.operands(id)) operands.push_back(of(operand));
     }
     Condition condition;
     switch (kind) {
         case ExprKind::constant:
             return constant_condition(pool.constant_value(id));
         case ExprKind::variable:
-            return variable_condition(pool.variable_of(id));
+            return of(pool.variable_of(id));
         case ExprKind::negation:
             return not_condition(std::move(operands.front()));
         case ExprKind::conjunction:

@@ -52,10 +52,10 @@ BitKind target_of(TableOperation operation) {
 
 }  // namespace
 
-std::vector<Statement> expand_tables(const ScanProgram& program, const Statement& statement) {
+std::vector<Statement> expand_tables(const Grafcet& grafcet, const Statement& statement) {
     if (statement.kind != Statement::Kind::table) return {statement};
     std::vector<Statement> expanded;
-    const auto steps = static_cast<std::uint32_t>(program.grafcet->steps.size());
+    const auto steps = static_cast<std::uint32_t>(grafcet.steps.size());
     if (statement.operation == TableOperation::clear) {
         Statement reset = statement;
         reset.kind = Statement::Kind::reset;
@@ -72,9 +72,8 @@ std::vector<Statement> expand_tables(const ScanProgram& program, const Statement
         assign.kind = Statement::Kind::assign;
         assign.targets = {{target_of(statement.operation), s}};
         assign.condition = condition_for(statement.operation, s);
-        assign.comment =
-            fmt::format("{}, X{}", statement.comment, program.grafcet->steps[StepId{s}].name);
-        assign.origin = program.grafcet->steps[StepId{s}].where;
+        assign.comment = fmt::format("{}, X{}", statement.comment, grafcet.steps[StepId{s}].name);
+        assign.origin = grafcet.steps[StepId{s}].where;
         expanded.push_back(std::move(assign));
     }
     return expanded;

@@ -11,42 +11,55 @@
 #include <fmt/format.h>
 
 #include "grafcet/write_grafcet.h"
-#include "program/program_build.h"
+#include "program/program_parts.h"
 
 namespace grafwire {
 
-ProgramBuild::ProgramBuild(const Grafcet& grafcet, const ProgramOptions& options)
-    : grafcet_(grafcet) {
-    program_.grafcet = &grafcet;
-    program_.has_modes = options.modes;
-}
-
-Statement& ProgramBuild::add(Statement::Kind kind, std::string comment, Location origin) {
+Statement& SectionWriter::add(Statement::Kind kind, std::string comment, Location origin) {
     Statement statement;
     statement.kind = kind;
     statement.comment = std::move(comment);
     statement.origin = origin;
-    std::vector<Statement>& section = program_.sections[section_];
-    section.push_back(std::move(statement));
-    return section.back();
+    statements_.push_back(std::move(statement));
+    return statements_.back();
 }
 
-void ProgramBuild::assign(Bit target, Condition condition, std::string comment, Location origin) {
+void SectionWriter::assign(Bit target, Condition condition, std::string comment, Location origin) {
     Statement& statement = add(Statement::Kind::assign, std::move(comment), origin);
     statement.targets = {target};
     statement.condition = std::move(condition);
 }
 
-void ProgramBuild::set(Statement::Kind kind, std::vector<Bit> targets, Condition condition,
-                       std::string comment, Location origin) {
+void SectionWriter::set_or_reset(Statement::Kind kind, std::vector<Bit> targets,
+                                 Condition condition, std::string comment, Location origin) {
     if (targets.empty() || condition.is_constant(false)) return;
     Statement& statement = add(kind, std::move(comment), origin);
     statement.targets = std::move(targets);
     statement.condition = std::move(condition);
 }
 
-void ProgramBuild::table(TableOperation operation, std::string comment) {
+void SectionWriter::set(std::vector<Bit> targets, Condition condition, std::string comment,
+                        Location origin) {
+    set_or_reset(Statement::Kind::set, std::move(targets), std::move(condition), std::move(comment),
+                 origin);
+}
+
+void SectionWriter::reset(std::vector<Bit> targets, Condition condition, std::string comment,
+                          Location origin) {
+    set_or_reset(Statement::Kind::reset, std::move(targets), std::move(condition),
+                 std::move(comment), origin);
+}
+
+void SectionWriter::table(TableOperation operation, std::string comment) {
     add(Statement::Kind::table, std::move(comment)).operation = operation;
+}
+
+Bit step_bit(BitKind table, StepId step) {
+    return {table, static_cast<std::uint32_t>(index_of(step))};
+}
+
+Bit new_scratch(ScanProgram& program) {
+    return {BitKind::scratch, program.scratch_bits++};
 }
 
 std::string transition_text(const Grafcet& grafcet, TransitionId id) {
@@ -68,26 +81,64 @@ std::string transition_text(const Grafcet& grafcet, TransitionId id) {
     return text;
 }
 
+namespace {
+
+/// Fills one section after the other; each reads what those before it have written.
+class ProgramBuild {
+  public:
+    ProgramBuild(const Grafcet& grafcet, const ProgramOptions& options)
+        : grafcet_(grafcet), conditions_(grafcet, options.modes) {
+        program_.has_modes = options.modes;
+    }
+
+    ScanProgram make() {
+        make_start();
+        make_begin();
+        make_edges();
+        make_receptivities();
+        make_evolution();
+        add_orders(grafcet_, conditions_, program_);
+        add_stored_actions(grafcet_, conditions_, program_);
+        make_times();
+        make_outputs();
+        return std::move(program_);
+    }
+
+  private:
+    void make_start();
+    void make_begin();
+    void make_edges();
+    void make_receptivities();
+    void make_evolution();
+    void make_times();
+    void make_outputs();
+
+    const Grafcet& grafcet_;
+    ChartConditions conditions_;
+    ScanProgram program_;
+};
+
 /// SBR 0. Edges are 0 while their memories are filled, last of all, so nothing has an edge in the
 /// first scan.
 void ProgramBuild::make_start() {
-    begin(SectionKind::start);
+    SectionWriter section(program_, SectionKind::start);
     std::vector<Bit> graphs;
     for (std::uint32_t g = 0; g < grafcet_.graphs.size(); ++g) {
         graphs.push_back({BitKind::may_evolve, g});
     }
-    set(Statement::Kind::set, std::move(graphs), constant_condition(true), "no graph is frozen");
+    section.set(std::move(graphs), constant_condition(true), "no graph is frozen");
     for (std::size_t s = 0; s < grafcet_.steps.size(); ++s) {
         const Step& step = grafcet_.steps[grafcet_.steps.id_at(s)];
         if (!step.initial) continue;
         const StepId id = grafcet_.steps.id_at(s);
-        set(Statement::Kind::set, {step_bit(BitKind::previous, id), step_bit(BitKind::step, id)},
-            constant_condition(true), "initial step " + quoted_where_needed(step.name), step.where);
+        section.set({step_bit(BitKind::previous, id), step_bit(BitKind::step, id)},
+                    constant_condition(true), "initial step " + quoted_where_needed(step.name),
+                    step.where);
     }
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         const Counter& counter = grafcet_.counters[CounterId{c}];
         Statement& statement =
-            add(Statement::Kind::move, quoted_where_needed(counter.name), counter.where);
+            section.add(Statement::Kind::move, quoted_where_needed(counter.name), counter.where);
         statement.condition = constant_condition(true);
         statement.integer = {false, c};
         const bool negative = counter.low < 0;
@@ -98,53 +149,53 @@ void ProgramBuild::make_start() {
     const Expressions& pool = grafcet_.expressions;
     for (std::uint32_t i = 0; i < pool.edges().size(); ++i) {
         const ExprId edge = pool.edges()[i];
-        assign({BitKind::edge_memory, i}, condition_of(pool.operands(edge).front()),
-               "memory of " + write_expression(grafcet_, pool, edge));
+        section.assign({BitKind::edge_memory, i}, conditions_.of(pool.operands(edge).front()),
+                       "memory of " + write_expression(grafcet_, pool, edge));
     }
 }
 
 void ProgramBuild::make_begin() {
-    begin(SectionKind::begin);
-    table(TableOperation::remember, "Tp = Ts");
-    table(TableOperation::clear, "Ta = Td = Tf1 = Tf0 = 0");
+    SectionWriter section(program_, SectionKind::begin);
+    section.table(TableOperation::remember, "Tp = Ts");
+    section.table(TableOperation::clear, "Ta = Td = Tf1 = Tf0 = 0");
 }
 
 /// SBR 2, inner edges first: `LDN memory U e = edge, LD e = memory` in the words of the method.
 void ProgramBuild::make_edges() {
-    begin(SectionKind::edges);
+    SectionWriter section(program_, SectionKind::edges);
     const Expressions& pool = grafcet_.expressions;
     for (std::uint32_t i = 0; i < pool.edges().size(); ++i) {
         const ExprId edge = pool.edges()[i];
         const std::string text = write_expression(grafcet_, pool, edge);
-        const Condition operand = condition_of(pool.operands(edge).front());
+        const Condition operand = conditions_.of(pool.operands(edge).front());
         const Condition memory = bit_condition({BitKind::edge_memory, i});
         const bool rising = pool.kind(edge) == ExprKind::rise;
         std::vector<Condition> both;
         both.push_back(rising ? operand : not_condition(operand));
         both.push_back(rising ? not_condition(memory) : memory);
-        assign({BitKind::edge, i}, and_condition(std::move(both)), text);
-        assign({BitKind::edge_memory, i}, operand, "memory of " + text);
+        section.assign({BitKind::edge, i}, and_condition(std::move(both)), text);
+        section.assign({BitKind::edge_memory, i}, operand, "memory of " + text);
     }
 }
 
 void ProgramBuild::make_receptivities() {
-    begin(SectionKind::receptivities);
+    SectionWriter section(program_, SectionKind::receptivities);
     for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
         const TransitionId id{t};
         const Transition& transition = grafcet_.transitions[id];
         std::vector<Condition> parts;
-        parts.push_back(condition_of(transition.receptivity));
+        parts.push_back(conditions_.of(transition.receptivity));
         parts.push_back(bit_condition(
             {BitKind::may_evolve, static_cast<std::uint32_t>(index_of(transition.graph))}));
-        assign({BitKind::transition, t}, and_condition(std::move(parts)),
-               transition_text(grafcet_, id) + " : " +
-                   write_expression(grafcet_, grafcet_.expressions, transition.receptivity),
-               transition.where);
+        section.assign({BitKind::transition, t}, and_condition(std::move(parts)),
+                       transition_text(grafcet_, id) + " : " +
+                           write_expression(grafcet_, grafcet_.expressions, transition.receptivity),
+                       transition.where);
     }
 }
 
 void ProgramBuild::make_evolution() {
-    begin(SectionKind::evolution);
+    SectionWriter section(program_, SectionKind::evolution);
     for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
         const TransitionId id{t};
         const Transition& transition = grafcet_.transitions[id];
@@ -160,29 +211,30 @@ void ProgramBuild::make_evolution() {
         for (const StepId step : grafcet_.preceding(transition)) {
             targets.push_back(step_bit(BitKind::deactivate, step));
         }
-        set(Statement::Kind::set, std::move(targets), and_condition(std::move(parts)),
-            transition_text(grafcet_, id), transition.where);
+        section.set(std::move(targets), and_condition(std::move(parts)),
+                    transition_text(grafcet_, id), transition.where);
     }
-    table(TableOperation::evolve, "Ts = Tp . /Td + Ta");
+    section.table(TableOperation::evolve, "Ts = Tp . /Td + Ta");
     std::vector<Bit> initial;
     std::vector<Bit> others;
     for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
         (grafcet_.steps[StepId{s}].initial ? initial : others).push_back({BitKind::step, s});
     }
-    const Condition init = control(ControlInput::init);
-    set(Statement::Kind::set, std::move(initial), init, "Init: initial steps");
-    set(Statement::Kind::reset, std::move(others), init, "Init: all other steps");
+    const Condition init = conditions_.control(ControlInput::init);
+    section.set(std::move(initial), init, "Init: initial steps");
+    section.reset(std::move(others), init, "Init: all other steps");
 }
 
 void ProgramBuild::make_times() {
-    begin(SectionKind::times);
+    SectionWriter section(program_, SectionKind::times);
     const Expressions& pool = grafcet_.expressions;
     for (std::uint32_t i = 0; i < pool.time_conditions().size(); ++i) {
         const ExprId id = pool.time_conditions()[i];
         const TimeCondition& condition = pool.time_condition_of(id);
-        Statement& statement = add(Statement::Kind::time, write_expression(grafcet_, pool, id));
+        Statement& statement =
+            section.add(Statement::Kind::time, write_expression(grafcet_, pool, id));
         statement.targets = {{BitKind::time_value, i}};
-        statement.condition = condition_of(condition.operand);
+        statement.condition = conditions_.of(condition.operand);
         statement.on_delay = condition.on_delay;
         statement.off_delay = condition.off_delay;
     }
@@ -191,7 +243,7 @@ void ProgramBuild::make_times() {
 /// SBR 8. All contributions to an output meet in one assignment: written step by step, the last one
 /// would overwrite the others.
 void ProgramBuild::make_outputs() {
-    begin(SectionKind::outputs);
+    SectionWriter section(program_, SectionKind::outputs);
     for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
         const Output& output = grafcet_.outputs[OutputId{o}];
         if (output.stored) continue;
@@ -200,14 +252,14 @@ void ProgramBuild::make_outputs() {
             if (action.kind != ActionKind::continuous || action.output != OutputId{o}) continue;
             std::vector<Condition> parts;
             parts.push_back(bit_condition(step_bit(BitKind::step, action.step)));
-            if (action.expression != no_expr) parts.push_back(condition_of(action.expression));
+            if (action.expression != no_expr) parts.push_back(conditions_.of(action.expression));
             causes.push_back(and_condition(std::move(parts)));
         }
         std::vector<Condition> gated;
         gated.push_back(or_condition(std::move(causes)));
-        gated.push_back(not_control(ControlInput::au_doux));
-        assign({BitKind::output, o}, and_condition(std::move(gated)),
-               quoted_where_needed(output.name), output.where);
+        gated.push_back(conditions_.not_control(ControlInput::au_doux));
+        section.assign({BitKind::output, o}, and_condition(std::move(gated)),
+                       quoted_where_needed(output.name), output.where);
     }
     for (std::uint32_t g = 0; g < grafcet_.graphs.size(); ++g) {
         std::vector<Condition> freezing;
@@ -216,29 +268,10 @@ void ProgramBuild::make_outputs() {
             freezing.push_back(bit_condition(step_bit(BitKind::step, order.step)));
         }
         if (freezing.empty()) continue;
-        assign({BitKind::may_evolve, g}, not_condition(or_condition(std::move(freezing))),
-               quoted_where_needed(grafcet_.graphs[GraphId{g}].name) + " may evolve");
+        section.assign({BitKind::may_evolve, g}, not_condition(or_condition(std::move(freezing))),
+                       quoted_where_needed(grafcet_.graphs[GraphId{g}].name) + " may evolve");
     }
 }
-
-ScanProgram ProgramBuild::make() {
-    make_start();
-    make_begin();
-    make_edges();
-    make_receptivities();
-    make_evolution();
-    make_orders();
-    make_stored();
-    make_times();
-    make_outputs();
-    return std::move(program_);
-}
-
-ScanProgram program_from(const Grafcet& grafcet, const ProgramOptions& options) {
-    return ProgramBuild(grafcet, options).make();
-}
-
-namespace {
 
 bool reads(const Condition& condition, Bit bit) {
     if (condition.kind == Condition::Kind::bit) return condition.bit == bit;
@@ -249,6 +282,10 @@ bool reads(const Condition& condition, Bit bit) {
 }
 
 }  // namespace
+
+ScanProgram program_from(const Grafcet& grafcet, const ProgramOptions& options) {
+    return ProgramBuild(grafcet, options).make();
+}
 
 bool reads_control(const ScanProgram& program, ControlInput control) {
     const Bit bit{BitKind::control, static_cast<std::uint32_t>(control)};

@@ -38,8 +38,10 @@ enum class BitKind : std::uint8_t {
     edge_memory,  ///< per edge: its operand at the last evaluation
     time_value,   ///< per time condition (Expressions::time_conditions)
     scratch,      ///< holds a value within one scan
+    auxiliary,    ///< in no program; a writer that works out part of a condition beforehand keeps
+                  ///< it there, under a number of its own
 };
-inline constexpr std::size_t bit_kind_count = 17;
+inline constexpr std::size_t bit_kind_count = 18;
 
 struct Bit {
     BitKind kind = BitKind::input;
@@ -137,9 +139,9 @@ enum class SectionKind : std::uint8_t {
 };
 inline constexpr std::size_t section_count = 9;
 
+/// It names bits and counters by their places in the chart, which is handed on beside it.
 struct ScanProgram {
-    const Grafcet* grafcet = nullptr;  ///< must outlive the program
-    bool has_modes = true;             ///< Init, AUdur and AUdoux act
+    bool has_modes = true;  ///< Init, AUdur and AUdoux act
     std::array<std::vector<Statement>, section_count> sections;
     std::uint32_t scratch_bits = 0;
     std::uint32_t scratch_integers = 0;
@@ -158,21 +160,13 @@ ScanProgram program_from(const Grafcet& grafcet, const ProgramOptions& options);
 
 /// The statement with an operation on whole tables written out as one assignment per step (clear:
 /// one reset); any other statement as it is.
-std::vector<Statement> expand_tables(const ScanProgram& program, const Statement& statement);
+std::vector<Statement> expand_tables(const Grafcet& grafcet, const Statement& statement);
 
 /// Whether the program uses a control input, as a mode or in an expression.
 bool reads_control(const ScanProgram& program, ControlInput control);
 
-/// The smallest and the largest value that any partial sum can take on the way, the terms taken in
-/// order; empty where that is beyond 64 bits. For languages whose integers are narrower.
-struct IntegerRange {
-    std::int64_t low = 0;
-    std::int64_t high = 0;
-};
-std::optional<IntegerRange> range_of(const Grafcet& grafcet, const Sum& sum);
-
 /// The program as text, one statement a line, for tests and people:
 ///   start  : X10 X20 := 1
-std::string write_program_text(const ScanProgram& program);
+std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program);
 
 }  // namespace grafwire

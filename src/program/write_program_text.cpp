@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/write_grafcet.h"
-#include "program/program.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -11,8 +10,8 @@ namespace {
 
 class ProgramText {
   public:
-    explicit ProgramText(const ScanProgram& program)
-        : program_(program), grafcet_(*program.grafcet) {}
+    ProgramText(const Grafcet& grafcet, const ScanProgram& program)
+        : grafcet_(grafcet), program_(program) {}
 
     std::string write() {
         static constexpr const char* names[section_count] = {
@@ -38,42 +37,15 @@ class ProgramText {
     std::string text(const Condition& condition, bool in_product = false) const;
     void write_statement(const Statement& statement);
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     std::string text_;
 };
 
 std::string ProgramText::name(Bit bit) const {
-    const auto of_step = [&](const char* table) {
-        return fmt::format("{}[{}]", table, grafcet_.steps[StepId{bit.index}].name);
-    };
+    const std::string_view table = table_name(bit.kind);
+    if (!table.empty()) return fmt::format("{}[{}]", table, name_in_chart(grafcet_, bit));
     switch (bit.kind) {
-        case BitKind::input:
-            return grafcet_.inputs[InputId{bit.index}].name;
-        case BitKind::control:
-            return std::string(input_name(grafcet_, grafcet_.inputs.size() + bit.index));
-        case BitKind::output:
-            return grafcet_.outputs[OutputId{bit.index}].name;
-        case BitKind::var:
-            return grafcet_.vars[VarId{bit.index}].name;
-        case BitKind::step:
-            return of_step("Ts");
-        case BitKind::previous:
-            return of_step("Tp");
-        case BitKind::pulse:
-            return of_step("Tpulse");
-        case BitKind::activate:
-            return of_step("Ta");
-        case BitKind::deactivate:
-            return of_step("Td");
-        case BitKind::forced_on:
-            return of_step("Tf1");
-        case BitKind::forced_off:
-            return of_step("Tf0");
-        case BitKind::transition:
-            return fmt::format("Tt[{}]", grafcet_.transitions[TransitionId{bit.index}].name);
-        case BitKind::may_evolve:
-            return fmt::format("Tfig[{}]", grafcet_.graphs[GraphId{bit.index}].name);
         case BitKind::edge:
             return fmt::format("edge[{}]", bit.index);
         case BitKind::edge_memory:
@@ -82,8 +54,9 @@ std::string ProgramText::name(Bit bit) const {
             return fmt::format("time[{}]", bit.index);
         case BitKind::scratch:
             return fmt::format("S{}", bit.index);
+        default:
+            return name_in_chart(grafcet_, bit);
     }
-    return {};
 }
 
 std::string ProgramText::text(const Sum& sum) const {
@@ -161,8 +134,8 @@ void ProgramText::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_program_text(const ScanProgram& program) {
-    return ProgramText(program).write();
+std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program) {
+    return ProgramText(grafcet, program).write();
 }
 
 }  // namespace grafwire

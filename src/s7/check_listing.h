@@ -1,6 +1,6 @@
 #pragma once
 
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
 

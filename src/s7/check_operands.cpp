@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "s7/addresses/operand_text.h"
 #include "s7/instruction_set.h"
-#include "s7/operand_text.h"
 
 namespace grafwire::s7 {
 

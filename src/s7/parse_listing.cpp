@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <map>
 
+#include "s7/addresses/operand_text.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
 #include "s7/listing_items.h"
 #include "s7/listing_lines.h"
 #include "s7/offsets.h"
-#include "s7/operand_text.h"
 #include "s7/unknown_words.h"
 #include "text/utf8.h"
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "s7/cpu.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/cpu.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "s7/io_assignment.h"
+#include "s7/addresses/io_assignment.h"
 
 namespace grafwire::s7 {
 

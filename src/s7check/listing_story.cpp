@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "explain/story.h"
-#include "s7/operand_text.h"
+#include "s7/addresses/operand_text.h"
 #include "s7/write_listing.h"
 #include "s7check/listing_excerpt.h"
 
@@ -17,7 +17,7 @@ constexpr std::size_t most_networks = 6;
 constexpr std::size_t most_instructions = 10;  ///< of a network
 
 std::string place_text(const s7::Operand& place) {
-    return s7::write_operand(place, Mnemonics::simatic);
+    return s7::write_operand(place, s7::Mnemonics::simatic);
 }
 
 /// What a bit of the tables is.
@@ -86,7 +86,7 @@ void tell_instructions(Story& story, const s7::Listing& listing, const Finding& 
                     break;
                 }
                 story.add(fmt::format("    {:>5}  {}\n", shown[k]->where.line,
-                                      s7::write_instruction(*shown[k], Mnemonics::simatic)));
+                                      s7::write_instruction(*shown[k], s7::Mnemonics::simatic)));
             }
             break;
         }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "program/program.h"
+#include "grafcet/sum_range.h"
 
 namespace grafwire::sfc {
+
+using iec::Precedence;
 
 std::string StructuredText::any_step(std::uint32_t first, std::uint32_t count) const {
     if (count == 0) return "FALSE";
@@ -58,9 +60,8 @@ std::string StructuredText::sum(const Sum& sum, const Reading& reading) const {
 }
 
 std::string StructuredText::comparison(const Comparison& comparison, const Reading& reading) const {
-    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
     return fmt::format("({} {} {})", sum(comparison.left, reading),
-                       relations[static_cast<std::size_t>(comparison.relation)],
+                       iec::relation_signs[static_cast<std::size_t>(comparison.relation)],
                        sum(comparison.right, reading));
 }
 
@@ -69,33 +70,44 @@ std::string StructuredText::edge(ExprId id) const {
     const ExprId operand = pool.operands(id).front();
     const bool rises = pool.kind(id) == ExprKind::rise;
     return fmt::format("{} AND {}{} AND {}{}", names_.started, rises ? "" : "NOT ",
-                       ranked(operand, reading_at_start, Rank::primary), rises ? "NOT " : "",
+                       beside(operand, reading_at_start, Precedence::operand), rises ? "NOT " : "",
                        names_.before.at(operand));
 }
+
+namespace {
+
+/// Of the operator of an expression; of anything that has none, an operand's.
+Precedence precedence_of(ExprKind kind) {
+    switch (kind) {
+        case ExprKind::disjunction:
+            return Precedence::disjunction;
+        case ExprKind::exclusive_or:
+            return Precedence::exclusive_or;
+        case ExprKind::conjunction:
+            return Precedence::conjunction;
+        case ExprKind::negation:
+            return Precedence::negation;
+        default:
+            return Precedence::operand;
+    }
+}
+
+}  // namespace
 
 /// The operands with their operator between them.
 std::string StructuredText::chain(ExprId id, const Reading& reading) const {
     const Expressions& pool = grafcet_.expressions;
-    const auto [sign, rank] = [&]() -> std::pair<const char*, Rank> {
-        switch (pool.kind(id)) {
-            case ExprKind::conjunction:
-                return {" AND ", Rank::conjunction};
-            case ExprKind::disjunction:
-                return {" OR ", Rank::disjunction};
-            default:
-                return {" XOR ", Rank::exclusive_or};
-        }
-    }();
+    const Precedence precedence = precedence_of(pool.kind(id));
     std::string text;
     for (const ExprId operand : pool.operands(id)) {
-        if (!text.empty()) text += sign;
-        text += ranked(operand, reading, rank);
+        if (!text.empty()) text += iec::word_of(precedence);
+        text += beside(operand, reading, precedence);
     }
     return text;
 }
 
-/// An expression beside an operator of rank `above`: in parentheses unless it binds more strongly.
-std::string StructuredText::ranked(ExprId id, const Reading& reading, Rank above) const {
+/// An expression beside an operator: in parentheses unless its own binds more strongly than that.
+std::string StructuredText::beside(ExprId id, const Reading& reading, Precedence above) const {
     const Expressions& pool = grafcet_.expressions;
     switch (pool.kind(id)) {
         case ExprKind::constant:
@@ -114,19 +126,17 @@ std::string StructuredText::ranked(ExprId id, const Reading& reading, Rank above
         default:
             break;
     }
-    const bool is_negation = pool.kind(id) == ExprKind::negation;
+    const Precedence own = precedence_of(pool.kind(id));
     const std::string text =
-        is_negation ? "NOT " + ranked(pool.operands(id).front(), reading, Rank::primary)
-                    : chain(id, reading);
-    const Rank own = pool.kind(id) == ExprKind::disjunction    ? Rank::disjunction
-                     : pool.kind(id) == ExprKind::exclusive_or ? Rank::exclusive_or
-                                                               : Rank::conjunction;
-    const bool stands = is_negation ? above != Rank::primary : own > above;
-    return stands ? text : "(" + text + ")";
+        own == Precedence::negation
+            ? fmt::format("{}{}", iec::word_of(own),
+                          beside(pool.operands(id).front(), reading, Precedence::operand))
+            : chain(id, reading);
+    return own > above ? text : "(" + text + ")";
 }
 
 std::string StructuredText::expression(ExprId id, const Reading& reading, bool as_operand) const {
-    if (as_operand) return ranked(id, reading, Rank::primary);
+    if (as_operand) return beside(id, reading, Precedence::operand);
     switch (grafcet_.expressions.kind(id)) {
         case ExprKind::conjunction:
         case ExprKind::disjunction:
@@ -136,7 +146,7 @@ std::string StructuredText::expression(ExprId id, const Reading& reading, bool a
         case ExprKind::fall:
             return edge(id);
         default:
-            return ranked(id, reading, Rank::disjunction);
+            return beside(id, reading, Precedence::disjunction);
     }
 }
 

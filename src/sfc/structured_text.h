@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grafcet/grafcet.h"
+#include "iec/operators.h"
 #include "sfc/names.h"
 #include "sfc/plan.h"
 
@@ -24,9 +25,7 @@ class StructuredText {
     std::string variable(Variable variable, const Reading& reading = {}) const;
 
   private:
-    // How strongly an operator binds.
-    enum class Rank : std::uint8_t { disjunction, exclusive_or, conjunction, primary };
-    std::string ranked(ExprId id, const Reading& reading, Rank above) const;
+    std::string beside(ExprId id, const Reading& reading, iec::Precedence above) const;
     std::string chain(ExprId id, const Reading& reading) const;
     std::string edge(ExprId id) const;
     std::string comparison(const Comparison& comparison, const Reading& reading) const;

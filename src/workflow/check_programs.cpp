@@ -5,7 +5,7 @@
 #include "check/scan_check.h"
 #include "evolution/run.h"
 #include "laddercheck/ladder_device.h"
-#include "plcopen/read_plcopen_ladder.h"
+#include "plcopen/read_ladder.h"
 #include "s7check/blame.h"
 #include "s7check/listing_device.h"
 #include "s7check/listing_story.h"
@@ -98,7 +98,7 @@ bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
 
 std::optional<ladder::Ladder> read_ladder(const SourceFile& source, const std::string& program,
                                           Diagnostics& diagnostics) {
-    auto ladder = ladder::read_plcopen_ladder(source, diagnostics, program);
+    auto ladder = plcopen::read_ladder(source, diagnostics, program);
     diagnostics.sort_by_place();
     return ladder;
 }

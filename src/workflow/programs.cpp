@@ -55,11 +55,11 @@ std::optional<WrittenProgram> write_program(const Chart& chart, const PlcFormat&
                                             Diagnostics& diagnostics) {
     const ScanProgram program = program_from(chart.grafcet, {modes});
     WrittenProgram written;
-    written.text = format.write(program, options, diagnostics);
+    written.text = format.write(chart.grafcet, program, options, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     if (format.write_addresses != nullptr) {
         Diagnostics already_told;
-        written.addresses = format.write_addresses(program, options, already_told);
+        written.addresses = format.write_addresses(chart.grafcet, program, options, already_told);
     }
     return written;
 }

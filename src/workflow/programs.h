@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "plc/formats.h"
-#include "s7/cpu.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/cpu.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
 #include "workflow/chart.h"

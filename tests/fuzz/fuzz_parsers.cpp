@@ -15,7 +15,7 @@
 #include "grafcet/write_grafcet.h"
 #include "ladder/draw/write_drawings.h"
 #include "ladder/machine.h"
-#include "plcopen/read_plcopen_ladder.h"
+#include "plcopen/read_ladder.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 #include "s7/write_listing.h"
@@ -100,7 +100,7 @@ void try_listing(std::string text) {
 void try_plcopen(std::string text) {
     const SourceFile source{"fuzz.xml", std::move(text)};
     Diagnostics diagnostics;
-    const std::optional<ladder::Ladder> diagram = ladder::read_plcopen_ladder(source, diagnostics);
+    const std::optional<ladder::Ladder> diagram = plcopen::read_ladder(source, diagnostics);
     require(diagram.has_value() != diagnostics.has_errors(), "errors and a result, or neither",
             source.text);
     format_diagnostics(diagnostics, source);

@@ -6,17 +6,17 @@
 #include <map>
 
 #include "ladder/ladder_from.h"
-#include "plcopen/write_plcopen.h"
+#include "plcopen/write_project.h"
 
 namespace grafwire::testing {
 
 WrittenSfc::WrittenSfc(const Grafcet& grafcet) {
     const ScanProgram program = program_from(grafcet, {});
     Diagnostics diagnostics;
-    const ladder::Ladder ladder = ladder::ladder_from(program, diagnostics);
+    const ladder::Ladder ladder = ladder::ladder_from(grafcet, program, diagnostics);
     REQUIRE(!diagnostics.has_errors());
-    xml = ladder::write_plcopen(program, ladder);
-    const std::vector<std::string> identifiers = ladder::identifiers_of(ladder);
+    xml = plcopen::write_project(grafcet, ladder);
+    const std::vector<std::string> identifiers = plcopen::identifiers_of(ladder);
     for (std::size_t v = 0; v < ladder.declared; ++v) {
         names.emplace_back(ladder.variables[v].name, identifiers[v]);
     }

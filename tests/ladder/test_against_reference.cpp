@@ -17,7 +17,7 @@ std::string compare(const RandomCase& item) {
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
     const ScanProgram program = program_from(*grafcet, {});
     Diagnostics diagnostics;
-    const ladder::Ladder ladder = ladder::ladder_from(program, diagnostics);
+    const ladder::Ladder ladder = ladder::ladder_from(*grafcet, program, diagnostics);
     if (diagnostics.has_errors()) return "refused: " + diagnostics.items().front().message;
     for (const Time period : {millisecond, 1500 * microsecond}) {
         const std::string expected = write_csv(run_scans(*grafcet, *stimuli, period).trace);

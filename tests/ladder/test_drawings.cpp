@@ -16,7 +16,7 @@ ladder::Ladder ladder_of(const std::string& chart, bool modes) {
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     Diagnostics diagnostics;
-    return ladder::ladder_from(program_from(*grafcet, {modes}), diagnostics);
+    return ladder::ladder_from(*grafcet, program_from(*grafcet, {modes}), diagnostics);
 }
 
 }  // namespace

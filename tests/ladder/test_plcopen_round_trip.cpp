@@ -8,8 +8,8 @@
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
 #include "ladder/run_ladder.h"
-#include "plcopen/read_plcopen_ladder.h"
-#include "plcopen/write_plcopen.h"
+#include "plcopen/read_ladder.h"
+#include "plcopen/write_project.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "support/chart_files.h"
@@ -20,14 +20,14 @@ namespace grafwire::testing {
 namespace {
 
 /// Written and read back; the names of the chart are put back in place of the identifiers.
-std::optional<ladder::Ladder> there_and_back(const ladder::Ladder& ladder,
-                                             const ScanProgram& program, std::string& messages) {
-    const SourceFile source{"chart.xml", ladder::write_plcopen(program, ladder)};
+std::optional<ladder::Ladder> there_and_back(const Grafcet& grafcet, const ladder::Ladder& ladder,
+                                             std::string& messages) {
+    const SourceFile source{"chart.xml", plcopen::write_project(grafcet, ladder)};
     Diagnostics diagnostics;
-    auto read = ladder::read_plcopen_ladder(source, diagnostics, ladder.name);
+    auto read = plcopen::read_ladder(source, diagnostics, ladder.name);
     messages = format_diagnostics(diagnostics, source);
     if (!read) return read;
-    const std::vector<std::string> identifiers = ladder::identifiers_of(ladder);
+    const std::vector<std::string> identifiers = plcopen::identifiers_of(ladder);
     for (ladder::Variable& variable : read->variables) {
         for (std::size_t v = 0; v < identifiers.size(); ++v) {
             if (identifiers[v] != variable.name) continue;
@@ -43,9 +43,9 @@ std::string compare(const std::string& chart, const std::string& stimuli_text) {
     const auto stimuli = read_stimuli(stimuli_text, *grafcet);
     const ScanProgram program = program_from(*grafcet, {});
     Diagnostics diagnostics;
-    const ladder::Ladder written = ladder::ladder_from(program, diagnostics);
+    const ladder::Ladder written = ladder::ladder_from(*grafcet, program, diagnostics);
     std::string messages;
-    const auto read = there_and_back(written, program, messages);
+    const auto read = there_and_back(*grafcet, written, messages);
     if (!read) return "not read back:\n" + messages;
     for (const Time period : {millisecond, 1500 * microsecond}) {
         const std::string expected = write_csv(run_scans(*grafcet, *stimuli, period).trace);
@@ -77,9 +77,9 @@ TEST_CASE("what is read back is drawn as what was written") {
         const auto grafcet = read_grafcet(example.chart);
         const ScanProgram program = program_from(*grafcet, {});
         Diagnostics diagnostics;
-        const ladder::Ladder written = ladder::ladder_from(program, diagnostics);
+        const ladder::Ladder written = ladder::ladder_from(*grafcet, program, diagnostics);
         std::string messages;
-        const auto read = there_and_back(written, program, messages);
+        const auto read = there_and_back(*grafcet, written, messages);
         REQUIRE_MESSAGE(read, messages);
         REQUIRE(read->rungs.size() == written.rungs.size());
         for (std::size_t r = 0; r < read->rungs.size(); ++r) {
@@ -111,8 +111,8 @@ TEST_CASE("PLCopen XML is valid under the schema of PLCopen") {
         const ScanProgram program = program_from(*grafcet, {});
         Diagnostics diagnostics;
         const std::string file = std::to_string(c) + ".xml";
-        tools.write(file,
-                    ladder::write_plcopen(program, ladder::ladder_from(program, diagnostics)));
+        tools.write(file, plcopen::write_project(
+                              *grafcet, ladder::ladder_from(*grafcet, program, diagnostics)));
         command += " " + file;
     }
     const auto result = tools.run(command);

@@ -4,8 +4,8 @@
 
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
-#include "plcopen/read_plcopen_ladder.h"
-#include "plcopen/write_plcopen.h"
+#include "plcopen/read_ladder.h"
+#include "plcopen/write_project.h"
 #include "random/random_source.h"
 #include "random/read_text.h"
 
@@ -86,7 +86,7 @@ std::string block(int id, int y, const std::string& type, const std::string& ins
 std::string read(const std::string& text) {
     const SourceFile source{"main.xml", text};
     Diagnostics diagnostics;
-    const auto ladder = ladder::read_plcopen_ladder(source, diagnostics);
+    const auto ladder = plcopen::read_ladder(source, diagnostics);
     if (!ladder) {
         CHECK(diagnostics.has_errors());
         std::string messages;
@@ -252,7 +252,8 @@ TEST_CASE("damaged projects are refused or read, never worse") {
         })");
     Diagnostics none;
     const ScanProgram program = program_from(*grafcet, {});
-    const std::string whole = ladder::write_plcopen(program, ladder::ladder_from(program, none));
+    const std::string whole =
+        plcopen::write_project(*grafcet, ladder::ladder_from(*grafcet, program, none));
     RandomSource random(970'000);
     std::size_t refused = 0;
     for (std::size_t i = 0; i < 600; ++i) {
@@ -280,7 +281,7 @@ TEST_CASE("damaged projects are refused or read, never worse") {
         }
         const SourceFile source{"main.xml", text};
         Diagnostics diagnostics;
-        const auto read = ladder::read_plcopen_ladder(source, diagnostics, grafcet->name);
+        const auto read = plcopen::read_ladder(source, diagnostics, grafcet->name);
         CHECK(read.has_value() != diagnostics.has_errors());
         if (!read) ++refused;
     }

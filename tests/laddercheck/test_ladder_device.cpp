@@ -21,7 +21,7 @@ using ladder::Power;
 
 Ladder ladder_of(const Grafcet& grafcet, bool modes = true) {
     Diagnostics diagnostics;
-    return ladder::ladder_from(program_from(grafcet, {modes}), diagnostics);
+    return ladder::ladder_from(grafcet, program_from(grafcet, {modes}), diagnostics);
 }
 
 CheckResult check(const Grafcet& grafcet, const LadderDevice& device) {

@@ -55,7 +55,7 @@ std::string compare_with_reference(const RandomCase& item, const LanguageRunner&
     }
     std::vector<std::string> got;
     try {
-        got = run(program_from(*grafcet, options), scans);
+        got = run(*grafcet, program_from(*grafcet, options), scans);
     } catch (const std::runtime_error& error) {
         return error.what();
     }
@@ -72,11 +72,11 @@ RandomCase example_case(const std::string& name) {
             test::text_of(test::example(name + ".stim"))};
 }
 
-std::string written(const std::string& format, const ScanProgram& program) {
+std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program) {
     const PlcFormat* row = plc_format_named(format);
     REQUIRE(row != nullptr);
     Diagnostics diagnostics;
-    std::string text = row->write(program, {}, diagnostics);
+    std::string text = row->write(grafcet, program, {}, diagnostics);
     if (diagnostics.has_errors()) {
         CHECK(text == "");
         throw std::runtime_error(format_diagnostics(diagnostics, {"chart", ""}));

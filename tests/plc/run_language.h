@@ -13,7 +13,7 @@ namespace grafwire::testing {
 /// in ms and the inputs, under a heading. Gives the traces that it wrote; where it could not be
 /// written, compiled or run, throws a std::runtime_error that says why.
 using LanguageRunner = std::function<std::vector<std::string>(
-    const ScanProgram& program, const std::vector<std::string>& scans)>;
+    const Grafcet& grafcet, const ScanProgram& program, const std::vector<std::string>& scans)>;
 
 /// The program of a case against the reference, over scans of two periods: what differs, or
 /// nothing. Without internals, the columns of vars and counters are left out.
@@ -28,7 +28,7 @@ RandomCase example_case(const std::string& name);
 
 /// The text of a format for a program; throws a std::runtime_error with the messages where it is
 /// refused.
-std::string written(const std::string& format, const ScanProgram& program);
+std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program);
 
 /// Every example, and so many random charts over the whole language, are the reference.
 void check_language(const LanguageRunner& run, std::uint64_t first_seed, std::size_t random_cases,

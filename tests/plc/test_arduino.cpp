@@ -82,11 +82,10 @@ int main() {
 }
 )";
 
-std::vector<std::string> run_arduino(const ScanProgram& program,
+std::vector<std::string> run_arduino(const Grafcet& grafcet, const ScanProgram& program,
                                      const std::vector<std::string>& scans) {
-    const Grafcet& grafcet = *program.grafcet;
     const test::ScratchFolder folder;
-    folder.file("sketch.ino", written("arduino", program));
+    folder.file("sketch.ino", written("arduino", grafcet, program));
     folder.file("Arduino.h", arduino_h);
     compile({"g++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-I" + folder.path(""),
              fmt::format("-DINPUTS={}", grafcet.all_input_count()),

@@ -10,9 +10,10 @@ namespace grafwire::testing {
 
 namespace {
 
-std::vector<std::string> run_c(const ScanProgram& program, const std::vector<std::string>& scans) {
+std::vector<std::string> run_c(const Grafcet& grafcet, const ScanProgram& program,
+                               const std::vector<std::string>& scans) {
     const test::ScratchFolder folder;
-    const std::string source = folder.file("program.c", written("c", program));
+    const std::string source = folder.file("program.c", written("c", grafcet, program));
     const std::string binary = folder.path("program");
     compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror",
              "-DGRAFWIRE_MAIN", source, "-o", binary});
@@ -20,10 +21,10 @@ std::vector<std::string> run_c(const ScanProgram& program, const std::vector<std
 }
 
 /// The same text as C++, and in C without its main function.
-std::vector<std::string> run_cpp(const ScanProgram& program,
+std::vector<std::string> run_cpp(const Grafcet& grafcet, const ScanProgram& program,
                                  const std::vector<std::string>& scans) {
     const test::ScratchFolder folder;
-    const std::string source = folder.file("program.c", written("c", program));
+    const std::string source = folder.file("program.c", written("c", grafcet, program));
     const std::string binary = folder.path("program");
     compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c",
              source, "-o", folder.path("program.o")});

@@ -40,7 +40,7 @@ graph G {
     REQUIRE(grafcet);
     Diagnostics diagnostics;
     const std::string text =
-        plc_format_named("il")->write(program_from(*grafcet, {false}), {}, diagnostics);
+        plc_format_named("il")->write(*grafcet, program_from(*grafcet, {false}), {}, diagnostics);
     const auto has = [&](const std::string& part) {
         CHECK_MESSAGE(text.find(part) != std::string::npos, part << " is not in\n" << text);
     };

@@ -24,14 +24,14 @@ std::string messages_of(const std::string& format, const std::string& chart) {
     REQUIRE(grafcet);
     const ScanProgram program = program_from(*grafcet, {});
     Diagnostics diagnostics;
-    CHECK(plc_format_named(format)->write(program, {}, diagnostics) == "");
+    CHECK(plc_format_named(format)->write(*grafcet, program, {}, diagnostics) == "");
     return format_diagnostics(diagnostics, {"chart", chart});
 }
 
 std::string program_of(const std::string& format, const std::string& chart) {
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
-    return written(format, program_from(*grafcet, {}));
+    return written(format, *grafcet, program_from(*grafcet, {}));
 }
 
 /// `input i0, i1, …`
@@ -155,9 +155,9 @@ TEST_CASE("scans that make no sense end a program with the number of the line") 
 }
 
 TEST_CASE("without modes there are no control inputs") {
-    const LanguageRunner run = [](const ScanProgram& program,
+    const LanguageRunner run = [](const Grafcet& grafcet, const ScanProgram& program,
                                   const std::vector<std::string>& scans) {
-        const std::string text = written("c", program);
+        const std::string text = written("c", grafcet, program);
         CHECK_FALSE(test::contains(text, "bool Init"));
         const test::ScratchFolder folder;
         compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-DGRAFWIRE_MAIN",
@@ -194,12 +194,13 @@ TEST_CASE("sums beyond 64 bits are refused where integers have no more") {
     }
     for (const char* format : {"c", "arduino", "pascal"}) {
         Diagnostics diagnostics;
-        CHECK(plc_format_named(format)->write(program, {}, diagnostics) == "");
+        CHECK(plc_format_named(format)->write(*grafcet, program, {}, diagnostics) == "");
         const std::string messages = format_diagnostics(diagnostics, {"chart", chart});
         INFO(messages);
         CHECK(test::contains(messages, "chart:3:15: error: this sum can go beyond the 64 bits"));
     }
-    CHECK(test::contains(written("python", program), "self.counters.c + 1 + 9223372036854775807"));
+    CHECK(test::contains(written("python", *grafcet, program),
+                         "self.counters.c + 1 + 9223372036854775807"));
 }
 
 }  // namespace grafwire::testing

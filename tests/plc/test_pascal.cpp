@@ -12,9 +12,10 @@ namespace {
 
 /// What runs programs compiled with these settings besides.
 LanguageRunner pascal_with(const std::string& setting) {
-    return [setting](const ScanProgram& program, const std::vector<std::string>& scans) {
+    return [setting](const Grafcet& grafcet, const ScanProgram& program,
+                     const std::vector<std::string>& scans) {
         const test::ScratchFolder folder;
-        const std::string source = folder.file("program.pas", written("pascal", program));
+        const std::string source = folder.file("program.pas", written("pascal", grafcet, program));
         // Overflow and ranges are checked as it runs.
         compile({"fpc", "-v0e", setting, "-Cro", source, "-o" + folder.path("program")});
         return run_on({folder.path("program")}, scans);

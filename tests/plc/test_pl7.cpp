@@ -15,7 +15,7 @@ const PlcLanguage pl7{"pl7-2", pl7_machine, {}};
 /// The listing of a chart; empty where it is refused.
 std::string listing(const Grafcet& grafcet) {
     Diagnostics diagnostics;
-    return plc_format_named("pl7-2")->write(program_from(grafcet, {}), {}, diagnostics);
+    return plc_format_named("pl7-2")->write(grafcet, program_from(grafcet, {}), {}, diagnostics);
 }
 
 void check_has(const std::string& text, const std::string& part) {
@@ -227,7 +227,7 @@ TEST_CASE("PL7-2: what it cannot express is refused, with its place") {
         REQUIRE(grafcet);
         Diagnostics diagnostics;
         const std::string text =
-            plc_format_named("pl7-2")->write(program_from(*grafcet, {}), {}, diagnostics);
+            plc_format_named("pl7-2")->write(*grafcet, program_from(*grafcet, {}), {}, diagnostics);
         CHECK(text.empty() == diagnostics.has_errors());
         if (!diagnostics.has_errors()) return "";
         const Diagnostic& first = diagnostics.items().front();

@@ -12,12 +12,12 @@ namespace grafwire::testing {
 
 namespace {
 
-std::vector<std::string> run_python(const ScanProgram& program,
+std::vector<std::string> run_python(const Grafcet& grafcet, const ScanProgram& program,
                                     const std::vector<std::string>& scans) {
     const test::ScratchFolder folder;
     // Alone, and with warnings as errors.
     return run_on({"/usr/bin/python3", "-I", "-S", "-W", "error",
-                   folder.file("program.py", written("python", program))},
+                   folder.file("program.py", written("python", grafcet, program))},
                   scans);
 }
 
@@ -40,8 +40,8 @@ TEST_CASE("no name of a chart is the encoding of its program in Python") {
         REQUIRE(stimuli);
         const std::string expected =
             write_csv(run_scans(*grafcet, *stimuli, 10 * millisecond).trace);
-        CHECK(run_python(program_from(*grafcet, {}), {expected}).front() == expected);
-        CHECK(written("python", program_from(*grafcet, {}))
+        CHECK(run_python(*grafcet, program_from(*grafcet, {}), {expected}).front() == expected);
+        CHECK(written("python", *grafcet, program_from(*grafcet, {}))
                   .starts_with("# -*- coding: utf-8 -*-\n#\n"));
     }
 }

@@ -12,7 +12,7 @@ namespace {
 
 PlcOptions international() {
     PlcOptions options;
-    options.mnemonics = Mnemonics::international;
+    options.mnemonics = s7::Mnemonics::international;
     return options;
 }
 
@@ -66,8 +66,8 @@ graph G {
 )");
     REQUIRE(grafcet);
     Diagnostics diagnostics;
-    const std::string text = plc_format_named("stl")->write(program_from(*grafcet, {false}),
-                                                            international(), diagnostics);
+    const std::string text = plc_format_named("stl")->write(
+        *grafcet, program_from(*grafcet, {false}), international(), diagnostics);
     const auto has = [&](const std::string& part) {
         CHECK_MESSAGE(text.find(part) != std::string::npos, part << " is not in\n" << text);
     };
@@ -158,7 +158,7 @@ TEST_CASE("Statement List: what an S7-300 cannot hold is refused") {
         REQUIRE(grafcet);
         Diagnostics diagnostics;
         const std::string text =
-            plc_format_named("stl")->write(program_from(*grafcet, {}), {}, diagnostics);
+            plc_format_named("stl")->write(*grafcet, program_from(*grafcet, {}), {}, diagnostics);
         CHECK(text.empty() == diagnostics.has_errors());
         return diagnostics.has_errors() ? diagnostics.items().front().message : "";
     };
@@ -188,13 +188,15 @@ TEST_CASE("Statement List: inputs and outputs where an assignment puts them") {
     PlcOptions options;
     options.io = &io;
     Diagnostics diagnostics;
-    const std::string text =
-        plc_format_named("stl")->write(program_from(*grafcet, {false}), options, diagnostics);
+    const std::string text = plc_format_named("stl")->write(
+        *grafcet, program_from(*grafcet, {false}), options, diagnostics);
     CHECK(text.find("//   E 0.0      a\n//   E 124.3    b\n//   A 4.0      p\n") !=
           std::string::npos);
     CHECK(text.find("      U     E 124.3;         // b\n") != std::string::npos);
     entry.operand.area = s7::Area::variable;
-    CHECK(plc_format_named("stl")->write(program_from(*grafcet, {}), options, diagnostics).empty());
+    CHECK(plc_format_named("stl")
+              ->write(*grafcet, program_from(*grafcet, {}), options, diagnostics)
+              .empty());
     REQUIRE(diagnostics.has_errors());
     CHECK(diagnostics.items().front().message ==
           "'b' is to be a bit of the inputs, E0.0 and so on");

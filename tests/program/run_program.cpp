@@ -9,8 +9,8 @@ namespace {
 
 class Machine {
   public:
-    Machine(const ScanProgram& program, bool bit_by_bit)
-        : program_(program), grafcet_(*program.grafcet), bit_by_bit_(bit_by_bit) {}
+    Machine(const Grafcet& grafcet, const ScanProgram& program, bool bit_by_bit)
+        : grafcet_(grafcet), program_(program), bit_by_bit_(bit_by_bit) {}
 
     void execute(SectionKind section, Time now) {
         now_ = now;
@@ -19,7 +19,7 @@ class Machine {
                 execute(statement);
                 continue;
             }
-            for (const Statement& part : expand_tables(program_, statement)) execute(part);
+            for (const Statement& part : expand_tables(grafcet_, statement)) execute(part);
         }
     }
 
@@ -156,8 +156,8 @@ class Machine {
         }
     }
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     bool bit_by_bit_;
     Time now_ = 0;
     std::map<Bit, Timer> timers_;
@@ -182,10 +182,9 @@ void add_row(const Grafcet& grafcet, Machine& machine, Time now, Trace& trace) {
 
 }  // namespace
 
-Trace run_program(const ScanProgram& program, const Stimuli& stimuli, Time period,
-                  bool bit_by_bit) {
-    const Grafcet& grafcet = *program.grafcet;
-    Machine machine(program, bit_by_bit);
+Trace run_program(const Grafcet& grafcet, const ScanProgram& program, const Stimuli& stimuli,
+                  Time period, bool bit_by_bit) {
+    Machine machine(grafcet, program, bit_by_bit);
     Trace trace = empty_trace(grafcet);
     std::size_t next = 0;
     for (Time now = 0; now <= stimuli.end; now += period) {

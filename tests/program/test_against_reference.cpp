@@ -18,9 +18,11 @@ std::string compare(const RandomCase& item, bool bit_by_bit) {
     const ScanProgram program = program_from(*grafcet, {});
     for (const Time period : {millisecond, 1500 * microsecond}) {
         const std::string expected = write_csv(run_scans(*grafcet, *stimuli, period).trace);
-        const std::string got = write_csv(run_program(program, *stimuli, period, bit_by_bit));
+        const std::string got =
+            write_csv(run_program(*grafcet, program, *stimuli, period, bit_by_bit));
         if (expected != got) {
-            return "reference\n" + expected + "program\n" + got + write_program_text(program);
+            return "reference\n" + expected + "program\n" + got +
+                   write_program_text(*grafcet, program);
         }
     }
     return {};

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "grafcet/sum_range.h"
 #include "program/program.h"
 #include "random/read_text.h"
 
@@ -24,7 +25,7 @@ TEST_CASE("the manipulator's upper graph as a program") {
           10 -> : au
         })");
     REQUIRE(grafcet);
-    CHECK(write_program_text(program_from(*grafcet, {})) ==
+    CHECK(write_program_text(*grafcet, program_from(*grafcet, {})) ==
           R"(start: set Tfig[G0] Tfig[G1] if 1  # no graph is frozen
 start: set Tp[0] Ts[0] if 1  # initial step 0
 start: memory[0] := dcy  # memory of ↑dcy
@@ -81,7 +82,7 @@ TEST_CASE("what an earlier action writes is read before it") {
           1 -> 0 : =1
         })");
     REQUIRE(grafcet);
-    const std::string text = write_program_text(program_from(*grafcet, {false}));
+    const std::string text = write_program_text(*grafcet, program_from(*grafcet, {false}));
     CHECK(text.find(R"(stored: S0 := /a  # value of a on activation of step 1
 stored: S1 := a  # value of b on activation of step 1
 stored: I0 := c+1 within 0..9 if 1  # value of c on activation of step 1

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "referee/scanned_program.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 
 namespace grafwire::testing {

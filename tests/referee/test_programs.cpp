@@ -119,7 +119,7 @@ void judge_ladders(const std::string& chart, std::uint64_t seed, bool modes, std
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     Diagnostics diagnostics;
-    const auto ladder = ladder::ladder_from(program_from(*grafcet, {modes}), diagnostics);
+    const auto ladder = ladder::ladder_from(*grafcet, program_from(*grafcet, {modes}), diagnostics);
     if (diagnostics.has_errors()) return;
     judge_ladder(chart, *grafcet, ladder, "ladder diagram as made", seed, right);
     RandomSource random(seed);
@@ -147,7 +147,7 @@ void judge_listings(const std::string& chart, std::uint64_t seed, bool modes, st
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     Diagnostics diagnostics;
-    const auto made = s7::listing_from(program_from(*grafcet, {modes}), {}, diagnostics);
+    const auto made = s7::listing_from(*grafcet, program_from(*grafcet, {modes}), {}, diagnostics);
     if (!made) return;
     judge_listing(chart, *grafcet, made->listing, made->assignment, "listing as made", seed, right);
     RandomSource random(seed);

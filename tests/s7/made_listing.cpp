@@ -35,7 +35,7 @@ MadeListing make_listing(const std::string& chart, const std::string& io,
         options.io = &*assignment;
     }
     Diagnostics diagnostics;
-    result.made = s7::listing_from(program_from(*grafcet, {modes}), options, diagnostics);
+    result.made = s7::listing_from(*grafcet, program_from(*grafcet, {modes}), options, diagnostics);
     say(diagnostics);
     CHECK(result.made.has_value() != diagnostics.has_errors());
     return result;
@@ -54,7 +54,7 @@ std::string subroutine_text(const s7::Listing& listing, int number) {
             part.networks.back().number = 0;
         }
     }
-    std::istringstream lines(s7::write_listing(part, {Mnemonics::simatic, false}));
+    std::istringstream lines(s7::write_listing(part, {s7::Mnemonics::simatic, false}));
     std::string text;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("NETWORK0")) line.replace(0, 8, "--");

@@ -50,7 +50,7 @@ std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
                     Count& count) {
     const ScanProgram program = program_from(grafcet, {});
     Diagnostics diagnostics;
-    const auto generated = s7::listing_from(program, options, diagnostics);
+    const auto generated = s7::listing_from(grafcet, program, options, diagnostics);
     if (!generated) {
         for (const Diagnostic& item : diagnostics.items()) {
             const bool for_timers = item.message.find("timer") != std::string::npos;
@@ -158,7 +158,7 @@ TEST_CASE("a ring of 300 steps runs in wide tables") {
     CHECK(compare(*grafcet, *stimuli, options, {millisecond, 2 * millisecond}, count) == "");
     CHECK(count.run == 1);
     Diagnostics diagnostics;
-    CHECK_FALSE(s7::listing_from(program_from(*grafcet, {}), {}, diagnostics));
+    CHECK_FALSE(s7::listing_from(*grafcet, program_from(*grafcet, {}), {}, diagnostics));
     CHECK(told(diagnostics) ==
           "the chart has 300 steps, and the tables of the method hold 80: wide tables (--tables "
           "wide) hold them all\n"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 #include "support/listings.h"
 
 namespace grafwire::testing {

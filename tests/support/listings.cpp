@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "s7/operand_text.h"
+#include "s7/addresses/operand_text.h"
 
 namespace grafwire::testing {
 

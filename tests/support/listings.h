@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "s7/io_assignment.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
 

@@ -65,7 +65,7 @@ std::string difference(const PlcLanguage& language, const Grafcet& grafcet, cons
     REQUIRE(format != nullptr);
     Diagnostics diagnostics;
     const std::string text =
-        format->write(program_from(grafcet, {}), language.options, diagnostics);
+        format->write(grafcet, program_from(grafcet, {}), language.options, diagnostics);
     if (diagnostics.has_errors()) {
         if (!text.empty()) return "a refusal with a text";
         if (diagnostics.items().front().message.empty()) return "a refusal without a message";

@@ -67,7 +67,7 @@ Measured measure_c(const Grafcet& grafcet, long scans) {
     fs::create_directories(folder);
     Diagnostics diagnostics;
     const ScanProgram program = program_from(grafcet, {});
-    write_file(folder / "ring.c", plc_format_named("c")->write(program, {}, diagnostics));
+    write_file(folder / "ring.c", plc_format_named("c")->write(grafcet, program, {}, diagnostics));
     write_file(folder / "main.c", main_text);
     const std::string binary = folder / "main";
     const std::string output = folder / "output";
@@ -103,7 +103,7 @@ Measured measure_reference(const Grafcet& grafcet, long scans) {
 
 Measured measure_listing(const Grafcet& grafcet, long scans) {
     Diagnostics diagnostics;
-    const auto assigned = s7::listing_from(program_from(grafcet, {}), {}, diagnostics);
+    const auto assigned = s7::listing_from(grafcet, program_from(grafcet, {}), {}, diagnostics);
     if (!assigned) std::abort();
     s7::Machine machine(assigned->listing, s7::Cpu::cpu_214);
     s7::MachineState state = machine.start();
@@ -118,7 +118,7 @@ Measured measure_listing(const Grafcet& grafcet, long scans) {
     measured.seconds = cpu_seconds() - began;
     for (const Step& step : grafcet.steps) {
         const s7::Operand* operand = assigned->assignment.operand_of("X" + step.name);
-        measured.situation += machine.bit(state, *operand).value ? '1' : '0';
+        measured.situation += machine.bit(state, *operand).value == Logic::one ? '1' : '0';
     }
     return measured;
 }

@@ -13,6 +13,7 @@
 #include "plc/shared/program_needs.h"
 #include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -34,10 +35,11 @@ ConditionSpelling spelling(bool wide) {
 
 }  // namespace
 
-CCore::CCore(const ScanProgram& program, const NameRules& rules)
-    : program_(without_idle_tables(program)),
-      names_(program_, rules),
-      wide_(integer_bits(program_).value_or(64) > 32),
+CCore::CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules)
+    : grafcet_(grafcet),
+      program_(without_idle_tables(program)),
+      names_(grafcet, program_, rules),
+      wide_(integer_bits(grafcet_, program_).value_or(64) > 32),
       conditions_(
           spelling(wide_), [this](Bit bit) { return name(bit); },
           [this](IntegerCell cell) { return name(cell); }) {}

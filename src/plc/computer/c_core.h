@@ -14,7 +14,7 @@ namespace grafwire {
 /// words of 32 bits; everything else is a bool of its own.
 class CCore {
   public:
-    CCore(const ScanProgram& program, const NameRules& rules);
+    CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules);
 
     const ProgramNames& names() const { return names_; }
     /// `int32_t` where that is wide enough for all counters and sums, else `int64_t`.
@@ -44,6 +44,7 @@ class CCore {
     void write_targets(SourceText& out, const Statement& statement) const;
     std::string move_text(const Statement& statement) const;
 
+    const Grafcet& grafcet_;
     ScanProgram program_;
     ProgramNames names_;
     bool wide_;

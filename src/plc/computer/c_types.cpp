@@ -31,7 +31,7 @@ std::string CCore::types() const {
     SourceText out("//");
     out.comment("The steps, in the order of the tables.");
     std::string steps;
-    for (std::uint32_t s = 0; s < program_.grafcet->steps.size(); ++s) {
+    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
         steps += names_[Bit{BitKind::step, s}] + ", ";
     }
     out.line(fmt::format("enum {{ {}STEPS, STEP_WORDS = STEPS / 32 + 1 }};", steps));
@@ -61,7 +61,7 @@ void CCore::write_inputs(SourceText& out) const {
 }
 
 void CCore::write_outputs(SourceText& out) const {
-    const auto count = static_cast<std::uint32_t>(program_.grafcet->outputs.size());
+    const auto count = static_cast<std::uint32_t>(grafcet_.outputs.size());
     out.line("typedef struct {");
     out.indent();
     for (std::uint32_t o = 0; o < count; ++o) {
@@ -87,7 +87,6 @@ void CCore::write_group(SourceText& out, BitKind kind, std::size_t count,
 }
 
 void CCore::write_state(SourceText& out) const {
-    const Grafcet& grafcet = *program_.grafcet;
     out.comment("All that one scan hands to the next.");
     out.line("typedef struct {");
     out.indent();
@@ -104,19 +103,19 @@ void CCore::write_state(SourceText& out) const {
     if (uses(program_, BitKind::pulse)) {
         out.line("uint32_t Tpulse[STEP_WORDS];  // activated in this scan");
     }
-    write_group(out, BitKind::transition, grafcet.transitions.size(),
+    write_group(out, BitKind::transition, grafcet_.transitions.size(),
                 "The receptivities of the transitions.");
-    write_group(out, BitKind::may_evolve, grafcet.graphs.size(),
+    write_group(out, BitKind::may_evolve, grafcet_.graphs.size(),
                 "Whether a graph may evolve; 0: frozen.");
-    const std::size_t edges = grafcet.expressions.edges().size();
+    const std::size_t edges = grafcet_.expressions.edges().size();
     write_group(out, BitKind::edge, edges, "Edges, 1 in the scan in which they occur, and");
     write_group(out, BitKind::edge_memory, edges, "what their operands were in the scan before.");
-    write_group(out, BitKind::time_value, grafcet.expressions.time_conditions().size(),
+    write_group(out, BitKind::time_value, grafcet_.expressions.time_conditions().size(),
                 "Time conditions.");
-    write_group(out, BitKind::var, grafcet.vars.size(), "Internal variables.");
-    if (!grafcet.counters.empty()) {
+    write_group(out, BitKind::var, grafcet_.vars.size(), "Internal variables.");
+    if (!grafcet_.counters.empty()) {
         std::string members;
-        for (std::uint32_t c = 0; c < grafcet.counters.size(); ++c) {
+        for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
             if (!members.empty()) members += ", ";
             members += names_[IntegerCell{false, c}];
         }

@@ -6,6 +6,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
+#include "program/bit_names.h"
 #include "trace/trace.h"
 
 namespace grafwire {
@@ -43,52 +44,32 @@ std::string_view holder_name(BitKind kind) {
             return "outputs";
         case BitKind::var:
             return "vars";
-        case BitKind::step:
-            return "Ts";
-        case BitKind::previous:
-            return "Tp";
-        case BitKind::pulse:
-            return "Tpulse";
-        case BitKind::activate:
-            return "Ta";
-        case BitKind::deactivate:
-            return "Td";
-        case BitKind::forced_on:
-            return "Tf1";
-        case BitKind::forced_off:
-            return "Tf0";
-        case BitKind::transition:
-            return "Tt";
-        case BitKind::may_evolve:
-            return "Tfig";
         case BitKind::edge:
             return "edge";
         case BitKind::edge_memory:
             return "memory";
         case BitKind::time_value:
             return "time";
-        case BitKind::scratch:
-            break;  // stands alone
+        default:
+            return table_name(kind);  // empty for bits that stand alone
     }
-    return {};
 }
 
 std::int64_t microseconds(Time delay) {
     return delay / microsecond + (delay % microsecond != 0 ? 1 : 0);
 }
 
-bool check_integers(const ScanProgram& program, std::string_view language,
+bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::string_view language,
                     Diagnostics& diagnostics) {
-    if (integer_bits(program)) return true;
-    diagnostics.error(Code::beyond_limit, wide_integer(program, 64),
+    if (integer_bits(grafcet, program)) return true;
+    diagnostics.error(Code::beyond_limit, wide_integer(grafcet, program, 64),
                       fmt::format("this sum can go beyond the 64 bits of integers in {}; give its "
                                   "counters smaller ranges, or write --to python",
                                   language));
     return false;
 }
 
-void write_title(SourceText& out, const ScanProgram& program, std::string_view kind) {
-    const Grafcet& grafcet = *program.grafcet;
+void write_title(SourceText& out, const Grafcet& grafcet, std::string_view kind) {
     std::string title = quoted_where_needed(grafcet.name);
     if (!grafcet.title.empty()) title += fmt::format(": {}", grafcet.title);
     out.comment(title);

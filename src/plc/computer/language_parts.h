@@ -25,11 +25,11 @@ std::string_view holder_name(BitKind kind);
 std::int64_t microseconds(Time delay);
 
 /// Whether all integers of the program fit in 64 bits; where they do not, says which do not.
-bool check_integers(const ScanProgram& program, std::string_view language,
+bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::string_view language,
                     Diagnostics& diagnostics);
 
 /// The comment at the head of a file: the chart's name and title, then what the file is.
-void write_title(SourceText& out, const ScanProgram& program, std::string_view kind);
+void write_title(SourceText& out, const Grafcet& grafcet, std::string_view kind);
 /// And at its end: the names that differ from those of the chart.
 void write_changed_names(SourceText& out, const ProgramNames& names);
 

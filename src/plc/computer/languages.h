@@ -10,13 +10,13 @@ namespace grafwire {
 
 // Writers of programming languages; see the table in formats.cpp.
 
-std::string write_c(const ScanProgram& program, const PlcOptions& options,
+std::string write_c(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                     Diagnostics& diagnostics);
-std::string write_arduino(const ScanProgram& program, const PlcOptions& options,
-                          Diagnostics& diagnostics);
-std::string write_pascal(const ScanProgram& program, const PlcOptions& options,
-                         Diagnostics& diagnostics);
-std::string write_python(const ScanProgram& program, const PlcOptions& options,
-                         Diagnostics& diagnostics);
+std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program,
+                          const PlcOptions& options, Diagnostics& diagnostics);
+std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program,
+                         const PlcOptions& options, Diagnostics& diagnostics);
+std::string write_python(const Grafcet& grafcet, const ScanProgram& program,
+                         const PlcOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafwire

@@ -14,7 +14,7 @@ namespace grafwire {
 /// Writes a program in Free Pascal; the members are what its parts share.
 class PascalProgram {
   public:
-    explicit PascalProgram(const ScanProgram& program);
+    PascalProgram(const Grafcet& grafcet, const ScanProgram& program);
 
     std::string write();
 
@@ -40,8 +40,8 @@ class PascalProgram {
     std::vector<std::string> actions_of(const Statement& statement) const;
     void write_table(TableOperation operation);
 
-    ScanProgram program_;
     const Grafcet& grafcet_;
+    ScanProgram program_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"//"};

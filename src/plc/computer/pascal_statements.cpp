@@ -11,6 +11,7 @@
 #include "plc/shared/reserved_words.h"
 #include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -33,10 +34,10 @@ ConditionSpelling pascal_spelling() {
 
 }  // namespace
 
-PascalProgram::PascalProgram(const ScanProgram& program)
-    : program_(without_idle_tables(program)),
-      grafcet_(*program.grafcet),
-      names_(program_, {false, is_pascal_word}),
+PascalProgram::PascalProgram(const Grafcet& grafcet, const ScanProgram& program)
+    : grafcet_(grafcet),
+      program_(without_idle_tables(program)),
+      names_(grafcet, program_, {false, is_pascal_word}),
       conditions_(
           pascal_spelling(), [this](Bit bit) { return name(bit); },
           [this](IntegerCell cell) { return name(cell); }) {}

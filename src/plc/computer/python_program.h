@@ -13,7 +13,7 @@ namespace grafwire {
 /// Writes a program in Python 3; the members are what its parts share.
 class PythonProgram {
   public:
-    explicit PythonProgram(const ScanProgram& program);
+    PythonProgram(const Grafcet& grafcet, const ScanProgram& program);
 
     std::string write();
 
@@ -40,8 +40,8 @@ class PythonProgram {
     /// A line that may need parentheses to go on in the next one.
     void write_line(std::string_view before, std::string_view expression, std::string_view after);
 
-    ScanProgram program_;
     const Grafcet& grafcet_;
+    ScanProgram program_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"#", SourceText::Breaks::within_parentheses};

@@ -12,6 +12,7 @@
 #include "plc/shared/reserved_words.h"
 #include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -35,10 +36,10 @@ std::string holder(BitKind kind) {
 
 }  // namespace
 
-PythonProgram::PythonProgram(const ScanProgram& program)
-    : program_(without_idle_tables(program)),
-      grafcet_(*program.grafcet),
-      names_(program_, {true, is_python_word}),
+PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program)
+    : grafcet_(grafcet),
+      program_(without_idle_tables(program)),
+      names_(grafcet, program_, {true, is_python_word}),
       conditions_(
           python_spelling(), [this](Bit bit) { return name(bit); },
           [this](IntegerCell cell) { return name(cell); }) {}

@@ -31,9 +31,9 @@ static int64_t clock_now() {
 
 class Sketch {
   public:
-    explicit Sketch(const ScanProgram& program)
-        : program_(program), core_(program, {true, is_arduino_word}) {
-        for (std::uint32_t o = 0; o < program.grafcet->outputs.size(); ++o) {
+    Sketch(const Grafcet& grafcet, const ScanProgram& program)
+        : grafcet_(grafcet), core_(grafcet, program, {true, is_arduino_word}) {
+        for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
             outputs_.push_back({BitKind::output, o});
         }
     }
@@ -49,14 +49,14 @@ class Sketch {
         return (bit.kind == BitKind::output ? "out_" : "in_") + core_.names()[bit];
     }
 
-    const ScanProgram& program_;
+    const Grafcet& grafcet_;
     CCore core_;
     std::vector<Bit> outputs_;
     SourceText out_{"//"};
 };
 
 std::string Sketch::write() {
-    write_title(out_, program_, "a sketch for Arduino boards");
+    write_title(out_, grafcet_, "a sketch for Arduino boards");
     write_changed_names(out_, core_.names());
     out_.blank();
     out_.block("#include <Arduino.h>\n#include <stdint.h>\n#include <string.h>\n\n");
@@ -124,9 +124,10 @@ void Sketch::write_functions() {
 
 }  // namespace
 
-std::string write_arduino(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    if (!check_integers(program, "C", diagnostics)) return {};
-    Sketch sketch(program);
+std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                          Diagnostics& diagnostics) {
+    if (!check_integers(grafcet, program, "C", diagnostics)) return {};
+    Sketch sketch(grafcet, program);
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
         diagnostics.error(

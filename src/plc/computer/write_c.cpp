@@ -16,8 +16,8 @@ namespace {
 
 class CProgram {
   public:
-    explicit CProgram(const ScanProgram& program)
-        : program_(program), core_(program, {true, is_c_word}) {}
+    CProgram(const Grafcet& grafcet, const ScanProgram& program)
+        : grafcet_(grafcet), core_(grafcet, program, {true, is_c_word}) {}
 
     std::string write() {
         write_head();
@@ -26,8 +26,7 @@ class CProgram {
         out_.block(core_.types());
         out_.block(core_.functions());
         out_.block(c::main_head);
-        out_.line(
-            fmt::format("enum {{ INPUT_COLUMNS = {} }};", program_.grafcet->all_input_count()));
+        out_.line(fmt::format("enum {{ INPUT_COLUMNS = {} }};", grafcet_.all_input_count()));
         out_.block(c::read_scan);
         write_row_writer();
         write_main();
@@ -40,14 +39,14 @@ class CProgram {
     void write_row_writer();
     void write_main();
 
-    const ScanProgram& program_;
+    const Grafcet& grafcet_;
     CCore core_;
     SourceText out_{"//"};
 };
 
 void CProgram::write_head() {
     const std::string& chart = core_.names().chart();
-    write_title(out_, program_, "a program in C99");
+    write_title(out_, grafcet_, "a program in C99");
     out_.comment({});
     out_.comment("Include this file where the scan is called:");
     out_.comment(fmt::format("  {0}_inputs in;      fill in the inputs", chart));
@@ -74,7 +73,6 @@ std::string c_string(std::string_view text) {
 }
 
 void CProgram::write_row_writer() {
-    const Grafcet& grafcet = *program_.grafcet;
     const ProgramNames& names = core_.names();
     out_.blank();
     out_.line(
@@ -93,9 +91,9 @@ void CProgram::write_row_writer() {
             out_.line(fmt::format("printf(\",%d\", {});", core_.name(Bit{kind, i})));
         }
     };
-    write_bits(BitKind::output, grafcet.outputs.size());
-    write_bits(BitKind::var, grafcet.vars.size());
-    for (std::uint32_t c = 0; c < grafcet.counters.size(); ++c) {
+    write_bits(BitKind::output, grafcet_.outputs.size());
+    write_bits(BitKind::var, grafcet_.vars.size());
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         out_.line(
             fmt::format("printf(\",%lld\", (long long){});", core_.name(IntegerCell{false, c})));
     }
@@ -118,7 +116,7 @@ void CProgram::write_main() {
     out_.line("int values[INPUT_COLUMNS];");
     out_.line("int64_t now;");
     out_.line("memset(&in, 0, sizeof in);");
-    for (const std::string& part : trace_heading(*program_.grafcet)) {
+    for (const std::string& part : trace_heading(grafcet_)) {
         out_.whole_line(fmt::format("fputs({}, stdout);", c_string(part)));
     }
     out_.line("putchar('\\n');");
@@ -138,7 +136,7 @@ void CProgram::write_main() {
     out_.line("}");
     for (const Bit bit : names.inputs()) {
         const std::size_t column =
-            bit.kind == BitKind::control ? program_.grafcet->inputs.size() + bit.index : bit.index;
+            bit.kind == BitKind::control ? grafcet_.inputs.size() + bit.index : bit.index;
         out_.line(fmt::format("in.{} = values[{}] != 0;", names[bit], column));
     }
     out_.line(fmt::format("if (row == 2) {}_start(&g, &in);", names.chart()));
@@ -152,9 +150,10 @@ void CProgram::write_main() {
 
 }  // namespace
 
-std::string write_c(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    if (!check_integers(program, "C", diagnostics)) return {};
-    return CProgram(program).write();
+std::string write_c(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                    Diagnostics& diagnostics) {
+    if (!check_integers(grafcet, program, "C", diagnostics)) return {};
+    return CProgram(grafcet, program).write();
 }
 
 }  // namespace grafwire

@@ -29,7 +29,7 @@ std::string pascal_string(std::string_view text) {
 }  // namespace
 
 std::string PascalProgram::write() {
-    write_title(out_, program_, "a program in Free Pascal");
+    write_title(out_, grafcet_, "a program in Free Pascal");
     out_.comment({});
     out_.comment("To try it on scans from a trace of the reference:");
     out_.comment("  fpc THIS_FILE -oprogram");
@@ -181,9 +181,9 @@ void PascalProgram::write_main() {
     out_.line("end.");
 }
 
-std::string write_pascal(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    if (!check_integers(program, "Free Pascal", diagnostics)) return {};
-    const Grafcet& grafcet = *program.grafcet;
+std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                         Diagnostics& diagnostics) {
+    if (!check_integers(grafcet, program, "Free Pascal", diagnostics)) return {};
     if (grafcet.steps.size() > most_steps) {
         diagnostics.error(
             Code::beyond_limit, grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
@@ -192,7 +192,7 @@ std::string write_pascal(const ScanProgram& program, const PlcOptions&, Diagnost
                         most_steps + 1, grafcet.steps.size(), most_steps));
         return {};
     }
-    return PascalProgram(program).write();
+    return PascalProgram(grafcet, program).write();
 }
 
 }  // namespace grafwire

@@ -32,7 +32,7 @@ std::string PythonProgram::write() {
     // (PEP 263): no name of the chart may stand there.
     out_.comment("-*- coding: utf-8 -*-");
     out_.comment({});
-    write_title(out_, program_, "a program in Python 3");
+    write_title(out_, grafcet_, "a program in Python 3");
     out_.comment({});
     out_.comment("To use it:");
     out_.comment("  inputs = Inputs(...)       those that are not named are False");
@@ -179,8 +179,9 @@ void PythonProgram::write_run() {
     out_.block(python::reading_and_writing);
 }
 
-std::string write_python(const ScanProgram& program, const PlcOptions&, Diagnostics&) {
-    return PythonProgram(program).write();
+std::string write_python(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                         Diagnostics&) {
+    return PythonProgram(grafcet, program).write();
 }
 
 }  // namespace grafwire

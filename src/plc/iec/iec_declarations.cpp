@@ -13,9 +13,10 @@ namespace {
 
 class IecDeclarations {
   public:
-    IecDeclarations(const ScanProgram& program, const IecNames& names, unsigned bits)
-        : program_(program),
-          grafcet_(*program.grafcet),
+    IecDeclarations(const Grafcet& grafcet, const ScanProgram& program, const IecNames& names,
+                    unsigned bits)
+        : grafcet_(grafcet),
+          program_(program),
           names_(names),
           integer_(bits == 16   ? "INT"
                    : bits == 32 ? "DINT"
@@ -60,8 +61,8 @@ class IecDeclarations {
         declare(names_.table(kind), fmt::format("ARRAY[0..{}] OF BOOL", size - 1), comment);
     }
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     const IecNames& names_;
     std::string integer_;  ///< the type of counters
     std::string index_;    ///< the type of places in tables
@@ -192,16 +193,17 @@ void IecDeclarations::write_edges_and_times() {
 
 }  // namespace
 
-std::string iec_declarations(const ScanProgram& program, const IecNames& names,
-                             std::string_view language, Diagnostics& diagnostics) {
-    const std::optional<unsigned> bits = integer_bits(program);
+std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
+                             const IecNames& names, std::string_view language,
+                             Diagnostics& diagnostics) {
+    const std::optional<unsigned> bits = integer_bits(grafcet, program);
     if (!bits) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(program, 64),
+        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, program, 64),
                           "a sum needs more than the 64 bits of LINT; make the ranges of its "
                           "counters smaller");
         return {};
     }
-    return IecDeclarations(program, names, *bits).write(language);
+    return IecDeclarations(grafcet, program, names, *bits).write(language);
 }
 
 }  // namespace grafwire

@@ -16,7 +16,8 @@ namespace grafwire {
 /// `language` names the language in the comment.
 ///
 /// An error where an integer needs more than the 64 bits of LINT; empty then.
-std::string iec_declarations(const ScanProgram& program, const IecNames& names,
-                             std::string_view language, Diagnostics& diagnostics);
+std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
+                             const IecNames& names, std::string_view language,
+                             Diagnostics& diagnostics);
 
 }  // namespace grafwire

@@ -6,36 +6,16 @@
 #include "iec/keywords.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
 namespace {
 
-/// The table's name of the method (Cordier, section 3.2); empty where the bits have names of their
-/// own.
-std::string table_word(BitKind kind) {
-    switch (kind) {
-        case BitKind::step:
-            return "Ts";
-        case BitKind::previous:
-            return "Tprev";  // Tp would be the standard function block TP
-        case BitKind::pulse:
-            return "Tpulse";
-        case BitKind::activate:
-            return "Ta";
-        case BitKind::deactivate:
-            return "Td";
-        case BitKind::forced_on:
-            return "Tf1";
-        case BitKind::forced_off:
-            return "Tf0";
-        case BitKind::transition:
-            return "Tt";
-        case BitKind::may_evolve:
-            return "Tfig";
-        default:
-            return {};
-    }
+/// The array of a table; empty where the bits have names of their own.
+std::string_view array_name(BitKind kind) {
+    // Tp would be the standard function block TP.
+    return kind == BitKind::previous ? "Tprev" : table_name(kind);
 }
 
 }  // namespace
@@ -55,14 +35,14 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay) {
     return off_delay == 0 ? IecTimer::ton : IecTimer::latch;
 }
 
-IecNames::IecNames(const ScanProgram& program)
-    : program_(program), grafcet_(*program.grafcet), names_(false, iec::is_keyword) {
+IecNames::IecNames(const Grafcet& grafcet, const ScanProgram& program)
+    : grafcet_(grafcet), program_(program), names_(false, iec::is_keyword) {
     claim_interface();
     claim_tables();
     claim_edges();
     claim_times();
     for (std::uint32_t i = 0; i < program.scratch_bits; ++i) {
-        scratch_bits_.push_back(names_.claim(fmt::format("held_{}", i)));
+        names_of(BitKind::scratch).push_back(names_.claim(fmt::format("held_{}", i)));
     }
     for (std::uint32_t i = 0; i < program.scratch_integers; ++i) {
         scratch_integers_.push_back(names_.claim(fmt::format("held_value_{}", i)));
@@ -80,20 +60,23 @@ std::string IecNames::claim(const std::string& original) {
 }
 
 void IecNames::claim_interface() {
-    for (const Input& input : grafcet_.inputs) inputs_.push_back(claim(input.name));
+    for (const Input& input : grafcet_.inputs)
+        names_of(BitKind::input).push_back(claim(input.name));
     for (std::size_t c = 0; c < control_input_count; ++c) {
         if (!program_.has_modes) break;
-        controls_.push_back(claim(std::string(input_name(grafcet_, grafcet_.inputs.size() + c))));
+        names_of(BitKind::control)
+            .push_back(claim(std::string(input_name(grafcet_, grafcet_.inputs.size() + c))));
     }
-    for (const Output& output : grafcet_.outputs) outputs_.push_back(claim(output.name));
-    for (const Var& var : grafcet_.vars) vars_.push_back(claim(var.name));
+    for (const Output& output : grafcet_.outputs)
+        names_of(BitKind::output).push_back(claim(output.name));
+    for (const Var& var : grafcet_.vars) names_of(BitKind::var).push_back(claim(var.name));
     for (const Counter& counter : grafcet_.counters) counters_.push_back(claim(counter.name));
     block = claim(grafcet_.name);
 }
 
 void IecNames::claim_tables() {
     for (std::size_t kind = 0; kind < bit_kind_count; ++kind) {
-        const std::string word = table_word(static_cast<BitKind>(kind));
+        const std::string_view word = array_name(static_cast<BitKind>(kind));
         if (!word.empty()) tables_[kind] = names_.claim(word);
     }
     started = names_.claim("started");
@@ -122,8 +105,8 @@ void IecNames::claim_edges() {
         const ExprId edge = pool.edges()[i];
         const std::string word = (pool.kind(edge) == ExprKind::rise ? "rise_" : "fall_") +
                                  operand_word(pool.operands(edge).front(), i);
-        edges_.push_back(names_.claim(word));
-        edge_memories_.push_back(names_.claim(word + "_memory"));
+        names_of(BitKind::edge).push_back(names_.claim(word));
+        names_of(BitKind::edge_memory).push_back(names_.claim(word + "_memory"));
     }
 }
 
@@ -140,9 +123,10 @@ void IecNames::claim_times() {
         const bool own = timer == IecTimer::copy || timer == IecTimer::latch;
         on_timers_.push_back(on ? names_.claim("on_" + word) : "");
         off_timers_.push_back(off ? names_.claim("off_" + word) : "");
-        times_.push_back(own  ? names_.claim("time_" + word)
-                         : on ? on_timers_.back() + ".Q"
-                              : off_timers_.back() + ".Q");
+        names_of(BitKind::time_value)
+            .push_back(own  ? names_.claim("time_" + word)
+                       : on ? on_timers_.back() + ".Q"
+                            : off_timers_.back() + ".Q");
     }
 }
 
@@ -153,26 +137,9 @@ const std::string& IecNames::index_of(Bit bit) const {
 }
 
 std::string IecNames::of(Bit bit) const {
-    switch (bit.kind) {
-        case BitKind::input:
-            return inputs_[bit.index];
-        case BitKind::control:
-            return controls_[bit.index];
-        case BitKind::output:
-            return outputs_[bit.index];
-        case BitKind::var:
-            return vars_[bit.index];
-        case BitKind::edge:
-            return edges_[bit.index];
-        case BitKind::edge_memory:
-            return edge_memories_[bit.index];
-        case BitKind::time_value:
-            return times_[bit.index];
-        case BitKind::scratch:
-            return scratch_bits_[bit.index];
-        default:
-            return fmt::format("{}[{}]", table(bit.kind), index_of(bit));
-    }
+    const std::string& array = table(bit.kind);
+    if (!array.empty()) return fmt::format("{}[{}]", array, index_of(bit));
+    return bits_[static_cast<std::size_t>(bit.kind)][bit.index];
 }
 
 std::string IecNames::of(IntegerCell cell) const {

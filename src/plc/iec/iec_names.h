@@ -24,7 +24,7 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay);
 /// not depend on case there, and have no double underscores.
 class IecNames {
   public:
-    explicit IecNames(const ScanProgram& program);
+    IecNames(const Grafcet& grafcet, const ScanProgram& program);
 
     std::string of(Bit bit) const;
     std::string of(IntegerCell cell) const;
@@ -49,6 +49,9 @@ class IecNames {
   private:
     std::string claim(const std::string& original);
     std::string claim(const std::string& wanted, const std::string& original);
+    std::vector<std::string>& names_of(BitKind kind) {
+        return bits_[static_cast<std::size_t>(kind)];
+    }
     void claim_interface();
     void claim_tables();
     void claim_edges();
@@ -56,15 +59,14 @@ class IecNames {
     /// `m` for an operand that is one variable, else the number.
     std::string operand_word(ExprId operand, std::size_t number) const;
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     SafeNames names_;
     std::array<std::string, bit_kind_count> tables_;
-    std::vector<std::string> inputs_, controls_, outputs_, vars_, counters_;
+    std::array<std::vector<std::string>, bit_kind_count> bits_;  ///< that are in no table
     std::vector<std::string> steps_, transitions_, graphs_;
-    std::vector<std::string> edges_, edge_memories_;
-    std::vector<std::string> times_, on_timers_, off_timers_;
-    std::vector<std::string> scratch_bits_, scratch_integers_;
+    std::vector<std::string> on_timers_, off_timers_;
+    std::vector<std::string> counters_, scratch_integers_;
     std::vector<std::pair<std::string, std::string>> changed_;
 };
 

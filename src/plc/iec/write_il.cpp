@@ -10,6 +10,7 @@
 
 #include <span>
 
+#include "grafcet/sum_range.h"
 #include "iec/literals.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
@@ -22,10 +23,11 @@ namespace {
 
 class IlWriter {
   public:
-    explicit IlWriter(const ScanProgram& program) : program_(program), names_(program) {}
+    IlWriter(const Grafcet& grafcet, const ScanProgram& program)
+        : grafcet_(grafcet), program_(program), names_(grafcet, program) {}
 
     std::string write(Diagnostics& diagnostics) {
-        text_ = iec_declarations(program_, names_, "Instruction List", diagnostics);
+        text_ = iec_declarations(grafcet_, program_, names_, "Instruction List", diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         text_ += "\nEND_FUNCTION_BLOCK\n";
@@ -58,6 +60,7 @@ class IlWriter {
         return fmt::format("{}[{}]", names_.table(kind), names_.any);
     }
 
+    const Grafcet& grafcet_;
     ScanProgram program_;
     IecNames names_;
     std::string text_;
@@ -168,7 +171,7 @@ void IlWriter::write_section(SectionKind kind) {
 
 /// Whole-table operations that follow each other share one loop.
 void IlWriter::write_table_loop(std::span<const Statement> statements) {
-    const std::size_t steps = program_.grafcet->steps.size();
+    const std::size_t steps = grafcet_.steps.size();
     if (steps == 0) return;
     const std::string loop = names_.new_label("each_step");
     for (const Statement& statement : statements) comment(statement.comment);
@@ -229,7 +232,7 @@ void IlWriter::write_move(const Statement& statement) {
     } else {
         load(statement.sum);
         // What lies within the range anyway needs no limits.
-        const IntegerRange range = value_range(*program_.grafcet, statement.sum);
+        const IntegerRange range = value_range(grafcet_, statement.sum);
         if (range.low < statement.low) op("MAX", fmt::format("{}", statement.low));
         if (range.high > statement.high) op("MIN", fmt::format("{}", statement.high));
     }
@@ -297,8 +300,9 @@ void IlWriter::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_il(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    return IlWriter(without_idle_tables(program)).write(diagnostics);
+std::string write_il(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                     Diagnostics& diagnostics) {
+    return IlWriter(grafcet, without_idle_tables(program)).write(diagnostics);
 }
 
 }  // namespace grafwire

@@ -9,7 +9,7 @@
 namespace grafwire {
 
 /// The program as a function block in Instruction List (IEC 61131-3, edition 2, section 3.2).
-std::string write_il(const ScanProgram& program, const PlcOptions& options,
+std::string write_il(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics);
 
 }  // namespace grafwire

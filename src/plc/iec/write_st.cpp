@@ -11,7 +11,9 @@
 #include <functional>
 #include <span>
 
+#include "grafcet/sum_range.h"
 #include "iec/literals.h"
+#include "iec/operators.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
 #include "plc/shared/condition_text.h"
@@ -24,24 +26,30 @@ namespace grafwire {
 
 namespace {
 
-/// AND binds stronger than XOR, and that stronger than OR; comparisons bind stronger than all of
-/// them, but weaker than NOT (IEC 61131-3, table 55).
-constexpr ConditionSpelling spelling = {
-    "NOT ", " AND ", " OR ", " XOR ", "TRUE", "FALSE", {"=", "<>", "<", "<=", ">", ">="},
-    true,   "",      ""};
+constexpr ConditionSpelling spelling = {iec::word_of(iec::Precedence::negation),
+                                        iec::word_of(iec::Precedence::conjunction),
+                                        iec::word_of(iec::Precedence::disjunction),
+                                        iec::word_of(iec::Precedence::exclusive_or),
+                                        iec::word_true,
+                                        iec::word_false,
+                                        iec::relation_signs,
+                                        true,
+                                        "",
+                                        ""};
 
 class StWriter {
   public:
-    explicit StWriter(const ScanProgram& program)
-        : program_(program),
-          names_(program),
+    StWriter(const Grafcet& grafcet, const ScanProgram& program)
+        : grafcet_(grafcet),
+          program_(program),
+          names_(grafcet, program),
           conditions_(
               spelling, [this](Bit bit) { return names_.of(bit); },
               [this](IntegerCell cell) { return names_.of(cell); }) {}
 
     std::string write(Diagnostics& diagnostics) {
         const std::string declarations =
-            iec_declarations(program_, names_, "Structured Text", diagnostics);
+            iec_declarations(grafcet_, program_, names_, "Structured Text", diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         return declarations + out_.take() + "\nEND_FUNCTION_BLOCK\n";
@@ -65,6 +73,7 @@ class StWriter {
     void line(std::string_view written) { out_.line(written); }
     void comment(std::string_view words) { out_.whole_line(iec_comment(words)); }
 
+    const Grafcet& grafcet_;
     ScanProgram program_;
     IecNames names_;
     ConditionText conditions_;
@@ -99,7 +108,7 @@ void StWriter::write_section(SectionKind kind) {
 
 /// Whole-table operations that follow each other share one loop.
 void StWriter::write_table_loop(std::span<const Statement> statements) {
-    const std::size_t steps = program_.grafcet->steps.size();
+    const std::size_t steps = grafcet_.steps.size();
     if (steps == 0) return;
     for (const Statement& statement : statements) comment(statement.comment);
     line(fmt::format("FOR {} := 0 TO {} DO", names_.any, steps - 1));
@@ -174,7 +183,7 @@ void StWriter::write_assignments(const Statement& statement, std::string_view va
 
 /// What lies within the range anyway needs no limits.
 bool StWriter::is_within(const Statement& statement) const {
-    const IntegerRange range = value_range(*program_.grafcet, statement.sum);
+    const IntegerRange range = value_range(grafcet_, statement.sum);
     return range.low >= statement.low && range.high <= statement.high;
 }
 
@@ -248,8 +257,9 @@ void StWriter::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_st(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
-    return StWriter(without_idle_tables(program)).write(diagnostics);
+std::string write_st(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                     Diagnostics& diagnostics) {
+    return StWriter(grafcet, without_idle_tables(program)).write(diagnostics);
 }
 
 }  // namespace grafwire

@@ -9,7 +9,7 @@
 namespace grafwire {
 
 /// The program as a function block in Structured Text (IEC 61131-3, edition 2, section 3.3).
-std::string write_st(const ScanProgram& program, const PlcOptions& options,
+std::string write_st(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics);
 
 }  // namespace grafwire

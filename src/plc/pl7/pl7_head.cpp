@@ -28,8 +28,7 @@ constexpr std::string_view sink_convention =
 
 }  // namespace
 
-std::string pl7_head(const ScanProgram& program, Pl7Objects& objects) {
-    const Grafcet& grafcet = *program.grafcet;
+std::string pl7_head(const Grafcet& grafcet, Pl7Objects& objects) {
     std::string text = fmt::format(
         "PL7-2   {}{}{}\n\nA GRAFCET (IEC 60848) for Telemecanique TSX 17-20, TSX 27 and TSX 47.\n",
         grafcet.name, grafcet.title.empty() ? "" : ": ", grafcet.title);
@@ -43,8 +42,7 @@ std::string pl7_head(const ScanProgram& program, Pl7Objects& objects) {
     return text;
 }
 
-std::string pl7_steps(const ScanProgram& program, Pl7Objects& objects) {
-    const Grafcet& grafcet = *program.grafcet;
+std::string pl7_steps(const Grafcet& grafcet, Pl7Objects& objects) {
     std::string text;
     for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) {
         const Step& step = grafcet.steps[StepId{s}];

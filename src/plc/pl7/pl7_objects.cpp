@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "program/bit_names.h"
+
 namespace grafwire {
 
 namespace {
@@ -39,7 +41,8 @@ std::optional<Pl7Preset> pl7_preset(Time duration) {
     return std::nullopt;
 }
 
-Pl7Objects::Pl7Objects(const ScanProgram& program) : program_(program), grafcet_(*program.grafcet) {
+Pl7Objects::Pl7Objects(const Grafcet& grafcet, const ScanProgram& program)
+    : grafcet_(grafcet), program_(program) {
     number_steps();
     for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) of(Bit{BitKind::var, v});
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) of(IntegerCell{false, c});
@@ -103,25 +106,20 @@ std::string Pl7Objects::of(IntegerCell cell) {
 
 std::vector<std::pair<std::string, std::string>> Pl7Objects::assignment() {
     std::vector<std::pair<std::string, std::string>> rows;
-    for (std::uint32_t i = 0; i < grafcet_.inputs.size(); ++i) {
-        rows.emplace_back(of(Bit{BitKind::input, i}), grafcet_.inputs[InputId{i}].name);
-    }
-    for (std::uint32_t c = 0; c < control_input_count && program_.has_modes; ++c) {
-        rows.emplace_back(of(Bit{BitKind::control, c}),
-                          input_name(grafcet_, grafcet_.inputs.size() + c));
-    }
-    for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
-        rows.emplace_back(of(Bit{BitKind::output, o}), grafcet_.outputs[OutputId{o}].name);
-    }
-    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) {
-        rows.emplace_back(of(Bit{BitKind::var, v}), grafcet_.vars[VarId{v}].name);
-    }
+    const auto add_bits = [&](BitKind kind, std::size_t count, std::string_view before = "") {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Bit bit{kind, i};
+            rows.emplace_back(of(bit), fmt::format("{}{}", before, name_in_chart(grafcet_, bit)));
+        }
+    };
+    add_bits(BitKind::input, grafcet_.inputs.size());
+    if (program_.has_modes) add_bits(BitKind::control, control_input_count);
+    add_bits(BitKind::output, grafcet_.outputs.size());
+    add_bits(BitKind::var, grafcet_.vars.size());
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         rows.emplace_back(of(IntegerCell{false, c}), grafcet_.counters[CounterId{c}].name);
     }
-    for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
-        rows.emplace_back(of(Bit{BitKind::step, s}), "X" + grafcet_.steps[StepId{s}].name);
-    }
+    add_bits(BitKind::step, grafcet_.steps.size(), "X");
     return rows;
 }
 

@@ -32,7 +32,7 @@ class Pl7Objects {
     static constexpr std::uint32_t outputs_of_a_module = 16;
     static constexpr std::uint32_t modules = 4;
 
-    explicit Pl7Objects(const ScanProgram& program);
+    Pl7Objects(const Grafcet& grafcet, const ScanProgram& program);
 
     std::string of(Bit bit);
     std::string of(IntegerCell cell);
@@ -57,8 +57,8 @@ class Pl7Objects {
     void number_steps();
     static std::string at_module(char letter, std::uint32_t index, std::uint32_t size);
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     std::vector<std::uint32_t> step_numbers_;
     std::string source_step_, sink_step_;
     std::map<Bit, std::string> names_;

@@ -64,8 +64,9 @@ std::vector<GraphId> graphs_upwards(const Grafcet& grafcet) {
 
 class Situation {
   public:
-    Situation(const ScanProgram& program, Pl7Objects& objects, Pl7Rungs& rungs)
-        : program_(program), grafcet_(*program.grafcet), objects_(objects), rungs_(rungs) {}
+    Situation(const Grafcet& grafcet, const ScanProgram& program, Pl7Objects& objects,
+              Pl7Rungs& rungs)
+        : grafcet_(grafcet), program_(program), objects_(objects), rungs_(rungs) {}
 
     void evolve(const std::vector<Condition>& receptivities);
     void obey_orders();
@@ -79,8 +80,8 @@ class Situation {
     void force(const Graph& graph);
     void note_change(const Condition& condition);
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     Pl7Objects& objects_;
     Pl7Rungs& rungs_;
     /// Per step: where one of these is 1, Tf1 or Tf0 is.
@@ -218,15 +219,15 @@ bool has_orders(const Grafcet& grafcet) {
                        [](const Order& order) { return order.kind != OrderKind::freeze; });
 }
 
-void write_situation(const ScanProgram& program, const std::vector<Condition>& receptivities,
-                     Pl7Objects& objects, Pl7Rungs& rungs) {
-    Situation situation(program, objects, rungs);
+void write_situation(const Grafcet& grafcet, const ScanProgram& program,
+                     const std::vector<Condition>& receptivities, Pl7Objects& objects,
+                     Pl7Rungs& rungs) {
+    Situation situation(grafcet, program, objects, rungs);
     situation.evolve(receptivities);
     situation.obey_orders();
 }
 
-void write_presets(const ScanProgram& program, Pl7Objects& objects, Pl7Rungs& rungs) {
-    const Grafcet& grafcet = *program.grafcet;
+void write_presets(const Grafcet& grafcet, Pl7Objects& objects, Pl7Rungs& rungs) {
     for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) {
         const std::string bit = objects.of(to_be_active(s));
         const std::string step = objects.of(Bit{BitKind::step, s});

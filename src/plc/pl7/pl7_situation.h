@@ -15,11 +15,12 @@ bool has_orders(const Grafcet& grafcet);
 /// the scan is to reach, and make SY23 where the controller's own evolution, or SY21 under Init,
 /// would not reach it. `receptivities` are those of the transitions, in their order, over bits that
 /// the rungs before have written.
-void write_situation(const ScanProgram& program, const std::vector<Condition>& receptivities,
-                     Pl7Objects& objects, Pl7Rungs& rungs);
+void write_situation(const Grafcet& grafcet, const ScanProgram& program,
+                     const std::vector<Condition>& receptivities, Pl7Objects& objects,
+                     Pl7Rungs& rungs);
 
 /// Rungs that, where SY23 is 1, set and reset all steps as worked out. The last of the preliminary
 /// processing.
-void write_presets(const ScanProgram& program, Pl7Objects& objects, Pl7Rungs& rungs);
+void write_presets(const Grafcet& grafcet, Pl7Objects& objects, Pl7Rungs& rungs);
 
 }  // namespace grafwire

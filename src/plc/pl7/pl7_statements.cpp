@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "grafcet/sum_range.h"
 #include "plc/shared/program_needs.h"
 
 namespace grafwire {
@@ -53,7 +54,7 @@ void Pl7Statements::write_move(const Statement& statement) {
     if (statement.sum.empty()) {
         value = objects_.of(statement.source);
     } else {
-        const IntegerRange range = value_range(*program_.grafcet, statement.sum);
+        const IntegerRange range = value_range(grafcet_, statement.sum);
         std::optional<std::int64_t> low;
         std::optional<std::int64_t> high;
         if (range.low < statement.low) low = statement.low;

@@ -13,9 +13,13 @@ namespace grafwire {
 /// duration that no timer holds exactly.
 class Pl7Statements {
   public:
-    Pl7Statements(const ScanProgram& program, Pl7Objects& objects, Pl7Rungs& rungs,
-                  Diagnostics& diagnostics)
-        : program_(program), objects_(objects), rungs_(rungs), diagnostics_(diagnostics) {}
+    Pl7Statements(const Grafcet& grafcet, const ScanProgram& program, Pl7Objects& objects,
+                  Pl7Rungs& rungs, Diagnostics& diagnostics)
+        : grafcet_(grafcet),
+          program_(program),
+          objects_(objects),
+          rungs_(rungs),
+          diagnostics_(diagnostics) {}
 
     /// Names the time conditions that are the end of a timer; before anything reads them.
     void name_timers();
@@ -28,6 +32,7 @@ class Pl7Statements {
     void run_timer(const std::string& timer, Time duration, const Condition& condition,
                    Location where);
 
+    const Grafcet& grafcet_;
     const ScanProgram& program_;
     Pl7Objects& objects_;
     Pl7Rungs& rungs_;

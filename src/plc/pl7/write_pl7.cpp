@@ -41,14 +41,14 @@ bool is_contact(const Condition& condition) {
 
 class Pl7Writer {
   public:
-    Pl7Writer(const ScanProgram& program, Diagnostics& diagnostics)
-        : program_(program),
-          grafcet_(*program.grafcet),
+    Pl7Writer(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
+        : grafcet_(grafcet),
+          program_(program),
           diagnostics_(diagnostics),
-          objects_(program_),
+          objects_(grafcet, program_),
           preliminary_(objects_),
           posterior_(objects_),
-          statements_(program_, objects_, posterior_, diagnostics),
+          statements_(grafcet, program_, objects_, posterior_, diagnostics),
           has_orders_(has_orders(grafcet_)) {}
 
     std::string write();
@@ -68,8 +68,8 @@ class Pl7Writer {
         return objects_.of(Bit{BitKind::control, static_cast<std::uint32_t>(input)});
     }
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     Diagnostics& diagnostics_;
     Pl7Objects objects_;
     Pl7Rungs preliminary_;
@@ -111,7 +111,7 @@ void Pl7Writer::write_start() {
                               fmt::format("[{} -> {}]", value, objects_.of(statement.integer)));
             continue;
         }
-        const Bit first_scan{BitKind::scratch, program_.scratch_bits};
+        const Bit first_scan{BitKind::auxiliary, 0};
         objects_.name(first_scan, "SY0");
         const Condition condition = and_condition({bit_condition(first_scan), statement.condition});
         for (const Bit bit : statement.targets) {
@@ -192,7 +192,7 @@ void Pl7Writer::write_modes() {
                           "( ) SY21");
     }
     if (has_orders_) {
-        write_presets(program_, objects_, preliminary_);
+        write_presets(grafcet_, objects_, preliminary_);
     } else if (program_.has_modes && presets_au_dur) {
         preliminary_.label("SY23: no step active");
         for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
@@ -214,27 +214,28 @@ std::string Pl7Writer::write() {
     write_previous();
     write_edges();
     write_transitions();
-    if (has_orders_) write_situation(program_, receptivities_, objects_, preliminary_);
+    if (has_orders_) write_situation(grafcet_, program_, receptivities_, objects_, preliminary_);
     write_modes();
     write_posterior();
     objects_.check_limits(diagnostics_);
     if (diagnostics_.has_errors()) return {};
-    return pl7_head(program_, objects_) + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
-           "\nSEQUENTIAL PROCESSING\n\n" + pl7_steps(program_, objects_) + transitions_ +
+    return pl7_head(grafcet_, objects_) + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
+           "\nSEQUENTIAL PROCESSING\n\n" + pl7_steps(grafcet_, objects_) + transitions_ +
            "\nPOSTERIOR PROCESSING\n" + posterior_.text();
 }
 
 }  // namespace
 
-std::string write_pl7(const ScanProgram& program, const PlcOptions&, Diagnostics& diagnostics) {
+std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+                      Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
-    if (integer_bits(needed) != 16U) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(needed, 16),
+    if (integer_bits(grafcet, needed) != 16U) {
+        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, needed, 16),
                           "an integer needs more than the 16 bits of a word of PL7-2; make the "
                           "range of the counter smaller");
     }
     if (diagnostics.has_errors()) return {};
-    return Pl7Writer(needed, diagnostics).write();
+    return Pl7Writer(grafcet, needed, diagnostics).write();
 }
 
 }  // namespace grafwire

@@ -13,7 +13,7 @@ namespace grafwire {
 /// receptivities, posterior processing. The controller evolves the chart by its own means; in scans
 /// in which forcing orders or enclosures want another situation, that one is preset. Errors: more
 /// objects than the controller has, durations that no timer holds, integers beyond 16 bits.
-std::string write_pl7(const ScanProgram& program, const PlcOptions& options,
+std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                       Diagnostics& diagnostics);
 
 }  // namespace grafwire

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "s7/cpu.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/cpu.h"
+#include "s7/addresses/io_assignment.h"
 
 namespace grafwire {
 
@@ -11,10 +11,10 @@ namespace grafwire {
 struct PlcOptions {
     /// Addresses for inputs, outputs and steps; without, they are assigned in order.
     const s7::IoAssignment* io = nullptr;
-    Mnemonics mnemonics = Mnemonics::simatic;  ///< of instruction lists
-    bool offsets = true;                       ///< byte offsets before instructions
-    bool wide_tables = false;                  ///< tables beyond the 80 steps of the method
-    std::optional<s7::Cpu> cpu;                ///< the controller that the program has to fit
+    s7::Mnemonics mnemonics = s7::Mnemonics::simatic;  ///< of instruction lists
+    bool offsets = true;                               ///< byte offsets before instructions
+    bool wide_tables = false;                          ///< tables beyond the 80 steps of the method
+    std::optional<s7::Cpu> cpu;  ///< the controller that the program has to fit
 };
 
 }  // namespace grafwire

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -33,14 +34,15 @@ std::string word_of(const std::string& text) {
 
 }  // namespace
 
-ProgramNames::ProgramNames(const ScanProgram& program, const NameRules& rules)
-    : program_(program), rules_(rules) {
+ProgramNames::ProgramNames(const Grafcet& grafcet, const ScanProgram& program,
+                           const NameRules& rules)
+    : grafcet_(grafcet), program_(program), rules_(rules) {
     name_chart();
     name_inputs();
     name_parts();
     name_expressions();
     for (std::uint32_t i = 0; i < program.scratch_bits; ++i) {
-        scratch_bits_.push_back(fmt::format("S{}", i));
+        group_of(BitKind::scratch).push_back(fmt::format("S{}", i));
     }
     for (std::uint32_t i = 0; i < program.scratch_integers; ++i) {
         scratch_integers_.push_back(fmt::format("I{}", i));
@@ -58,78 +60,64 @@ void ProgramNames::add(std::vector<std::string>& names, SafeNames& group,
 void ProgramNames::name_chart() {
     SafeNames alone = group();
     std::vector<std::string> names;
-    add(names, alone, program_.grafcet->name);
+    add(names, alone, grafcet_.name);
     chart_ = names.front();
 }
 
 /// The control inputs first: what they are called is the same in every program.
 void ProgramNames::name_inputs() {
-    const Grafcet& grafcet = *program_.grafcet;
     SafeNames inputs = group();
     if (program_.has_modes) {
         for (std::size_t c = 0; c < control_input_count; ++c) {
-            add(controls_, inputs, std::string(input_name(grafcet, grafcet.inputs.size() + c)));
+            add(group_of(BitKind::control), inputs,
+                std::string(input_name(grafcet_, grafcet_.inputs.size() + c)));
         }
     }
-    for (const Input& input : grafcet.inputs) add(inputs_, inputs, input.name);
+    for (const Input& input : grafcet_.inputs) add(group_of(BitKind::input), inputs, input.name);
 }
 
 void ProgramNames::name_parts() {
-    const Grafcet& grafcet = *program_.grafcet;
     SafeNames outputs = group();
-    for (const Output& output : grafcet.outputs) add(outputs_, outputs, output.name);
+    for (const Output& output : grafcet_.outputs)
+        add(group_of(BitKind::output), outputs, output.name);
     SafeNames vars = group();
-    for (const Var& var : grafcet.vars) add(vars_, vars, var.name);
+    for (const Var& var : grafcet_.vars) add(group_of(BitKind::var), vars, var.name);
     SafeNames counters = group();
-    for (const Counter& counter : grafcet.counters) add(counters_, counters, counter.name);
+    for (const Counter& counter : grafcet_.counters) add(counters_, counters, counter.name);
     SafeNames steps = group();
-    for (const Step& step : grafcet.steps) add(steps_, steps, "X" + step.name);
+    for (const Step& step : grafcet_.steps) add(group_of(BitKind::step), steps, "X" + step.name);
     SafeNames graphs = group();
-    for (const Graph& graph : grafcet.graphs) graphs_.push_back(graphs.claim(graph.name));
+    for (const Graph& graph : grafcet_.graphs)
+        group_of(BitKind::may_evolve).push_back(graphs.claim(graph.name));
     SafeNames transitions = group();
-    for (const Transition& transition : grafcet.transitions) {
-        transitions_.push_back(
-            transitions.claim((transition.labelled ? "t_" : "t") + transition.name));
+    for (const Transition& transition : grafcet_.transitions) {
+        group_of(BitKind::transition)
+            .push_back(transitions.claim((transition.labelled ? "t_" : "t") + transition.name));
     }
 }
 
 void ProgramNames::name_expressions() {
-    const Grafcet& grafcet = *program_.grafcet;
-    const Expressions& pool = grafcet.expressions;
+    const Expressions& pool = grafcet_.expressions;
     SafeNames edges = group();
     for (const ExprId edge : pool.edges()) {
-        edges_.push_back(edges.claim(word_of(write_expression(grafcet, pool, edge))));
+        group_of(BitKind::edge)
+            .push_back(edges.claim(word_of(write_expression(grafcet_, pool, edge))));
     }
     SafeNames times = group();
     for (const ExprId time : pool.time_conditions()) {
-        times_.push_back(times.claim(word_of("t" + write_expression(grafcet, pool, time))));
+        group_of(BitKind::time_value)
+            .push_back(times.claim(word_of("t" + write_expression(grafcet_, pool, time))));
     }
 }
 
+/// The tables of steps share the names of the steps, an edge and its memory theirs.
+std::size_t ProgramNames::place_of(BitKind kind) {
+    if (is_step_table(kind)) return static_cast<std::size_t>(BitKind::step);
+    return static_cast<std::size_t>(kind == BitKind::edge_memory ? BitKind::edge : kind);
+}
+
 const std::string& ProgramNames::operator[](Bit bit) const {
-    switch (bit.kind) {
-        case BitKind::input:
-            return inputs_[bit.index];
-        case BitKind::control:
-            return controls_[bit.index];
-        case BitKind::output:
-            return outputs_[bit.index];
-        case BitKind::var:
-            return vars_[bit.index];
-        case BitKind::transition:
-            return transitions_[bit.index];
-        case BitKind::may_evolve:
-            return graphs_[bit.index];
-        case BitKind::edge:
-        case BitKind::edge_memory:
-            return edges_[bit.index];
-        case BitKind::time_value:
-            return times_[bit.index];
-        case BitKind::scratch:
-            return scratch_bits_[bit.index];
-        default:
-            return steps_[bit.index];
-    }
+    return bits_[place_of(bit.kind)][bit.index];
 }
 
 const std::string& ProgramNames::operator[](IntegerCell cell) const {
@@ -138,8 +126,10 @@ const std::string& ProgramNames::operator[](IntegerCell cell) const {
 
 std::vector<Bit> ProgramNames::inputs() const {
     std::vector<Bit> bits;
-    for (std::uint32_t i = 0; i < inputs_.size(); ++i) bits.push_back({BitKind::input, i});
-    for (std::uint32_t i = 0; i < controls_.size(); ++i) bits.push_back({BitKind::control, i});
+    for (const BitKind kind : {BitKind::input, BitKind::control}) {
+        const std::size_t count = bits_[place_of(kind)].size();
+        for (std::uint32_t i = 0; i < count; ++i) bits.push_back({kind, i});
+    }
     return bits;
 }
 

@@ -25,7 +25,7 @@ struct NameRules {
 /// `rise_dcy`, `t5s_X13`.
 class ProgramNames {
   public:
-    ProgramNames(const ScanProgram& program, const NameRules& rules);
+    ProgramNames(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules);
 
     /// The chart's own name.
     const std::string& chart() const { return chart_; }
@@ -46,15 +46,17 @@ class ProgramNames {
     void name_inputs();
     void name_parts();
     void name_expressions();
+    static std::size_t place_of(BitKind kind);
+    std::vector<std::string>& group_of(BitKind kind) { return bits_[place_of(kind)]; }
     SafeNames group() const { return {rules_.case_matters, rules_.is_reserved}; }
     void add(std::vector<std::string>& names, SafeNames& group, const std::string& original);
 
+    const Grafcet& grafcet_;
     const ScanProgram& program_;
     NameRules rules_;
     std::string chart_;
-    std::vector<std::string> inputs_, controls_, outputs_, vars_, counters_;
-    std::vector<std::string> steps_, transitions_, graphs_, edges_, times_;
-    std::vector<std::string> scratch_bits_, scratch_integers_;
+    std::array<std::vector<std::string>, bit_kind_count> bits_;  ///< by place_of
+    std::vector<std::string> counters_, scratch_integers_;
     std::vector<std::pair<std::string, std::string>> changed_;
 };
 

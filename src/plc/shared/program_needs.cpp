@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "grafcet/sum_range.h"
+
 namespace grafwire {
 
 namespace {
@@ -124,36 +126,21 @@ ScanProgram without_idle_tables(const ScanProgram& program) {
     return result;
 }
 
-std::optional<unsigned> integer_bits(const ScanProgram& program) {
+std::optional<unsigned> integer_bits(const Grafcet& grafcet, const ScanProgram& program) {
     unsigned bits = 16;
     for (const std::vector<Statement>& section : program.sections) {
         for (const Statement& statement : section) {
-            bits = std::max(bits, bits_of(*program.grafcet, statement));
+            bits = std::max(bits, bits_of(grafcet, statement));
         }
     }
     if (bits > 64) return std::nullopt;
     return bits;
 }
 
-IntegerRange value_range(const Grafcet& grafcet, const Sum& sum) {
-    IntegerRange range;
-    for (const SumTerm& term : sum) {
-        IntegerRange part{term.value, term.value};
-        if (term.counter != SumTerm::no_counter) {
-            const Counter& counter = grafcet.counters[CounterId{term.counter}];
-            part = {counter.low, counter.high};
-        }
-        if (term.negative) part = {-part.high, -part.low};
-        range.low += part.low;
-        range.high += part.high;
-    }
-    return range;
-}
-
-Location wide_integer(const ScanProgram& program, unsigned bits) {
+Location wide_integer(const Grafcet& grafcet, const ScanProgram& program, unsigned bits) {
     for (const std::vector<Statement>& section : program.sections) {
         for (const Statement& statement : section) {
-            if (bits_of(*program.grafcet, statement) > bits) return statement.origin;
+            if (bits_of(grafcet, statement) > bits) return statement.origin;
         }
     }
     return {};

@@ -23,12 +23,9 @@ bool has_forcing(const ScanProgram& program);
 /// The widest integer the program works with, as the number of bits of a signed type that holds
 /// every counter, every limit and every partial sum, and the negative of each: 16, 32 or 64; empty
 /// where 64 are not enough.
-std::optional<unsigned> integer_bits(const ScanProgram& program);
-
-/// The smallest and the largest value of a sum; of one that fits 64 bits on its way (range_of).
-IntegerRange value_range(const Grafcet& grafcet, const Sum& sum);
+std::optional<unsigned> integer_bits(const Grafcet& grafcet, const ScanProgram& program);
 
 /// The place of the first statement whose integers need more than so many bits.
-Location wide_integer(const ScanProgram& program, unsigned bits);
+Location wide_integer(const Grafcet& grafcet, const ScanProgram& program, unsigned bits);
 
 }  // namespace grafwire

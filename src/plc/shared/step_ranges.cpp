@@ -2,22 +2,9 @@
 
 #include <algorithm>
 
-namespace grafwire {
+#include "program/bit_names.h"
 
-bool is_step_table(BitKind kind) {
-    switch (kind) {
-        case BitKind::step:
-        case BitKind::previous:
-        case BitKind::pulse:
-        case BitKind::activate:
-        case BitKind::deactivate:
-        case BitKind::forced_on:
-        case BitKind::forced_off:
-            return true;
-        default:
-            return false;
-    }
-}
+namespace grafwire {
 
 std::vector<StepRange> step_ranges(std::span<const Bit> targets) {
     std::vector<Bit> bits;

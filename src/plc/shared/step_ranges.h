@@ -14,9 +14,6 @@ struct StepRange {
     std::uint32_t last = 0;
 };
 
-/// Whether the kind is a table with one bit per step.
-bool is_step_table(BitKind kind);
-
 /// The targets of a statement that are bits of step tables, table by table, neighbours as ranges.
 std::vector<StepRange> step_ranges(std::span<const Bit> targets);
 

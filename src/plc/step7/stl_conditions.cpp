@@ -11,9 +11,6 @@ namespace {
 
 constexpr std::size_t stack_entries = 7;
 
-/// Bits above this index are auxiliary ones of this file; the program's own stay far below.
-constexpr std::uint32_t first_auxiliary = 0x8000'0000U;
-
 bool is_bit_or_its_negation(const Condition& condition) {
     return condition.kind == Condition::Kind::bit ||
            (condition.kind == Condition::Kind::negation &&
@@ -42,27 +39,29 @@ std::size_t depth_as_operand(const Condition& condition) {
 }  // namespace
 
 void StlConditions::load(const Condition& condition) {
-    auxiliaries_ = 0;
-    load_flat(flattened(condition, stack_entries));
+    std::uint32_t auxiliaries = 0;
+    load_flat(flattened(condition, stack_entries, auxiliaries));
 }
 
 /// The same condition with no more than so many levels of parentheses.
-Condition StlConditions::flattened(const Condition& condition, std::size_t levels) {
+Condition StlConditions::flattened(const Condition& condition, std::size_t levels,
+                                   std::uint32_t& auxiliaries) {
     Condition flat = condition;
     for (Condition& operand : flat.operands) {
         if (depth_as_operand(operand) <= levels) continue;
         // A negation shares its level with what it negates.
         const std::size_t inner = operand.kind == Condition::Kind::negation ? levels : levels - 1;
-        operand = levels <= 1 ? worked_out(operand) : flattened(operand, inner);
+        operand =
+            levels <= 1 ? worked_out(operand, auxiliaries) : flattened(operand, inner, auxiliaries);
     }
     return flat;
 }
 
 /// An auxiliary bit that has been given the value of a condition.
-Condition StlConditions::worked_out(const Condition& condition) {
-    load_flat(flattened(condition, stack_entries));
-    const Bit bit{BitKind::scratch, first_auxiliary + static_cast<std::uint32_t>(auxiliaries_)};
-    text_.op("=", text_.operand(memory_.auxiliary_bit(auxiliaries_++)), "auxiliary");
+Condition StlConditions::worked_out(const Condition& condition, std::uint32_t& auxiliaries) {
+    load_flat(flattened(condition, stack_entries, auxiliaries));
+    const Bit bit = memory_.auxiliary_bit(auxiliaries++);
+    text_.op("=", text_.operand(memory_.of(bit)), memory_.symbol(bit));
     return bit_condition(bit);
 }
 
@@ -72,12 +71,7 @@ void StlConditions::combine(char operation, const Condition& operand) {
     const Condition& inner = negated ? operand.operands.front() : operand;
     const std::string written = fmt::format("{}{}", operation, negated ? "N" : "");
     if (inner.kind == Condition::Kind::bit) {
-        const bool auxiliary = inner.bit.index >= first_auxiliary;
-        const StlAddress address = auxiliary
-                                       ? memory_.auxiliary_bit(inner.bit.index - first_auxiliary)
-                                       : memory_.of(inner.bit);
-        return text_.op(written, text_.operand(address),
-                        auxiliary ? "auxiliary" : memory_.symbol(inner.bit));
+        return text_.op(written, text_.operand(memory_.of(inner.bit)), memory_.symbol(inner.bit));
     }
     text_.op(written + "(");
     load_flat(inner);

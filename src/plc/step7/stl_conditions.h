@@ -30,8 +30,9 @@ class StlConditions {
     }
 
   private:
-    Condition flattened(const Condition& condition, std::size_t levels);
-    Condition worked_out(const Condition& condition);
+    /// `auxiliaries` counts the auxiliary bits that the condition has taken so far.
+    Condition flattened(const Condition& condition, std::size_t levels, std::uint32_t& auxiliaries);
+    Condition worked_out(const Condition& condition, std::uint32_t& auxiliaries);
     void load_flat(const Condition& condition);
     void combine(char operation, const Condition& operand);
     void compare(const Comparison& comparison);
@@ -40,7 +41,6 @@ class StlConditions {
     StlMemory& memory_;
     StlText& text_;
     std::uint32_t integer_bytes_;
-    std::size_t auxiliaries_ = 0;  ///< in use for the condition at hand
 };
 
 }  // namespace grafwire

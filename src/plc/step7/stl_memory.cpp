@@ -6,6 +6,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -23,28 +24,11 @@ std::vector<BitKind> step_tables(const ScanProgram& program) {
     return kinds;
 }
 
-std::string table_word(BitKind kind) {
-    switch (kind) {
-        case BitKind::previous:
-            return "Tp";
-        case BitKind::pulse:
-            return "Tpulse";
-        case BitKind::activate:
-            return "Ta";
-        case BitKind::deactivate:
-            return "Td";
-        case BitKind::forced_on:
-            return "Tf1";
-        default:
-            return "Tf0";
-    }
-}
-
 }  // namespace
 
-StlMemory::StlMemory(const ScanProgram& program, const PlcOptions& options, bool wide_integers,
-                     Diagnostics& diagnostics)
-    : program_(program), grafcet_(*program.grafcet) {
+StlMemory::StlMemory(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+                     bool wide_integers, Diagnostics& diagnostics)
+    : grafcet_(grafcet), program_(program) {
     place_interface(options.io, diagnostics);
     place_tables();
     place_integers(wide_integers);
@@ -166,9 +150,10 @@ StlAddress StlMemory::new_bit() {
     return *last_new_bit_;
 }
 
-StlAddress StlMemory::auxiliary_bit(std::size_t number) {
-    while (auxiliary_bits_.size() <= number) auxiliary_bits_.push_back(new_bit());
-    return auxiliary_bits_[number];
+Bit StlMemory::auxiliary_bit(std::uint32_t number) {
+    const Bit bit{BitKind::auxiliary, number};
+    if (bits_.count(bit) == 0) bits_.emplace(bit, new_bit());
+    return bit;
 }
 
 std::uint32_t StlMemory::auxiliary_integer() {
@@ -176,39 +161,24 @@ std::uint32_t StlMemory::auxiliary_integer() {
     return *auxiliary_integer_;
 }
 
-std::string StlMemory::edge_text(std::uint32_t edge) const {
-    return write_expression(grafcet_, grafcet_.expressions, grafcet_.expressions.edges()[edge]);
-}
-
 std::string StlMemory::symbol(Bit bit) const {
+    const std::string name = name_in_chart(grafcet_, bit);
     switch (bit.kind) {
-        case BitKind::input:
-            return grafcet_.inputs[InputId{bit.index}].name;
-        case BitKind::control:
-            return std::string(input_name(grafcet_, grafcet_.inputs.size() + bit.index));
-        case BitKind::output:
-            return grafcet_.outputs[OutputId{bit.index}].name;
-        case BitKind::var:
-            return grafcet_.vars[VarId{bit.index}].name;
         case BitKind::step:
-            return "X" + grafcet_.steps[StepId{bit.index}].name;
+            return "X" + name;
         case BitKind::transition:
-            return fmt::format("({})", grafcet_.transitions[TransitionId{bit.index}].name);
-        case BitKind::may_evolve:
-            return fmt::format("Tfig[{}]", grafcet_.graphs[GraphId{bit.index}].name);
-        case BitKind::edge:
-            return edge_text(bit.index);
+            return fmt::format("({})", name);
         case BitKind::edge_memory:
-            return "memory of " + edge_text(bit.index);
-        case BitKind::time_value:
-            return write_expression(grafcet_, grafcet_.expressions,
-                                    grafcet_.expressions.time_conditions()[bit.index]);
+            return "memory of " + name;
         case BitKind::scratch:
-            return fmt::format("held {}", bit.index);
+            return "held " + name;
+        case BitKind::auxiliary:
+            return "auxiliary";
         default:
-            return fmt::format("{}[{}]", table_word(bit.kind),
-                               grafcet_.steps[StepId{bit.index}].name);
+            break;
     }
+    const std::string_view table = table_name(bit.kind);
+    return table.empty() ? name : fmt::format("{}[{}]", table, name);
 }
 
 std::string StlMemory::symbol(IntegerCell cell) const {

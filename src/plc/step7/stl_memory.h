@@ -28,8 +28,8 @@ struct StlAddress {
 class StlMemory {
   public:
     /// Errors: an address that an input or output cannot have.
-    StlMemory(const ScanProgram& program, const PlcOptions& options, bool wide_integers,
-              Diagnostics& diagnostics);
+    StlMemory(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+              bool wide_integers, Diagnostics& diagnostics);
 
     static constexpr std::uint32_t first_byte = 10;
     static constexpr std::uint32_t last_byte = 8191;  ///< of an S7-400's M at most
@@ -50,7 +50,7 @@ class StlMemory {
     /// A bit that nothing has yet.
     StlAddress new_bit();
     /// A bit, or an integer, that holds a value for a few instructions.
-    StlAddress auxiliary_bit(std::size_t number);
+    Bit auxiliary_bit(std::uint32_t number);
     std::uint32_t auxiliary_integer();
     std::uint32_t end() const { return end_; }
     /// An error where more memory is in use than there is.
@@ -67,16 +67,14 @@ class StlMemory {
     void place_bits();
     std::uint32_t take_bytes(std::uint32_t count, std::uint32_t alignment);
     void take_bits(BitKind kind, std::size_t count);
-    std::string edge_text(std::uint32_t edge) const;
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     std::array<std::uint32_t, bit_kind_count> tables_{};
     std::uint32_t table_bytes_ = 0;
     std::map<Bit, StlAddress> bits_;
     std::map<IntegerCell, std::uint32_t> integers_;
     std::optional<StlAddress> last_new_bit_;
-    std::vector<StlAddress> auxiliary_bits_;
     std::optional<std::uint32_t> auxiliary_integer_;
     std::uint32_t integer_bytes_ = 2;
     std::uint32_t program_end_ = first_byte;

@@ -22,7 +22,7 @@ constexpr Mnemonic differing[] = {
 }  // namespace
 
 std::string_view StlText::mnemonic(std::string_view simatic) const {
-    if (mnemonics_ == Mnemonics::simatic) return simatic;
+    if (mnemonics_ == s7::Mnemonics::simatic) return simatic;
     for (const Mnemonic& row : differing) {
         if (row.simatic == simatic) return row.international;
     }
@@ -52,8 +52,8 @@ void StlText::label(std::string_view name) {
 
 std::string StlText::operand(StlAddress address) const {
     char area = address.area;
-    if (mnemonics_ == Mnemonics::international && area == 'E') area = 'I';
-    if (mnemonics_ == Mnemonics::international && area == 'A') area = 'Q';
+    if (mnemonics_ == s7::Mnemonics::international && area == 'E') area = 'I';
+    if (mnemonics_ == s7::Mnemonics::international && area == 'A') area = 'Q';
     return fmt::format("{} {}.{}", area, address.byte, address.bit);
 }
 

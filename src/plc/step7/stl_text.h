@@ -12,7 +12,7 @@ namespace grafwire {
 /// SIMATIC mnemonics and written in the mnemonics wanted.
 class StlText {
   public:
-    explicit StlText(Mnemonics mnemonics) : mnemonics_(mnemonics) {}
+    explicit StlText(s7::Mnemonics mnemonics) : mnemonics_(mnemonics) {}
 
     /// A line as it stands.
     void line(std::string_view text) { text_ += std::string(text) + "\n"; }
@@ -33,7 +33,7 @@ class StlText {
   private:
     std::string_view mnemonic(std::string_view simatic) const;
 
-    Mnemonics mnemonics_;
+    s7::Mnemonics mnemonics_;
     std::string text_;
 };
 

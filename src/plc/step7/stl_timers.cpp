@@ -66,6 +66,7 @@ void StlTimers::add(Time duration, bool is_off_delay, Location origin, Diagnosti
 void StlTimers::prepare(const ScanProgram& program, Diagnostics& diagnostics) {
     for (const Statement& statement : program.section(SectionKind::times)) {
         if (statement.kind != Statement::Kind::time) continue;
+        first_.emplace(statement.targets.front().index, timers_.size());
         const bool both = statement.on_delay != 0 && statement.off_delay != 0;
         if (statement.on_delay != 0) add(statement.on_delay, false, statement.origin, diagnostics);
         if (statement.off_delay != 0)
@@ -114,13 +115,13 @@ void StlTimers::write(const Statement& statement) {
         return text_.op("=", value, symbol);
     }
     if (statement.on_delay == 0 || statement.off_delay == 0) {
-        const Timer& timer = timers_[next_++];
+        const Timer& timer = timers_[first_.at(bit.index)];
         run(timer, statement.condition);
         text_.op("U", status(timer));
         return text_.op("=", value, symbol);
     }
-    const Timer& on = timers_[next_++];
-    const Timer& off = timers_[next_++];
+    const Timer& on = timers_[first_.at(bit.index)];
+    const Timer& off = timers_[first_.at(bit.index) + 1];
     const Condition held = bit_condition(bit);
     run(on, and_condition({statement.condition, not_condition(held)}));
     run(off, and_condition({not_condition(statement.condition), held}));

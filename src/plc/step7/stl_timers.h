@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,7 +57,7 @@ class StlTimers {
     StlText& text_;
     StlConditions& conditions_;
     std::vector<Timer> timers_;
-    std::size_t next_ = 0;  ///< the first timer of the next statement
+    std::map<std::uint32_t, std::size_t> first_;  ///< of a time condition
     std::uint32_t s5_used_ = 0;
     std::uint32_t data_blocks_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "grafcet/sum_range.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/section_titles.h"
 #include "plc/step7/stl_conditions.h"
@@ -22,12 +23,12 @@ namespace {
 
 class StlWriter {
   public:
-    StlWriter(const ScanProgram& program, const PlcOptions& options, unsigned integer_bits,
-              Diagnostics& diagnostics)
-        : program_(program),
-          grafcet_(*program.grafcet),
+    StlWriter(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+              unsigned integer_bits, Diagnostics& diagnostics)
+        : grafcet_(grafcet),
+          program_(program),
           integer_bytes_(integer_bits / 8),
-          memory_(program_, options, integer_bits == 32, diagnostics),
+          memory_(grafcet, program_, options, integer_bits == 32, diagnostics),
           text_(options.mnemonics),
           conditions_(memory_, text_, integer_bytes_),
           timers_(memory_, text_, conditions_),
@@ -63,8 +64,8 @@ class StlWriter {
         text_.op(operation, text_.operand(memory_.of(bit)), memory_.symbol(bit));
     }
 
-    const ScanProgram& program_;
     const Grafcet& grafcet_;
+    const ScanProgram& program_;
     std::uint32_t integer_bytes_;
     StlMemory memory_;
     StlText text_;
@@ -291,17 +292,17 @@ std::string StlWriter::write(Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::string write_stl(const ScanProgram& program, const PlcOptions& options,
+std::string write_stl(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                       Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
-    const std::optional<unsigned> bits = integer_bits(needed);
+    const std::optional<unsigned> bits = integer_bits(grafcet, needed);
     if (!bits || *bits > 32) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(needed, 32),
+        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, needed, 32),
                           "an integer needs more than the 32 bits of DINT, the widest of an S7-300 "
                           "or S7-400; make the range of the counter smaller");
         return {};
     }
-    return StlWriter(needed, options, *bits, diagnostics).write(diagnostics);
+    return StlWriter(grafcet, needed, options, *bits, diagnostics).write(diagnostics);
 }
 
 }  // namespace grafwire

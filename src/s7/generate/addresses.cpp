@@ -2,16 +2,18 @@
 
 #include <cassert>
 
+#include "program/bit_names.h"
 #include "s7/make_instruction.h"
 
 namespace grafwire::s7 {
 
-Addresses::Addresses(const ScanProgram& program, const TableLayout& layout, bool wide,
-                     const ResolvedAssignment& assignment,
+Addresses::Addresses(const Grafcet& grafcet, const ScanProgram& program, const TableLayout& layout,
+                     bool wide, const ResolvedAssignment& assignment,
                      const std::vector<TimeConditionTimers>& timers, Width width)
-    : program_(program),
+    : grafcet_(grafcet),
+      program_(program),
       layout_(layout),
-      places_(place_in_tables(*program.grafcet, layout, wide, assignment.places)),
+      places_(place_in_tables(grafcet, layout, wide, assignment.places)),
       width_(width),
       accumulators_{v_word(width, 2)} {
     variables_.keep_clear(10, layout.end());
@@ -35,20 +37,18 @@ void Addresses::place_interface(const ResolvedAssignment& assignment) {
     for (const auto& [bit, operand] : assignment.bits) take(operand);
     for (const auto& [counter, operand] : assignment.counters) take(operand);
     bits_ = assignment.bits;
-    const Grafcet& grafcet = *program_.grafcet;
-    for (std::uint32_t i = 0; i < grafcet.inputs.size(); ++i) place({BitKind::input, i}, inputs_);
+    for (std::uint32_t i = 0; i < grafcet_.inputs.size(); ++i) place({BitKind::input, i}, inputs_);
     for (std::uint32_t c = 0; c < control_input_count; ++c) {
         if (!reads_control(program_, static_cast<ControlInput>(c))) continue;
         place({BitKind::control, c}, inputs_);
     }
-    for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
+    for (std::uint32_t o = 0; o < grafcet_.outputs.size(); ++o) {
         place({BitKind::output, o}, outputs_);
     }
 }
 
 void Addresses::place_bits(const std::vector<TimeConditionTimers>& timers) {
-    const Grafcet& grafcet = *program_.grafcet;
-    for (std::uint32_t e = 0; e < grafcet.expressions.edges().size(); ++e) {
+    for (std::uint32_t e = 0; e < grafcet_.expressions.edges().size(); ++e) {
         place({BitKind::edge_memory, e}, variables_);
         place({BitKind::edge, e}, variables_);
     }
@@ -60,14 +60,14 @@ void Addresses::place_bits(const std::vector<TimeConditionTimers>& timers) {
             place(value, variables_);
         }
     }
-    for (std::uint32_t v = 0; v < grafcet.vars.size(); ++v) place({BitKind::var, v}, variables_);
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) place({BitKind::var, v}, variables_);
     for (std::uint32_t s = 0; s < program_.scratch_bits; ++s) {
         place({BitKind::scratch, s}, variables_);
     }
 }
 
 void Addresses::place_integers(const ResolvedAssignment& assignment) {
-    for (std::uint32_t c = 0; c < program_.grafcet->counters.size(); ++c) {
+    for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         const auto assigned = assignment.counters.find(c);
         integers_.emplace(IntegerCell{false, c}, assigned != assignment.counters.end()
                                                      ? assigned->second
@@ -83,31 +83,14 @@ Operand Addresses::table_bit(std::uint32_t first_byte, std::uint32_t place) cons
 }
 
 Operand Addresses::operator[](Bit bit) const {
-    switch (bit.kind) {
-        case BitKind::step:
-        case BitKind::previous:
-        case BitKind::pulse:
-        case BitKind::activate:
-        case BitKind::deactivate:
-        case BitKind::forced_on:
-        case BitKind::forced_off:
-            return table_bit(layout_.first_byte(bit.kind), places_.steps[bit.index]);
-        case BitKind::transition:
-            return table_bit(layout_.transitions, places_.transitions[bit.index]);
-        case BitKind::may_evolve:
-            return table_bit(layout_.graphs, places_.graphs[bit.index]);
-        case BitKind::input:
-        case BitKind::control:
-        case BitKind::output:
-        case BitKind::var:
-        case BitKind::edge:
-        case BitKind::edge_memory:
-        case BitKind::time_value:
-        case BitKind::scratch:
-            break;
+    if (is_step_table(bit.kind)) {
+        return table_bit(layout_.first_byte(bit.kind), places_.steps[bit.index]);
     }
-    if (bit.kind == BitKind::scratch && bit.index >= program_.scratch_bits) {
-        return working_[bit.index - program_.scratch_bits];
+    if (bit.kind == BitKind::transition) {
+        return table_bit(layout_.transitions, places_.transitions[bit.index]);
+    }
+    if (bit.kind == BitKind::may_evolve) {
+        return table_bit(layout_.graphs, places_.graphs[bit.index]);
     }
     return bits_.at(bit);
 }
@@ -116,9 +99,10 @@ Operand Addresses::operator[](IntegerCell integer) const {
     return integers_.at(integer);
 }
 
-Operand Addresses::working_bit(std::uint32_t number) {
-    while (working_.size() <= number) working_.push_back(variables_.bit());
-    return working_[number];
+Bit Addresses::working_bit(std::uint32_t number) {
+    const Bit bit{BitKind::auxiliary, number};
+    place(bit, variables_);
+    return bit;
 }
 
 Operand Addresses::accumulator(std::size_t number) {

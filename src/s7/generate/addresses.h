@@ -21,14 +21,14 @@ namespace grafwire::s7 {
 class Addresses {
   public:
     /// `width` is that of all integers: word or dword.
-    Addresses(const ScanProgram& program, const TableLayout& layout, bool wide,
-              const ResolvedAssignment& assignment, const std::vector<TimeConditionTimers>& timers,
-              Width width);
+    Addresses(const Grafcet& grafcet, const ScanProgram& program, const TableLayout& layout,
+              bool wide, const ResolvedAssignment& assignment,
+              const std::vector<TimeConditionTimers>& timers, Width width);
 
     Operand operator[](Bit bit) const;
     Operand operator[](IntegerCell integer) const;
-    /// Bits that hold a part of a condition within one statement, numbered from 0.
-    Operand working_bit(std::uint32_t number);
+    /// A bit that holds a part of a condition within one statement, numbered from 0.
+    Bit working_bit(std::uint32_t number);
     /// The two places in which sums are worked out: VW2 and VW4; or VD2 and a double word.
     Operand accumulator(std::size_t number);
 
@@ -44,6 +44,7 @@ class Addresses {
     void place(Bit bit, FreeBits& memory);
     Operand table_bit(std::uint32_t first_byte, std::uint32_t place) const;
 
+    const Grafcet& grafcet_;
     const ScanProgram& program_;
     TableLayout layout_;
     TablePlaces places_;
@@ -53,7 +54,6 @@ class Addresses {
     FreeBits variables_{Area::variable, 6};
     std::map<Bit, Operand> bits_;  ///< all that are in no table
     std::map<IntegerCell, Operand> integers_;
-    std::vector<Operand> working_;
     std::vector<Operand> accumulators_;
 };
 

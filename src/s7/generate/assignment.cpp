@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "grafcet/write_grafcet.h"
-#include "s7/operand_text.h"
+#include "s7/addresses/operand_text.h"
 
 namespace grafwire::s7 {
 

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "program/program.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/generate/tables.h"
-#include "s7/io_assignment.h"
 #include "text/diagnostics.h"
 
 namespace grafwire::s7 {

@@ -77,13 +77,32 @@ bool is_operand(const Sum& sum) {
     return is_constant(sum) || (sum.size() == 1 && !sum[0].negative);
 }
 
-Condition ConditionWriter::prepare(const Condition& condition, const std::string& comment) {
-    comment_ = comment;
-    working_bits_ = 0;
-    return lower(condition);
-}
+namespace {
 
-Condition ConditionWriter::lower(const Condition& condition) {
+/// Brings one condition into a form that load() can write.
+class Lowering {
+  public:
+    Lowering(const ConditionWriter& writer, Addresses& addresses, NetworkList& networks,
+             const std::string& comment)
+        : writer_(writer), addresses_(addresses), networks_(networks), comment_(comment) {}
+
+    Condition lower(const Condition& condition);
+
+  private:
+    Condition lower_exclusive_or(const Condition& condition);
+    Condition lower_comparison(const Comparison& comparison);
+    /// A network that keeps the value of a lowered condition in a working bit.
+    Condition keep(const Condition& condition);
+    Condition new_working_bit();
+
+    const ConditionWriter& writer_;
+    Addresses& addresses_;
+    NetworkList& networks_;
+    const std::string& comment_;
+    std::uint32_t working_bits_ = 0;
+};
+
+Condition Lowering::lower(const Condition& condition) {
     switch (condition.kind) {
         case Kind::constant:
         case Kind::bit:
@@ -115,7 +134,7 @@ Condition ConditionWriter::lower(const Condition& condition) {
 }
 
 /// Two operands at a time; of three or more, what is known so far waits in a working bit.
-Condition ConditionWriter::lower_exclusive_or(const Condition& condition) {
+Condition Lowering::lower_exclusive_or(const Condition& condition) {
     bool complemented = false;
     std::vector<Condition> literals;
     for (const Condition& written : condition.operands) {
@@ -138,7 +157,7 @@ Condition ConditionWriter::lower_exclusive_or(const Condition& condition) {
     return complemented ? not_condition(std::move(result)) : result;
 }
 
-Condition ConditionWriter::lower_comparison(const Comparison& comparison) {
+Condition Lowering::lower_comparison(const Comparison& comparison) {
     Condition result;
     result.kind = Kind::comparison;
     result.comparison = comparison;
@@ -157,11 +176,12 @@ Condition ConditionWriter::lower_comparison(const Comparison& comparison) {
     std::vector<Instruction> sums{make(Operation::load, {always_on()})};
     for (const Sum* side : {&sides.left, &sides.right}) {
         if (is_operand(*side)) {
-            operands.push_back(operand_of(*side));
+            operands.push_back(writer_.operand_of(*side));
             continue;
         }
         const Operand accumulator = addresses_.accumulator(operands.size());
-        for (Instruction& part : work_out(*side, accumulator)) sums.push_back(std::move(part));
+        for (Instruction& part : writer_.work_out(*side, accumulator))
+            sums.push_back(std::move(part));
         operands.push_back(accumulator);
     }
     networks_.add(Part::chart, comment_ + ": the sums", std::move(sums));
@@ -175,17 +195,22 @@ Condition ConditionWriter::lower_comparison(const Comparison& comparison) {
     return opposite ? not_condition(std::move(bit)) : bit;
 }
 
-Condition ConditionWriter::new_working_bit() {
-    addresses_.working_bit(working_bits_);
-    return bit_condition({BitKind::scratch, program_.scratch_bits + working_bits_++});
+Condition Lowering::new_working_bit() {
+    return bit_condition(addresses_.working_bit(working_bits_++));
 }
 
-Condition ConditionWriter::keep(const Condition& condition) {
-    std::vector<Instruction> instructions = load(condition);
+Condition Lowering::keep(const Condition& condition) {
+    std::vector<Instruction> instructions = writer_.load(condition);
     Condition bit = new_working_bit();
     instructions.push_back(make(Operation::assign, {addresses_[bit.bit]}));
     networks_.add(Part::chart, "a part of " + comment_, std::move(instructions));
     return bit;
+}
+
+}  // namespace
+
+Condition ConditionWriter::prepare(const Condition& condition, const std::string& comment) {
+    return Lowering(*this, addresses_, networks_, comment).lower(condition);
 }
 
 Operand ConditionWriter::operand_of(const Sum& sum) const {

@@ -14,8 +14,8 @@ namespace grafwire::s7 {
 /// condition_writer.cpp).
 class ConditionWriter {
   public:
-    ConditionWriter(const ScanProgram& program, Addresses& addresses, NetworkList& networks)
-        : program_(program), addresses_(addresses), networks_(networks) {}
+    ConditionWriter(Addresses& addresses, NetworkList& networks)
+        : addresses_(addresses), networks_(networks) {}
 
     /// The condition in a form that load() can write: whatever takes networks of its own (exclusive
     /// or, sums, a stack too deep) goes into networks before, which leave it in a working bit.
@@ -31,21 +31,12 @@ class ConditionWriter {
     Operand operand_of(const Sum& sum) const;
 
   private:
-    Condition lower(const Condition& condition);
-    Condition lower_exclusive_or(const Condition& condition);
-    Condition lower_comparison(const Comparison& comparison);
-    /// A network that keeps the value of a prepared condition in a working bit.
-    Condition keep(const Condition& condition);
-    Condition new_working_bit();
     void load(const Condition& condition, std::vector<Instruction>& out) const;
     void combine(Condition::Kind kind, const Condition& operand,
                  std::vector<Instruction>& out) const;
 
-    const ScanProgram& program_;
     Addresses& addresses_;
     NetworkList& networks_;
-    std::string comment_;
-    std::uint32_t working_bits_ = 0;
 };
 
 /// Whether a sum is one counter, not negated, or one number.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "grafcet/sum_range.h"
+
 namespace grafwire::s7 {
 
 namespace {
@@ -18,9 +20,9 @@ bool fits(const IntegerRange& range) {
 /// Looks at every sum of a program.
 class SumSurvey {
   public:
-    SumSurvey(const ScanProgram& program, Diagnostics& diagnostics)
-        : program_(program), diagnostics_(diagnostics) {
-        for (const Counter& counter : program.grafcet->counters) {
+    SumSurvey(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
+        : grafcet_(grafcet), program_(program), diagnostics_(diagnostics) {
+        for (const Counter& counter : grafcet.counters) {
             note({counter.low, counter.high}, "counter '" + counter.name + "'", counter.where);
         }
         for (const std::vector<Statement>& section : program.sections) {
@@ -46,7 +48,7 @@ class SumSurvey {
     }
 
     void survey(const Sum& sum, const Statement& statement) {
-        const std::optional<IntegerRange> range = range_of(*program_.grafcet, sum);
+        const std::optional<IntegerRange> range = range_of(grafcet_, sum);
         if (range) {
             note(*range, "a sum in '" + statement.comment + "'", statement.origin);
         } else {
@@ -67,6 +69,7 @@ class SumSurvey {
                         what));
     }
 
+    const Grafcet& grafcet_;
     const ScanProgram& program_;
     Diagnostics& diagnostics_;
     bool wide_ = false;
@@ -74,16 +77,16 @@ class SumSurvey {
 
 }  // namespace
 
-std::optional<Width> integer_width(const ScanProgram& program, const ResolvedAssignment& assignment,
-                                   Diagnostics& diagnostics) {
+std::optional<Width> integer_width(const Grafcet& grafcet, const ScanProgram& program,
+                                   const ResolvedAssignment& assignment, Diagnostics& diagnostics) {
     const std::size_t errors_before = diagnostics.error_count();
-    bool wide = SumSurvey(program, diagnostics).needs_double_words();
+    bool wide = SumSurvey(grafcet, program, diagnostics).needs_double_words();
     for (const auto& [counter, operand] : assignment.counters) {
         wide = wide || operand.width == Width::dword;
     }
     for (const auto& [index, operand] : assignment.counters) {
         if (!wide || operand.width == Width::dword) continue;
-        const Counter& counter = program.grafcet->counters[CounterId{index}];
+        const Counter& counter = grafcet.counters[CounterId{index}];
         diagnostics.error(
             Code::beyond_limit, counter.where,
             fmt::format("counter '{}' needs a double word in the assignment (VD instead of VW): a "
@@ -93,21 +96,6 @@ std::optional<Width> integer_width(const ScanProgram& program, const ResolvedAss
     }
     if (diagnostics.error_count() != errors_before) return std::nullopt;
     return wide ? Width::dword : Width::word;
-}
-
-IntegerRange final_range(const Grafcet& grafcet, const Sum& sum) {
-    IntegerRange range;
-    for (const SumTerm& term : sum) {
-        IntegerRange part{term.value, term.value};
-        if (term.counter != SumTerm::no_counter) {
-            const Counter& counter = grafcet.counters[CounterId{term.counter}];
-            part = {counter.low, counter.high};
-        }
-        if (term.negative) part = {-part.high, -part.low};
-        range.low += part.low;
-        range.high += part.high;
-    }
-    return range;
 }
 
 }  // namespace grafwire::s7

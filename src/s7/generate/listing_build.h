@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "grafcet/sum_range.h"
 #include "program/program.h"
 #include "s7/generate/addresses.h"
 #include "s7/generate/condition_writer.h"
@@ -14,17 +15,18 @@ namespace grafwire::s7 {
 /// Makes the networks of a listing (see listing_from.cpp); the members are what its parts share.
 class ListingBuild {
   public:
-    ListingBuild(const ScanProgram& program, Addresses& addresses,
+    ListingBuild(const Grafcet& grafcet, const ScanProgram& program, Addresses& addresses,
                  const std::vector<TimeConditionTimers>& timers)
-        : program_(program),
+        : grafcet_(grafcet),
+          program_(program),
           addresses_(addresses),
           timers_(timers),
-          conditions_(program, addresses, networks_) {}
+          conditions_(addresses, networks_) {}
 
     NetworkList make_networks();
 
   private:
-    // listing_skeleton.cpp
+    // listing_sections.cpp
     void main_program();
     void subroutine(int number, std::string comment);
     void call(int number, std::string comment);
@@ -39,7 +41,6 @@ class ListingBuild {
     void fill(std::int64_t value, std::uint32_t first, std::uint32_t bytes,
               std::vector<Instruction>& out) const;
 
-    // listing_start.cpp
     void make_start();
     void make_initial_steps();
     void make_initialisation();
@@ -47,7 +48,6 @@ class ListingBuild {
     std::vector<Operand> bits_to_clear() const;
     void reset_timers();
 
-    // listing_sections.cpp
     void make_plain(SectionKind section);
     void make_evolution();
     void make_orders();
@@ -61,6 +61,7 @@ class ListingBuild {
     void write_time(const Statement& statement);
     void add(const std::string& comment, const Condition& condition, std::vector<Instruction> work);
 
+    const Grafcet& grafcet_;
     const ScanProgram& program_;
     Addresses& addresses_;
     const std::vector<TimeConditionTimers>& timers_;

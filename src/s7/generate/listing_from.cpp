@@ -75,8 +75,7 @@ class InterfaceCheck {
     Diagnostics& diagnostics_;
 };
 
-void check_interface(const ScanProgram& program, InterfaceCheck check) {
-    const Grafcet& grafcet = *program.grafcet;
+void check_interface(const Grafcet& grafcet, const ScanProgram& program, InterfaceCheck check) {
     for (std::uint32_t i = 0; i < grafcet.inputs.size(); ++i) {
         const Input& input = grafcet.inputs.items()[i];
         check.check({BitKind::input, i}, input.name, input.where);
@@ -115,9 +114,9 @@ void check_memory(const Addresses& addresses, const NetworkList& networks,
 
 }  // namespace
 
-std::optional<AssignedListing> listing_from(const ScanProgram& given, const ListingOptions& options,
+std::optional<AssignedListing> listing_from(const Grafcet& grafcet, const ScanProgram& given,
+                                            const ListingOptions& options,
                                             Diagnostics& diagnostics) {
-    const Grafcet& grafcet = *given.grafcet;
     if (!options.wide_tables) check_tables(grafcet, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
 
@@ -129,22 +128,24 @@ std::optional<AssignedListing> listing_from(const ScanProgram& given, const List
     const ScanProgram program =
         is_assigned ? without_unassigned_controls(given, assignment) : given;
     const Cpu cpu = options.cpu.value_or(Cpu::cpu_214);
-    const auto timers = plan_timers(program, cpu, diagnostics);
-    const auto width = integer_width(program, assignment, diagnostics);
+    const auto timers = plan_timers(grafcet, program, cpu, diagnostics);
+    const auto width = integer_width(grafcet, program, assignment, diagnostics);
     if (diagnostics.has_errors() || !width) return std::nullopt;
-    Addresses addresses(program, options.wide_tables ? wide_tables(grafcet) : standard_tables(),
+    Addresses addresses(grafcet, program,
+                        options.wide_tables ? wide_tables(grafcet) : standard_tables(),
                         options.wide_tables, assignment, timers, *width);
     check_interface(
-        program, InterfaceCheck(addresses, cpu, is_assigned ? &assignment : nullptr, diagnostics));
+        grafcet, program,
+        InterfaceCheck(addresses, cpu, is_assigned ? &assignment : nullptr, diagnostics));
 
     // The networks, and what they take.
-    NetworkList networks = ListingBuild(program, addresses, timers).make_networks();
+    NetworkList networks = ListingBuild(grafcet, program, addresses, timers).make_networks();
     check_memory(addresses, networks, options.cpu, program.has_modes, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     AssignedListing result;
-    result.assignment = assignment_of(program, addresses);
+    result.assignment = assignment_of(grafcet, program, addresses);
     result.listing.head =
-        head_of(program, addresses, result.assignment, networks, options.mnemonics);
+        head_of(grafcet, addresses, result.assignment, networks, options.mnemonics);
     result.listing.networks = networks.take();
     return result;
 }

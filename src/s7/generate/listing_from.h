@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "program/program.h"
-#include "s7/cpu.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/cpu.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
 
@@ -34,7 +34,7 @@ struct AssignedListing {
 /// the parts of the chart in their places, and at its head the assignment and what memory it takes.
 /// Limits that are exceeded (steps, transitions, graphs, inputs, outputs, timers, integers, memory)
 /// are errors in `diagnostics`, with what to do; empty then.
-std::optional<AssignedListing> listing_from(const ScanProgram& program,
+std::optional<AssignedListing> listing_from(const Grafcet& grafcet, const ScanProgram& program,
                                             const ListingOptions& options,
                                             Diagnostics& diagnostics);
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 
 namespace grafwire::s7 {
 
@@ -29,14 +29,14 @@ bool has_timers(const CpuRow& cpu, const NetworkList& networks) {
     return true;
 }
 
-void tell_memory(const ScanProgram& program, const Addresses& addresses,
-                 const NetworkList& networks, std::vector<std::string>& head) {
+void tell_memory(const Grafcet& grafcet, const Addresses& addresses, const NetworkList& networks,
+                 std::vector<std::string>& head) {
     const std::uint32_t skeleton = networks.size_of_part(Part::skeleton);
     const std::uint32_t chart = networks.size_of_part(Part::chart);
     head.push_back(
         fmt::format("Program memory: {} bytes; {} of them are the skeleton of the method.",
                     skeleton + chart, skeleton));
-    if (const std::size_t steps = program.grafcet->steps.size(); steps != 0) {
+    if (const std::size_t steps = grafcet.steps.size(); steps != 0) {
         head.push_back(fmt::format("The chart takes {} bytes, {:.1f} a step (usual: {}).", chart,
                                    static_cast<double>(chart) / static_cast<double>(steps),
                                    usual_step_bytes));
@@ -80,8 +80,8 @@ void tell_tables(const Addresses& addresses, std::vector<std::string>& head) {
 
 }  // namespace
 
-IoAssignment assignment_of(const ScanProgram& program, const Addresses& addresses) {
-    const Grafcet& grafcet = *program.grafcet;
+IoAssignment assignment_of(const Grafcet& grafcet, const ScanProgram& program,
+                           const Addresses& addresses) {
     IoAssignment assignment;
     std::set<std::string> names;
     const auto add = [&](std::string name, const Operand& operand) {
@@ -117,15 +117,14 @@ IoAssignment assignment_of(const ScanProgram& program, const Addresses& addresse
     return assignment;
 }
 
-std::vector<std::string> head_of(const ScanProgram& program, const Addresses& addresses,
+std::vector<std::string> head_of(const Grafcet& grafcet, const Addresses& addresses,
                                  const IoAssignment& assignment, const NetworkList& networks,
                                  Mnemonics mnemonics) {
-    const Grafcet& grafcet = *program.grafcet;
     std::vector<std::string> head;
     head.push_back(grafcet.title.empty() ? grafcet.name : grafcet.name + ": " + grafcet.title);
     head.push_back("A GRAFCET by the table method of Cordier (1998) for Siemens S7-200.");
     head.push_back("");
-    tell_memory(program, addresses, networks, head);
+    tell_memory(grafcet, addresses, networks, head);
     head.push_back("");
     tell_tables(addresses, head);
     head.push_back("");

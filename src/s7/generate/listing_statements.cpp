@@ -75,7 +75,6 @@ void ListingBuild::write_set_or_reset(const Statement& statement) {
 /// A value that may lie outside the range of its counter is worked out and held within it in the
 /// accumulator, whatever the condition; the condition decides whether it is taken.
 void ListingBuild::write_move(const Statement& statement) {
-    const Grafcet& grafcet = *program_.grafcet;
     const Width width = addresses_.width();
     const Condition condition = conditions_.prepare(statement.condition, statement.comment);
     const Operand target = addresses_[statement.integer];
@@ -87,7 +86,7 @@ void ListingBuild::write_move(const Statement& statement) {
         take(addresses_[statement.source]);
         return;
     }
-    const IntegerRange range = final_range(grafcet, statement.sum);
+    const IntegerRange range = value_range(grafcet_, statement.sum);
     if (range.low == range.high) {
         take(constant_operand(std::clamp(range.low, statement.low, statement.high)));
         return;

@@ -76,9 +76,9 @@ bool TimeConditionTimers::timer_is_value() const {
     return on && !off && timer_kind(on->number).tick > millisecond;
 }
 
-std::vector<TimeConditionTimers> plan_timers(const ScanProgram& program, Cpu cpu,
-                                             Diagnostics& diagnostics) {
-    std::vector<TimeConditionTimers> timers(program.grafcet->expressions.time_conditions().size());
+std::vector<TimeConditionTimers> plan_timers(const Grafcet& grafcet, const ScanProgram& program,
+                                             Cpu cpu, Diagnostics& diagnostics) {
+    std::vector<TimeConditionTimers> timers(grafcet.expressions.time_conditions().size());
     std::vector<Wanted> wanted;
     const auto want = [&](const Statement& statement, Time length, std::optional<Delay>& result) {
         if (length == 0) return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "program/program.h"
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 #include "text/diagnostics.h"
 
 namespace grafwire::s7 {
@@ -29,7 +29,7 @@ struct TimeConditionTimers {
 /// Gives every delay a timer, the coarsest that counts it exactly: 100 ms rather than 10 ms rather
 /// than 1 ms. Delays that only a fine timer counts choose first. Errors: a delay that no timer
 /// counts, or no timer left.
-std::vector<TimeConditionTimers> plan_timers(const ScanProgram& program, Cpu cpu,
-                                             Diagnostics& diagnostics);
+std::vector<TimeConditionTimers> plan_timers(const Grafcet& grafcet, const ScanProgram& program,
+                                             Cpu cpu, Diagnostics& diagnostics);
 
 }  // namespace grafwire::s7

@@ -6,7 +6,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "s7/operand_text.h"
+#include "s7/addresses/operand_text.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {

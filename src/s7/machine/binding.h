@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
-#include "s7/io_assignment.h"
+#include "s7/addresses/io_assignment.h"
 #include "s7/machine/machine.h"
 #include "trace/stimuli.h"
 

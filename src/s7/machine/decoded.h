@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 #include "s7/listing.h"
 #include "text/time.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "logic/logic.h"
-#include "s7/cpu.h"
+#include "s7/addresses/cpu.h"
 #include "s7/listing.h"
 #include "text/time.h"
 
