@@ -29,7 +29,7 @@ class ExactSum {
 };
 
 /// Reads expressions in a state under given inputs. Steps are read in `situation`, edges and time
-/// conditions in their tables, all as they are at the moment of the call.
+/// conditions in their tables, all as they are at the time of the call.
 ///
 /// What is decided without an input does not look at it: operands are read from left to right, and
 /// none after the one that settles an AND or an OR. Every look at an input goes through input(),

@@ -26,7 +26,7 @@ struct EvolutionState {
     BitTable edge_memory;  ///< per edge (Expressions::edges): its operand at the last evaluation
     BitTable edges;        ///< per edge: its value in the last scan
     BitTable time_values;  ///< per time condition (Expressions::time_conditions): its value
-    /// Per time condition: the moment at which its value changes if its operand stays as it is;
+    /// Per time condition: the time at which its value changes if its operand stays as it is;
     /// `never` where no delay is running.
     std::vector<Time> due;
 
@@ -69,7 +69,7 @@ class Evolution {
     /// SBR 0: the state before the first scan, which is about to read these inputs.
     EvolutionState start(const EvolutionInputs& inputs) const;
 
-    /// SBR 1 to SBR 8 (but for the continuous outputs): one scan at moment `now`. Delays that have
+    /// SBR 1 to SBR 8 (but for the continuous outputs): one scan at time `now`. Delays that have
     /// fallen due by then take effect in SBR 6.
     void scan(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
 

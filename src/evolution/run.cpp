@@ -67,7 +67,7 @@ class Runner {
         }
     }
 
-    /// The first moment after the present one at which something can happen.
+    /// The first time after the present at which something can happen.
     Time next_instant() const {
         Time next = std::min(end_, player_.next_change());
         for (const Time due : state_.due) next = std::min(next, due);

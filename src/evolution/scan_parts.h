@@ -14,7 +14,7 @@ struct ScanContext {
     const Grafcet& grafcet;
     const EvolutionTables& tables;
     EvolutionState& state;
-    Evaluator read;  ///< reads `state` as it is at the moment
+    Evaluator read;  ///< reads `state` as it is at the time
     Time now;
 };
 

@@ -1,6 +1,6 @@
 // Time conditions (SBR 6).
 //
-// `t1/e/t2` has a value and at most one running delay, kept as the moment `due` at which the value
+// `t1/e/t2` has a value and at most one running delay, kept as the time `due` at which the value
 // changes if e stays as it is. While e differs from the value a delay runs (t1 upwards, t2
 // downwards); when e is back at the value the delay is dropped, and the next one starts anew:
 //
@@ -14,7 +14,7 @@
 // a delay that ends exactly at an instant takes effect at its beginning, before SBR 1, so that the
 // receptivities of the first repetition see it beside the inputs that changed with it; again only
 // if e still asks for it, under the new inputs. So both ways of running agree on a delay whose
-// operand changes at the very moment at which it would have ended.
+// operand changes at the very time at which it would have ended.
 
 #include "evolution/scan_parts.h"
 

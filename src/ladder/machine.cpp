@@ -1,3 +1,7 @@
+// What a ladder diagram remembers between two scans, and how little of it counts: a variable that
+// is always written before it is read in a scan carries nothing over, so states that differ in such
+// variables alone are one (the liveness of compilers, for programs without jumps).
+
 #include "ladder/machine.h"
 
 #include <algorithm>

@@ -1,3 +1,11 @@
+// One scan of a ladder diagram: the networks from top to bottom, in each the power that flows
+// through contacts and comparisons, then the blocks it passes, then the coils it reaches (IEC
+// 61131-3:2013, 8.2).
+//
+// Bits go on in three values as long as they can. What keeps time, counts or calculates has to know
+// whether it runs: where the power before it is unknown, the scan ends there and names an input on
+// which the power depends. An edge is a bit like others, of the operand and what it was last time.
+
 #include "ladder/scan.h"
 
 #include <algorithm>

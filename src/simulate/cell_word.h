@@ -36,7 +36,7 @@ inline constexpr unsigned value_at = 54;
 inline constexpr CellWord value_bits = CellWord{3} << value_at;
 /// Evaluated otherwise than by the table.
 inline constexpr CellWord special_flag = CellWord{1} << 56U;
-/// In the list of cells to be evaluated at the end of the moment.
+/// In the list of cells to be evaluated at the end of the tick.
 inline constexpr CellWord touched_flag = CellWord{1} << 57U;
 inline constexpr CellWord forced_flag = CellWord{1} << 58U;
 /// An input port.

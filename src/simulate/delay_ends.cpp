@@ -1,6 +1,6 @@
-// At the moment at which a delay ends, inputs may change as well. The reference reads the operand
+// When a delay ends, inputs may change as well. The reference reads the operand
 // of the time condition under the new inputs, on the situation as it was, and lets the delay end or
-// not; only then does it evolve. Gates have no such order: an input that falls at that moment makes
+// not; only then does it evolve. Gates have no such order: an input that falls at that time makes
 // its way to the timer in a few nanoseconds. So the operand is worked out here, beside the
 // simulation: from the inputs as they are now and the memories as they are, through the logic in
 // between. A memory is a cell that has one, or a net on a loop of gates (loops.h), which is one.

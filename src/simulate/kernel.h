@@ -117,7 +117,7 @@ class Simulator::Kernel {
     template <bool uniform, bool observed>
     void watch(Settling& settling);
     template <bool uniform, bool observed, bool watched>
-    void next_moment(RecurrenceWatch* watch);
+    void next_tick(RecurrenceWatch* watch);
     template <bool observed, bool watched>
     void apply_current(RecurrenceWatch* watch);
     template <bool observed, bool watched>
@@ -140,7 +140,7 @@ class Simulator::Kernel {
     void drop_pending(std::uint32_t net);
     void drop_all_pending();
     void take_snapshot(Snapshot& snapshot);
-    bool is_broken_off(std::uint64_t moments, Settling& settling) const;
+    bool is_broken_off(std::uint64_t ticks, Settling& settling) const;
     bool is_live() const { return next_.size != 0 || live_ != 0; }
 
     // memory_cells.cpp
@@ -225,7 +225,7 @@ class Simulator::Kernel {
     std::vector<Time> fall_delays_;
     std::vector<Time> due_;
     std::vector<Logic> towards_;  ///< per timer: what its output takes when the delay ends
-    std::vector<std::uint32_t> look_ahead_nodes_;  ///< those that depend on the present moment
+    std::vector<std::uint32_t> look_ahead_nodes_;  ///< those that depend on the present time
 
     bool pulses_held_ = false;
     bool pulses_remember_ = false;

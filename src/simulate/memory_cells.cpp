@@ -2,8 +2,8 @@
 // their own.
 //
 // Clocked cells take their data as it was when they were last evaluated before the clock's rise:
-// any change of the data pin evaluates them, so that is the value of the moment before. While the
-// clock is unknown it may rise at any moment, and take the data as it was until now or as it is
+// any change of the data pin evaluates them, so that is the value of the tick before. While the
+// clock is unknown it may rise at any time, and take the data as it was until now or as it is
 // from now on.
 //
 // A timer whose operand is unknown is taken to have begun its delay, but towards unknown: before it
@@ -11,7 +11,7 @@
 // only at a later instant, the delay may have begun at either, and the output becomes unknown at
 // once. Operands that are unknown for a few nanoseconds after power-up thus do no harm.
 //
-// The look-ahead of a clocked timer keeps the same delay as that timer, from the same moments, and
+// The look-ahead of a clocked timer keeps the same delay as that timer, from the same times, and
 // shows between two rises of the clock what the timer will make of its operand at the next. Where
 // it is not known whether a delay is running, or since when, its delay is lost: none is running,
 // but towards unknown.

@@ -10,7 +10,7 @@
 //
 // The first stretch is long enough for the copies of the state to cost little beside the events.
 //
-// Comparing whole states at every moment would be too slow, so a hash of the values is kept up to
+// Comparing whole states at every tick would be too slow, so a hash of the values is kept up to
 // date at every change (the sum of one number per net and value, after Zobrist). Only where it
 // equals the hash of the kept state are the states themselves compared; the answer never rests on
 // the hash. Numbers that mark the stretch of a net's last change yield the nets of the period.
@@ -38,7 +38,7 @@ RecurrenceWatch::RecurrenceWatch(std::size_t net_count, Snapshot&& present)
 
 void RecurrenceWatch::keep() {
     kept_hash_ = hash_;
-    moments_ = 0;
+    ticks_ = 0;
     stretch_length_ *= 2;
     ++stretch_;
 }

@@ -44,16 +44,16 @@ class RecurrenceWatch {
         changed_in_[net] = stretch_;
     }
 
-    /// To be called after every moment at which something changed. `take(snapshot)` writes down the
+    /// To be called after every tick at which something changed. `take(snapshot)` writes down the
     /// present state. True if it is the one kept for comparison.
     template <typename Take>
     bool came_back(Take take) {
-        ++moments_;
+        ++ticks_;
         if (hash_ == kept_hash_) {
             take(present_);
             if (present_ == kept_) return true;
         }
-        if (moments_ == stretch_length_) {
+        if (ticks_ == stretch_length_) {
             take(kept_);
             keep();
         }
@@ -70,7 +70,7 @@ class RecurrenceWatch {
     Snapshot present_;
     std::uint64_t hash_ = 0;
     std::uint64_t kept_hash_ = 0;
-    std::uint64_t moments_ = 0;  ///< since the kept state
+    std::uint64_t ticks_ = 0;  ///< since the kept state
     std::uint64_t stretch_length_;
     std::uint32_t stretch_ = 1;
     std::vector<std::uint32_t> changed_in_;  ///< per net: the stretch in which it last changed

@@ -1,11 +1,11 @@
 // Pulse cells: after each edge of the input, the output is 1 for the width, a delay later.
 //
 // An edge that may or may not take place at some tick makes the output unknown where it would make
-// it 1. From unknown to unknown there may be an edge at every tick. So from the moment at which the
-// input becomes unknown the output is so too, a delay later, and stays so until the last moment at
+// it 1. From unknown to unknown there may be an edge at every tick. So from the tick at which the
+// input becomes unknown the output is so too, a delay later, and stays so until the last tick at
 // which there may have been an edge is a delay and a width ago. In a state that is restored it is
 // as if the input had been unknown since always: the wiring may be at rest with it, but what is
-// unknown may change at any moment, between two instants as well. The known spans of a pulse have
+// unknown may change at any time, between two instants as well. The known spans of a pulse have
 // ended wherever a state is saved, so the state needs to hold no more than the values.
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void Simulator::Kernel::evaluate_pulse(MemoryCell& cell) {
     if ((words_[cell.node] & forced_flag) == 0) aim_pulse(pulse);
 }
 
-/// Makes the next moment at which the output differs from what it is the pending change.
+/// Makes the next tick at which the output differs from what it is the pending change.
 void Simulator::Kernel::aim_pulse(Pulse& pulse) {
     const std::uint32_t net = memories_[pulse.memory].node;
     const auto consider = [&](Tick tick) {

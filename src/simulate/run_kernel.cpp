@@ -1,8 +1,8 @@
 // How the gates are simulated
 //
 // The method is event-driven selective trace (E. G. Ulrich, "Exclusive simulation of activity in
-// digital networks", CACM 12, 1969) on a timing wheel. Each moment has two phases: first all
-// changes of that moment are applied, then every cell with a changed input is evaluated once. So
+// digital networks", CACM 12, 1969) on a timing wheel. Each tick has two phases: first all
+// changes of that tick are applied, then every cell with a changed input is evaluated once. So
 // simultaneous changes are simultaneous, and the order of cells in the netlist decides nothing.
 //
 // What makes it fast:
@@ -41,10 +41,10 @@ namespace grafwire {
 
 namespace {
 
-/// Moments of one settle() before the watch for oscillation begins; there must also have been twice
+/// Ticks of one settle() before the watch for oscillation begins; there must also have been twice
 /// as many changes as there are nets, for the watch costs as much to set up.
 constexpr std::uint64_t patience = 64;
-constexpr std::uint64_t moments_between_questions = 1024;
+constexpr std::uint64_t ticks_between_questions = 1024;
 
 }  // namespace
 
@@ -207,7 +207,7 @@ void Simulator::Kernel::apply_far(RecurrenceWatch* watch) {
 }
 
 template <bool uniform, bool observed, bool watched>
-inline void Simulator::Kernel::next_moment(RecurrenceWatch* watch) {
+inline void Simulator::Kernel::next_tick(RecurrenceWatch* watch) {
     if constexpr (uniform) {
         tick_ = next_.size != 0 ? tick_ + 1 : wheel_.next_far();
         std::swap(current_, next_);
@@ -222,8 +222,8 @@ inline void Simulator::Kernel::next_moment(RecurrenceWatch* watch) {
 }
 
 /// Asks now and then whether to go on.
-bool Simulator::Kernel::is_broken_off(std::uint64_t moments, Settling& settling) const {
-    if (moments % moments_between_questions != moments_between_questions - 1) return false;
+bool Simulator::Kernel::is_broken_off(std::uint64_t ticks, Settling& settling) const {
+    if (ticks % ticks_between_questions != ticks_between_questions - 1) return false;
     if (!keep_going_ || keep_going_()) return false;
     settling.settled = false;
     settling.broken_off = true;
@@ -235,13 +235,13 @@ Settling Simulator::Kernel::run() {
     Settling settling;
     const std::uint64_t enough = changes_ + 2 * words_.size();
     evaluate_touched<uniform>();
-    for (std::uint64_t moments = 0; is_live(); ++moments) {
-        if (moments >= patience && changes_ >= enough) {
+    for (std::uint64_t ticks = 0; is_live(); ++ticks) {
+        if (ticks >= patience && changes_ >= enough) {
             watch<uniform, observed>(settling);
             break;
         }
-        next_moment<uniform, observed, false>(nullptr);
-        if (is_broken_off(moments, settling)) break;
+        next_tick<uniform, observed, false>(nullptr);
+        if (is_broken_off(ticks, settling)) break;
     }
     if (!is_live()) {
         wheel_.clear();  // entries whose changes were cancelled may be left over
@@ -257,9 +257,9 @@ void Simulator::Kernel::watch(Settling& settling) {
     Snapshot present;
     take_snapshot(present);
     RecurrenceWatch watch(words_.size(), std::move(present));
-    for (std::uint64_t moments = 0; is_live(); ++moments) {
-        next_moment<uniform, observed, true>(&watch);
-        if (is_broken_off(moments, settling)) return;
+    for (std::uint64_t ticks = 0; is_live(); ++ticks) {
+        next_tick<uniform, observed, true>(&watch);
+        if (is_broken_off(ticks, settling)) return;
         if (watch.came_back([this](Snapshot& snapshot) { take_snapshot(snapshot); })) {
             settling.settled = false;
             settling.oscillating = watch.changing();

@@ -4,11 +4,6 @@
 
 namespace grafwire {
 
-CellDelays unit_delays(const Netlist& netlist) {
-    return {std::vector<Time>(netlist.cells.size(), nanosecond),
-            std::vector<Time>(netlist.cells.size(), nanosecond)};
-}
-
 Simulator::Simulator(const Netlist& netlist, const CellDelays& delays)
     : kernel_(std::make_unique<Kernel>(netlist, delays)) {}
 Simulator::~Simulator() = default;

@@ -6,20 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "text/keep_going.h"
 #include "text/time.h"
 
 namespace grafwire {
-
-/// The delay of every cell, per edge of its output. Timers and pulse cells add their own timing.
-struct CellDelays {
-    std::vector<Time> rise;  ///< one per cell, positive
-    std::vector<Time> fall;
-};
-
-/// Every cell takes one unit: a nanosecond either way.
-CellDelays unit_delays(const Netlist& netlist);
 
 /// What came of letting a netlist settle.
 struct Settling {
@@ -51,8 +43,8 @@ struct SimulatorState {
 /// outlive it.
 ///
 /// Unknown. An unknown input stands for any waveform, as long as it is unknown: it may change at
-/// any moment and many times, between two calls of settle() as well. Whatever it does, every net
-/// shows at every moment a value that the simulation with the unknown input allows.
+/// any time and many times, between two calls of settle() as well. Whatever it does, every net
+/// shows at all times a value that the simulation with the unknown input allows.
 ///
 /// Time. Gates work in picoseconds from `now`. The delays of timers count from the instant at which
 /// their operand changed (begin_instant), not from the few nanoseconds later at which the gates had

@@ -12,10 +12,10 @@ namespace grafwire {
 /// Records every net of a netlist while it is simulated.
 class Waveform {
   public:
-    /// `delays` and the moments of the stimuli decide the timescale: nanoseconds where they fit.
+    /// `delays` and the times of the stimuli decide the timescale: nanoseconds where they fit.
     Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds);
 
-    /// Writes down the present values as those of moment 0 and follows the simulator from there.
+    /// Writes down the present values as those of time 0 and follows the simulator from there.
     /// The waveform must stay where it is until the simulator has gone or stop() was called.
     void follow(Simulator& simulator);
     std::string stop(Simulator& simulator, Time end);

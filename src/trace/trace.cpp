@@ -36,7 +36,7 @@ void append_field(std::string& out, std::string_view field) {
     out += '"';
 }
 
-/// The coarsest timescale in which every moment of the trace is a whole number.
+/// The coarsest timescale in which every time in the trace is a whole number.
 Time tick_of(const Trace& trace) {
     for (const Time tick : {millisecond, microsecond, nanosecond}) {
         bool fits = true;

@@ -1,3 +1,6 @@
+// Waveforms as value change dumps (IEEE 1364-2001, clause 18): signals are declared under short
+// identifiers of printable characters, then only changes are written.
+
 #include "trace/vcd_writer.h"
 
 #include <fmt/format.h>

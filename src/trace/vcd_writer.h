@@ -11,12 +11,12 @@
 namespace grafwire {
 
 /// Builds a VCD text (IEEE 1364-2001 clause 18): declare all signals, then begin(), then changes in
-/// the order of time. The timescale is the picosecond where a moment needs it, else as coarse as
+/// the order of time. The timescale is the picosecond where a time needs it, else as coarse as
 /// the caller says. Names with characters VCD cannot hold (white space) have them replaced by `_`;
 /// a name that another signal already bears is followed by `_2`, `_3`, ….
 class VcdWriter {
   public:
-    /// `tick` is the timescale: every moment given later is a whole number of ticks
+    /// `tick` is the timescale: every time given later is a whole number of ticks
     /// (1 ps, 1 ns, 1 us or 1 ms).
     explicit VcdWriter(std::string_view scope, Time tick = 1);
 

@@ -206,8 +206,8 @@ void AsynchronousFrame::make_outputs() {
     }
 }
 
-Netlist make_asynchronous(Equations& equations, PhaseMaker make_phase, unsigned set_depth) {
-    return AsynchronousFrame(equations, make_phase, set_depth).make();
+Netlist make_asynchronous(Equations& equations, PhaseMaker make_phase, Time set_time) {
+    return AsynchronousFrame(equations, make_phase, set_time).make();
 }
 
 }  // namespace grafwire

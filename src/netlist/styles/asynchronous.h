@@ -52,10 +52,10 @@ void make_gates_phase(AsynchronousBuild& build, const PhaseSignals& phase);
 void make_nand_phase(AsynchronousBuild& build, const PhaseSignals& phase);
 void make_nor_phase(AsynchronousBuild& build, const PhaseSignals& phase);
 
-/// The whole netlist of an asynchronous style. `set_depth`: the gates from an input change to the X
-/// it activates, which is also how long a pulse has to last: until the memory holds by itself, and
-/// no longer, lest it reach the step after.
-Netlist make_asynchronous(Equations& equations, PhaseMaker make_phase, unsigned set_depth);
+/// The whole netlist of an asynchronous style. `set_time`: from an input change to that of the X it
+/// activates, which is also how long a pulse has to last: until the memory holds by itself, and no
+/// longer, so that it does not reach the step after.
+Netlist make_asynchronous(Equations& equations, PhaseMaker make_phase, Time set_time);
 
 /// Clocked: see style_clocked.cpp.
 Netlist make_clocked(Equations& equations);

@@ -13,7 +13,7 @@ std::vector<std::uint8_t> writing_steps(const Equations& equations);
 /// Builds one netlist; the members are what its parts share.
 class AsynchronousFrame {
   public:
-    AsynchronousFrame(Equations& equations, PhaseMaker make_phase, unsigned set_depth)
+    AsynchronousFrame(Equations& equations, PhaseMaker make_phase, Time set_time)
         : equations_(equations),
           grafcet_(*equations.grafcet),
           builder_(grafcet_),
@@ -25,7 +25,7 @@ class AsynchronousFrame {
                  std::vector<NetId>(grafcet_.transitions.size(), no_net),
                  writing_steps(equations)},
           make_phase_(make_phase) {
-        logic_.pulse_width = set_depth * nanosecond;
+        logic_.pulse_width = set_time;
     }
 
     Netlist make() {

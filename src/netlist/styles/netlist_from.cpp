@@ -21,20 +21,22 @@ void refuse_counters(const Grafcet& grafcet, Style style, Diagnostics& diagnosti
 
 }  // namespace
 
-std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics) {
+std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics,
+                                    const DelayModel& delays) {
     if (style != Style::clocked) refuse_counters(*equations.grafcet, style, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     const bool modes = equations.options.modes;
     Netlist netlist;
     switch (style) {
         case Style::gates:
-            netlist = make_asynchronous(equations, make_gates_phase, modes ? 3 : 2);
+            netlist =
+                make_asynchronous(equations, make_gates_phase, delays.of_chain(modes ? 3 : 2));
             break;
         case Style::nand:
-            netlist = make_asynchronous(equations, make_nand_phase, 2);
+            netlist = make_asynchronous(equations, make_nand_phase, delays.of_chain(2));
             break;
         case Style::nor:
-            netlist = make_asynchronous(equations, make_nor_phase, 3);
+            netlist = make_asynchronous(equations, make_nor_phase, delays.of_chain(3));
             break;
         case Style::clocked:
             netlist = make_clocked(equations);

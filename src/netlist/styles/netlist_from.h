@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "equations/equations.h"
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "text/diagnostics.h"
 
@@ -36,6 +37,8 @@ inline constexpr std::array<StyleRow, 4> style_table{{
 /// ones) is reported in `diagnostics`, and the result is empty then. The clocked style does not use
 /// CDX as such: it computes the situation after the scan from the transitions, whatever the form.
 /// Expressions for the comments on the modules are added to the equations' pool.
-std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics);
+/// `delays`: how long the gates will take; the clocked style does not depend on it.
+std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics,
+                                    const DelayModel& delays = {});
 
 }  // namespace grafwire
