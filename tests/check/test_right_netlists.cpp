@@ -3,12 +3,13 @@
 
 #include "check/check_equivalence.h"
 #include "support/small_netlists.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-void is_equivalent_in(const std::string& chart, std::initializer_list<Style> styles) {
+void is_equivalent_in(const std::string& chart, const std::vector<Style>& styles) {
     const Grafcet grafcet = grafcet_of(chart);
     for (const Style style : styles) {
         for (const bool has_modes : {true, false}) {
@@ -25,7 +26,7 @@ void is_equivalent_in(const std::string& chart, std::initializer_list<Style> sty
 }
 
 void is_equivalent_in_every_style(const std::string& chart) {
-    is_equivalent_in(chart, {Style::gates, Style::nand, Style::nor, Style::clocked});
+    is_equivalent_in(chart, all_styles());
 }
 
 }  // namespace

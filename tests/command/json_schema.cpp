@@ -4,7 +4,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::string schema_problems(const std::string& json) {
     return ran.out;
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

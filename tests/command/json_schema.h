@@ -2,10 +2,10 @@
 
 #include <string>
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 /// What a JSON text breaks of the schema of the reports of `check`, a line for each; empty where
 /// nothing. Asks the JSON Schema validator of Python (python3-jsonschema).
 std::string schema_problems(const std::string& json);
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

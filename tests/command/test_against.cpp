@@ -7,7 +7,7 @@
 #include "command/json_schema.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -53,7 +53,7 @@ std::string students_wiring(const std::string& cdx2) {
 TEST_CASE("the netlist that was written, read back") {
     const ScratchFolder folder;
     for (const std::string format : {"blif", "json"}) {
-        for (const std::string style : {"gates", "nand", "nor", "clocked"}) {
+        for (const std::string& style : choices_of("netlist", "--style")) {
             INFO("format: " << format << ", style: " << style);
             const std::string file = folder.file("n." + format, netlist(format, style));
             const Ran ran = check_against(file);
@@ -235,4 +235,4 @@ TEST_CASE("a file that is no netlist") {
     CHECK((kind.out + blif.out + json.out + missing.out).empty());
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

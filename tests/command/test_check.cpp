@@ -5,7 +5,7 @@
 #include "support/csv.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -176,4 +176,4 @@ TEST_CASE("--modes off and the transition form are checked as well") {
     CHECK(contains(form.out, "CDX transition"));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

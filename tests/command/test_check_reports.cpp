@@ -8,7 +8,7 @@
 #include "command/json_schema.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -432,4 +432,4 @@ TEST_CASE("JUnit: the reader of this test sees what is not well-formed") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -6,7 +6,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -145,4 +145,4 @@ TEST_CASE("nor one of a comment in a program that is compared") {
     CHECK(contains(ran.out, replacement));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

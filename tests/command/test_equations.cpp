@@ -7,7 +7,7 @@
 #include "support/csv.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST_CASE("equations and info warn of what wiring may get wrong, in the form ask
     CHECK(grafwire_with({"info", example("nine-steps.grafcet")}).err.empty());
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -4,34 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "support/run_program.h"
 #include "support/slow_build.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
-const std::vector<std::string> styles{"gates", "nand", "nor", "clocked"};
+std::vector<std::string> styles() {
+    return choices_of("netlist", "--style");
+}
 
 bool has_counters(const std::string& name) {
     return name == "batch-counter" || name == "level-crossing" || name == "press";
-}
-
-/// The formats as the help of `netlist` lists them.
-std::vector<std::string> formats() {
-    const std::string help = grafwire_with({"netlist", "--help"}).out;
-    const std::string mark = "output format: ";
-    std::size_t begin = help.find(mark);
-    REQUIRE(begin != std::string::npos);
-    begin += mark.size();
-    std::string list = help.substr(begin, help.find("\n  -", begin) - begin);
-    std::replace(list.begin(), list.end(), ',', ' ');
-    std::istringstream words(list);
-    std::vector<std::string> names;
-    for (std::string word; words >> word && word.rfind("--", 0) != 0;) names.push_back(word);
-    return names;
 }
 
 /// Warnings may be, errors may not.
@@ -80,7 +66,7 @@ TEST_CASE("info on every example") {
 
 TEST_CASE("equations of every example, in every form") {
     for (const std::string& name : example_names()) {
-        for (const std::string form : {"text", "markdown", "latex", "csv", "json"}) {
+        for (const std::string& form : choices_of("equations", "--to")) {
             for (const std::string cdx : {"successor", "transition"}) {
                 for (const std::string modes : {"on", "off"}) {
                     INFO("example: " << name << ", form: " << form << ", cdx: " << cdx
@@ -102,7 +88,7 @@ TEST_CASE("run and simulate every example") {
         CHECK(trace.rfind("time_ms,", 0) == 0);
         result_of({"run", chart, stim, "--scan", "50ms"});
         CHECK(result_of({"simulate", chart, stim, "--style", "clocked"}) == trace);
-        for (const std::string& style : styles) {
+        for (const std::string& style : styles()) {
             if (style == "clocked") continue;
             INFO("style: " << style);
             const std::vector<std::string> request{"simulate", chart, stim, "--style", style};
@@ -119,12 +105,12 @@ TEST_CASE("run and simulate every example") {
 }
 
 TEST_CASE("the netlist of every example, in every style and format") {
-    const std::vector<std::string> all = formats();
+    const std::vector<std::string> all = choices_of("netlist", "--to");
     for (const std::string format : {"verilog", "spice", "blif", "json", "dot"}) {
         CHECK(std::count(all.begin(), all.end(), format) == 1);
     }
     for (const std::string& name : example_names()) {
-        for (const std::string& style : styles) {
+        for (const std::string& style : styles()) {
             for (const std::string& format : all) {
                 for (const std::string modes : {"on", "off"}) {
                     if (is_slow_build && modes == "off") continue;
@@ -147,7 +133,7 @@ TEST_CASE("the netlist of every example, in every style and format") {
 
 TEST_CASE("check every example, in every style, for a while") {
     for (const std::string& name : example_names()) {
-        for (const std::string& style : styles) {
+        for (const std::string& style : styles()) {
             INFO("example: " << name << ", style: " << style);
             const std::vector<std::string> request{
                 "check", example(name + ".grafcet"), "--style", style, "--max-cases", "500"};
@@ -169,4 +155,4 @@ TEST_CASE("check every example, in every style, for a while") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

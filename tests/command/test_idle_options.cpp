@@ -12,7 +12,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -277,4 +277,4 @@ TEST_CASE("the refusal says what the option is for, and is in the JUnit report")
     CHECK(contains(ran.out, "--scan has no effect here: nothing is scanned"));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -4,7 +4,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 TEST_CASE("a chart's own ladder diagram is equivalent, a damaged one is not") {
     ScratchFolder folder;
@@ -57,4 +57,4 @@ TEST_CASE("drawings of a chart") {
     CHECK(contains(picture.out, "</svg>"));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

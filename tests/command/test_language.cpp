@@ -4,7 +4,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -78,4 +78,4 @@ TEST_CASE("machine formats do not depend on the language") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -7,7 +7,7 @@
 #include "command/json_schema.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -135,4 +135,4 @@ TEST_CASE("what plc --to s7-200 writes, the check finds equivalent") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

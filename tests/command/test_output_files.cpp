@@ -6,7 +6,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -144,4 +144,4 @@ TEST_CASE("a witness that cannot be written is no answer") {
     CHECK(folder.names() == Names{"file"});
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

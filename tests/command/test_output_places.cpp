@@ -9,7 +9,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -309,4 +309,4 @@ TEST_CASE("the folder of a witness holds that of the last verdict or none") {
     CHECK(folder.names() == Names{"w"});
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -4,7 +4,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -128,4 +128,4 @@ TEST_CASE("the other Statement List takes addresses as well") {
                    "wrong.io:1:1: error: the chart has no 'dcv'; did you mean 'dcy'?"));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

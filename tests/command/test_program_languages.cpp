@@ -4,7 +4,7 @@
 
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -62,4 +62,4 @@ TEST_CASE("a program that a language cannot hold is refused, and nothing is writ
     CHECK(contains(unknown.err, "there is no format 'pyhton'; did you mean 'python'?"));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -7,7 +7,7 @@
 #include "support/csv.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -243,4 +243,4 @@ TEST_CASE("netlist --bench: a test bench beside the netlist that says PASS, or w
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -11,7 +11,7 @@
 #include "equations/report/write_equations.h"
 #include "grafcet/parse_grafcet.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// A GRAFCET without errors.
 inline Grafcet parsed(std::string_view text) {
@@ -32,4 +32,4 @@ inline std::string csv(std::string_view text, const EquationOptions& options) {
 inline constexpr EquationOptions with_modes{};
 inline constexpr EquationOptions without_modes{.modes = false};
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

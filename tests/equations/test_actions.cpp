@@ -1,6 +1,6 @@
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -157,4 +157,4 @@ TEST_CASE("counters have their writes in order; variables without writes have no
     CHECK(equation_text(stored.equations, n.writes[2].trigger) == "X2.↑a");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

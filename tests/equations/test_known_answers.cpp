@@ -2,7 +2,7 @@
 
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("selection of sequence: divergence") {
     CHECK(csv(R"(
@@ -121,4 +121,4 @@ A,,,X3./AUdoux
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

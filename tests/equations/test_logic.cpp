@@ -3,7 +3,7 @@
 #include "equations/logic.h"
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST_CASE("edges and time conditions keep their ordinals") {
     CHECK(pool.time_conditions().size() == source.time_conditions().size());
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

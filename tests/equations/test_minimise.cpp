@@ -1,6 +1,6 @@
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -57,4 +57,4 @@ TEST_CASE("ten atoms are minimised, eleven are not") {
     CHECK(minimal("a ⊕ b ⊕ c ⊕ d ⊕ e ⊕ f ⊕ g ⊕ h ⊕ i ⊕ j ⊕ k ⊕ a").size() > 1000);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

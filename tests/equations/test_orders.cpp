@@ -1,6 +1,6 @@
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -123,4 +123,4 @@ TEST_CASE("the steps of expansions are forced and enclosed with their graph") {
     CHECK(equations.steps[StepId{0}].enclosing == no_expr);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "equations/parsed.h"
-#include "equations/random_charts.h"
+#include "random/random_expression.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -104,7 +104,7 @@ bool evaluate(const Expressions& pool, ExprId id, const Assignment& values) {
 
 // Edges and time conditions whose operand is constantly 0 (for edges also 1) are 0.
 Assignment random_assignment(const Grafcet& grafcet, const Equations& equations,
-                             RandomText& random) {
+                             RandomSource& random) {
     Assignment values{grafcet, {}, {}, {}, {}};
     const auto add = [&](VariableKind kind, std::size_t count) {
         for (std::uint32_t i = 0; i < count; ++i)
@@ -156,10 +156,12 @@ var v
 counter n : 0..9
 )";
 
-std::string random_chart(RandomText& random, int transitions) {
+std::string random_chart(RandomSource& random, const std::vector<std::string>& atoms,
+                         int transitions) {
     std::string text(declarations);
     text += "graph G { initial 1 : set v  macro M = e  step 3 : n := 1\n";
-    for (int i = 0; i < transitions; ++i) text += "1 -> 3 : " + random.expression(3) + "\n";
+    for (int i = 0; i < transitions; ++i)
+        text += "1 -> 3 : " + expression_of(random, atoms, 3) + "\n";
     text += "3 -> M : 1  M -> 1 : 1 }\nexpansion e { entry E exit S  E -> S : a }\n";
     text += "graph H { step 7 step 8  7 -> 8 : b  8 -> 7 : c }\n";
     return text;
@@ -183,8 +185,8 @@ TEST_CASE("random receptivities keep their meaning") {
                                          "Init",     "AUdur"};
     for (unsigned seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
-        RandomText random(seed, atoms);
-        const Grafcet grafcet = parsed(random_chart(random, 20));
+        RandomSource random(seed);
+        const Grafcet grafcet = parsed(random_chart(random, atoms, 20));
         const Equations equations = equations_from(grafcet, without_modes);
         for (int round = 0; round < 40; ++round) {
             const Assignment values = random_assignment(grafcet, equations, random);
@@ -202,8 +204,8 @@ TEST_CASE("random expressions: the minimised form is equal") {
     const std::vector<std::string> atoms{"a", "b", "c", "X1", "X3", "↑a", "1s/b", "[n > 4]"};
     for (unsigned seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
-        RandomText random(seed, atoms);
-        const Grafcet grafcet = parsed(random_chart(random, 10));
+        RandomSource random(seed);
+        const Grafcet grafcet = parsed(random_chart(random, atoms, 10));
         Equations equations = equations_from(grafcet, without_modes);
         std::vector<std::pair<ExprId, ExprId>> pairs;
         for (const ExprId receptivity : equations.receptivity)
@@ -221,4 +223,4 @@ TEST_CASE("random expressions: the minimised form is equal") {
     }
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

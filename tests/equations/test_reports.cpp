@@ -4,7 +4,7 @@
 
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -461,4 +461,4 @@ TEST_CASE(
     CHECK(text.find("  idle      0    0\n\n  idle = 0\n") != std::string::npos);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

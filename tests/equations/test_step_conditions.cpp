@@ -1,6 +1,6 @@
 #include "equations/parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("the transition form takes the clearing of the transitions out of a step") {
     CHECK(csv(R"(
@@ -181,4 +181,4 @@ TEST_CASE("a synchronisation of many steps does not cost their square") {
     CHECK(equations.expressions.size() < 3 * width);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

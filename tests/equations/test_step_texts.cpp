@@ -5,7 +5,7 @@
 #include "equations/parsed.h"
 #include "equations/step_texts.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("the text of a step is that of its whole expression, and leaves the equations alone") {
     int charts = 0;
@@ -52,4 +52,4 @@ TEST_CASE("an equation too long to be read has no text, and the next one has") {
     CHECK(texts.equation(StepId{2}) == "X2 = X0.a + /X301.X2");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -10,7 +10,7 @@
 #include "equations/wiring_hazards.h"
 #include "parsed.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -253,4 +253,4 @@ TEST_CASE("the warnings of every example") {
     CHECK(found == expected);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -7,7 +7,7 @@
 
 #include "grafcet/parse_grafcet.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 Grafcet grafcet_from(std::string_view text) {
     const SourceFile source{"test.grafcet", std::string(text)};
@@ -64,4 +64,4 @@ std::string scans(std::string_view grafcet, std::string_view stimuli, Time perio
     return rows(run_scans(model, stimuli_from(stimuli, model), period).trace, columns);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

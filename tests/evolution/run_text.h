@@ -7,7 +7,7 @@
 #include "grafcet/grafcet.h"
 #include "trace/stimuli.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// Reads a text that has no errors; fails the test with the messages otherwise.
 Grafcet grafcet_from(std::string_view text);
@@ -23,4 +23,4 @@ std::string until_stable(std::string_view grafcet, std::string_view stimuli,
 std::string scans(std::string_view grafcet, std::string_view stimuli, Time period,
                   std::string_view columns);
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -3,11 +3,11 @@
 
 #include <doctest/doctest.h>
 
-#include "evolution/random_grafcet.h"
 #include "evolution/run_text.h"
+#include "random/random_grafcet.h"
 #include "support/naive_evolution.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -28,7 +28,19 @@ bool same(const EvolutionState& fast, const NaiveState& naive) {
            fast.counters == naive.counters && bits(fast.time_values) == naive.times;
 }
 
-void flip_some(InputValues& inputs, Random& random) {
+/// Everything but assumptions, which the inputs here would not keep.
+Features features() {
+    Features features;
+    features.steps = 8;
+    features.assumptions = false;
+    return features;
+}
+
+Time milliseconds(std::size_t count) {
+    return static_cast<Time>(count) * millisecond;
+}
+
+void flip_some(InputValues& inputs, RandomSource& random) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const bool is_control = i + control_input_count >= inputs.size();
         if (is_control) {
@@ -41,7 +53,7 @@ void flip_some(InputValues& inputs, Random& random) {
 
 /// The inputs with random values for all those not consulted.
 InputValues with_others_changed(const InputValues& inputs,
-                                const std::vector<std::uint8_t>& consulted, Random& random) {
+                                const std::vector<std::uint8_t>& consulted, RandomSource& random) {
     InputValues changed = inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (consulted[i] == 0) changed[i] = static_cast<std::uint8_t>(random.below(2));
@@ -50,7 +62,7 @@ InputValues with_others_changed(const InputValues& inputs,
 }
 
 /// One chart through some fifty scans; false at the first difference.
-bool agrees_scan_by_scan(const Grafcet& grafcet, Random& random) {
+bool agrees_scan_by_scan(const Grafcet& grafcet, RandomSource& random) {
     const Evolution fast(grafcet);
     const NaiveEvolution naive(grafcet);
     InputValues inputs(grafcet.all_input_count(), 0);
@@ -58,7 +70,7 @@ bool agrees_scan_by_scan(const Grafcet& grafcet, Random& random) {
     EvolutionState state = fast.start({inputs});
     NaiveState expected = naive.start(inputs);
     Time now = 0;
-    for (int scan = 0; scan < 50; ++scan, now += random.below(3) * millisecond) {
+    for (int scan = 0; scan < 50; ++scan, now += milliseconds(random.below(3))) {
         std::vector<bool> cleared(grafcet.transitions.size(), false);
         for (const TransitionId id : fast.cleared_by_scan(state, {inputs}, now)) {
             cleared[index_of(id)] = true;
@@ -88,7 +100,7 @@ bool agrees_scan_by_scan(const Grafcet& grafcet, Random& random) {
     return true;
 }
 
-bool agrees_until_stable(const Grafcet& grafcet, Random& random, int& unstable_count) {
+bool agrees_until_stable(const Grafcet& grafcet, RandomSource& random, int& unstable_count) {
     const Evolution fast(grafcet);
     const NaiveEvolution naive(grafcet);
     InputValues inputs(grafcet.all_input_count(), 0);
@@ -96,7 +108,7 @@ bool agrees_until_stable(const Grafcet& grafcet, Random& random, int& unstable_c
     EvolutionState state = fast.start({inputs});
     NaiveState expected = naive.start(inputs);
     Time now = 0;
-    for (int instant = 0; instant < 30; ++instant, now += (1 + random.below(3)) * millisecond) {
+    for (int instant = 0; instant < 30; ++instant, now += milliseconds(1 + random.below(3))) {
         fast.end_delays(state, {inputs}, now);
         naive.end_delays(expected, inputs, now);
         if (!same(state, expected)) return false;
@@ -124,9 +136,9 @@ bool agrees_until_stable(const Grafcet& grafcet, Random& random, int& unstable_c
 }  // namespace
 
 TEST_CASE("random charts evolve as in the plain method, scan by scan") {
-    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
-        Random random(seed);
-        const std::string text = random_grafcet(random);
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+        RandomSource random(seed);
+        const std::string text = random_grafcet(random, features());
         const Grafcet grafcet = grafcet_from(text);
         if (!agrees_scan_by_scan(grafcet, random)) FAIL("seed " << seed << "\n" << text);
     }
@@ -134,9 +146,9 @@ TEST_CASE("random charts evolve as in the plain method, scan by scan") {
 
 TEST_CASE("random charts evolve as in the plain method, until stable") {
     int unstable_count = 0;
-    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
-        Random random(seed);
-        const std::string text = random_grafcet(random);
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+        RandomSource random(seed);
+        const std::string text = random_grafcet(random, features());
         const Grafcet grafcet = grafcet_from(text);
         if (!agrees_until_stable(grafcet, random, unstable_count)) {
             FAIL("seed " << seed << "\n" << text);
@@ -146,4 +158,4 @@ TEST_CASE("random charts evolve as in the plain method, until stable") {
     CHECK(unstable_count < 1450);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("an edge lasts one scan, and the values at the start have none") {
     const char* const grafcet = R"(
@@ -149,4 +149,4 @@ graph G {
     CHECK(scans(grafcet, "20ms : end", 10 * millisecond, "n") == "\n0 0\n10 0\n20 0\n");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -143,4 +143,4 @@ graph G3 { initial 60  step 61 }
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("rule 1: the initial steps are active from the start, as if since always") {
     const char* const grafcet = R"(
@@ -163,4 +163,4 @@ graph G {
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

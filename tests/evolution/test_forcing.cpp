@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("a graph is forced to nothing, to listed steps, to its initial situation") {
     const char* const grafcet = R"(
@@ -158,4 +158,4 @@ graph C { initial 20  step 21  20 -> 21 : X11 }
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

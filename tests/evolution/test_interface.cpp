@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -156,4 +156,4 @@ TEST_CASE("an Evolution can be moved, and one serves several states") {
     CHECK(&moved.grafcet() == &grafcet);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

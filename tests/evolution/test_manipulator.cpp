@@ -3,7 +3,7 @@
 #include "evolution/run_text.h"
 #include "trace/trace.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -104,4 +104,4 @@ TEST_CASE("the manipulator scan by scan") {
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -95,4 +95,4 @@ graph G {
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -3,7 +3,7 @@
 #include "evolution/run_text.h"
 #include "trace/trace.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("the press with its macro-step, its counter and its enclosed graph") {
     const char* const press = R"(
@@ -131,4 +131,4 @@ graph G { initial 1  step 2  1 -> 2 : a . b . c }
     CHECK(listed(run_scans(grafcet, stimuli, 20 * millisecond)) == "0:1 20:0 40:2 ");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -149,4 +149,4 @@ graph B { initial 10 }
     CHECK_FALSE(differs([](EvolutionState& s) { s.previous.reset(0); }));
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("the order of writing: deactivation, clearing, activation, event") {
     const char* const grafcet = R"(
@@ -188,4 +188,4 @@ graph H { initial 10 : o if v . 0s/v  step 11  10 -> 11 : v . X2 }
 )");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

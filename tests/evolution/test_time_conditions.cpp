@@ -2,7 +2,7 @@
 
 #include "evolution/run_text.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -226,4 +226,4 @@ TEST_CASE("delayed and time-limited actions") {
                        "o p") == "\n0 0 1\n3000 1 0\n4000 1 0\n");
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

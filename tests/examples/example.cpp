@@ -10,7 +10,7 @@
 #include "simulate/simulate.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -143,4 +143,4 @@ std::string ones_of(const Grafcet& grafcet, const Trace& trace, std::size_t row)
     return ones;
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

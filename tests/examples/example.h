@@ -11,7 +11,7 @@
 #include "support/slow_build.h"
 #include "trace/stimuli.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 /// A chart of examples/ with its stimuli, and what the README says of it.
 struct Example {
@@ -56,4 +56,4 @@ const std::vector<AgreeingNetlist>& agreeing_netlists();
 /// each followed by a blank.
 std::string ones_of(const Grafcet& grafcet, const Trace& trace, std::size_t row);
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -9,7 +9,7 @@
 #include "examples/example.h"
 #include "support/reviewed_file.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -52,4 +52,4 @@ TEST_CASE("the check of two examples takes as many cases as it should") {
     check_reviewed("examples/coverage.txt", table);
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

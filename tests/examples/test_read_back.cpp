@@ -13,7 +13,7 @@
 #include "formats/yosys/read_yosys_json.h"
 #include "simulate/simulator.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -63,4 +63,4 @@ TEST_CASE("netlists of the examples, read back, get the same verdict for the sam
     for (const std::size_t count : verdicts) CHECK(count > 0);
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -11,7 +11,7 @@
 #include "formats/spice/write_spice.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST_CASE("ngspice gives the reference's situations and outputs") {
     if (!is_slow_build) CHECK(with_clocked_timers == 4);
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

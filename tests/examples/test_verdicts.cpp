@@ -9,7 +9,7 @@
 #include "examples/example.h"
 #include "simulate/simulate.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -99,4 +99,4 @@ TEST_CASE("every example is equivalent in the styles in which it is sound, and i
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -9,7 +9,7 @@
 #include "support/run_program.h"
 #include "text/time.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -61,4 +61,4 @@ TEST_CASE("Icarus Verilog gives the reference's rows for every example") {
     CHECK(count >= (is_slow_build ? 6U : 35U));
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -8,7 +8,7 @@
 #include "examples/example.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -148,4 +148,4 @@ TEST_CASE("the modes are part of every life") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -6,7 +6,7 @@
 #include "formats/exporters.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -71,4 +71,4 @@ TEST_CASE("Yosys reads BLIF and JSON of every example in every style") {
     }
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// The contents of a file of tests/formats/golden.
 inline std::string golden(const std::string& file) {
@@ -18,4 +18,4 @@ inline std::string golden(const std::string& file) {
     return text.str();
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

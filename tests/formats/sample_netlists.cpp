@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 NetlistMaker::NetlistMaker(std::string name) {
     netlist_.name = std::move(name);
@@ -216,4 +216,4 @@ Netlist nand_ring(std::size_t steps) {
     return maker.make();
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

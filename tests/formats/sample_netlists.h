@@ -7,7 +7,7 @@
 
 #include "netlist/netlist.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// A netlist written by hand, nets by their names; a name stands for its net from its first use.
 class NetlistMaker {
@@ -48,4 +48,4 @@ const std::vector<std::string>& odd_input_names();
 /// A ring of so many steps, each a latch of two NAND gates; `a` lets the token go on.
 Netlist nand_ring(std::size_t steps);
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -17,6 +17,7 @@
 #include "support/tool_runner.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include "formats/shared/bench.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "simulate/simulator.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

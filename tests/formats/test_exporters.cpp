@@ -5,6 +5,7 @@
 #include "formats/sample_netlists.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -18,6 +18,7 @@
 #include "support/tool_runner.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

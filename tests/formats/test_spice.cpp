@@ -8,6 +8,7 @@
 #include "support/tool_runner.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

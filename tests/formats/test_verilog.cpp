@@ -6,6 +6,7 @@
 #include "support/tool_runner.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "grafcet/name_table.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -53,4 +53,4 @@ TEST_CASE("of a name added twice the first value counts") {
     CHECK(*table.find("a") == 1);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

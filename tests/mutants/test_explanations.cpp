@@ -23,7 +23,7 @@ namespace grafwire::testing {
 
 namespace {
 
-constexpr std::size_t every = test::is_slow_build ? 41 : 3;
+constexpr std::size_t every = is_slow_build ? 41 : 3;
 
 struct Counts {
     std::size_t different = 0;

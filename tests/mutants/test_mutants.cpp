@@ -21,13 +21,14 @@
 #include "support/mutate.h"
 #include "support/reviewed_file.h"
 #include "support/slow_build.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
 namespace {
 
 constexpr const char* file_name = "mutants/no_difference.txt";
-constexpr std::size_t sparser = test::is_slow_build ? 14 : 1;
+constexpr std::size_t sparser = is_slow_build ? 14 : 1;
 
 /// How the mutants of a netlist are dealt with where looking at all of them would take too long.
 struct Sampling {
@@ -168,25 +169,25 @@ TEST_CASE("the check finds wrong wiring of the examples") {
         texts[entry.path().stem().string()] = text.str();
     }
     REQUIRE(texts.size() == 13);
-    const std::vector<std::string> reviewed = test::reviewed_lines(file_name);
+    const std::vector<std::string> reviewed = reviewed_lines(file_name);
     std::string table = fmt::format("{:<31}{:>7}{:>7}{:>10}{:>11}\n", "", "mutants", "tried",
                                     "different", "equivalent");
     std::size_t line = 0;
     for (const auto& [name, text] : texts) {
-        for (const Style style : {Style::gates, Style::nand, Style::nor, Style::clocked}) {
+        for (const Style style : all_styles()) {
             const Row row = try_mutants(name, text, style);
             table += text_of(row);
             // Row by row as they come: the whole takes minutes.
             fmt::print("{}", text_of(row));
             std::fflush(stdout);
             ++line;
-            if (test::renews_reviewed_files()) continue;
+            if (renews_reviewed_files()) continue;
             REQUIRE(line < reviewed.size());
             CHECK(row.equivalent == expected_of(reviewed[line], sampling_for(name, style).every));
         }
     }
     // Fewer are tried in a slow build.
-    if (!test::is_slow_build) test::check_reviewed(file_name, table);
+    if (!is_slow_build) check_reviewed(file_name, table);
 }
 
 }  // namespace grafwire::testing

@@ -5,6 +5,7 @@
 #include "evolution/run.h"
 #include "simulate/simulate.h"
 #include "support/small_netlists.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
@@ -41,7 +42,7 @@ graph G { initial 0 step 1 : v := /v  step 2
   1 -> 2 : /a
   2 -> 0 : 1 }
 )");
-    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+    for (const Style style : asynchronous_styles()) {
         const Netlist netlist = netlist_of(grafcet, style);
         CHECK(count(netlist, CellType::hold_latch) == 1);
         CHECK(count(netlist, CellType::latch) == 1);
@@ -73,7 +74,7 @@ graph G { initial 0 : reset s  step 1 : set s  step 2
   1 -> 2 : /a
   2 -> 0 : a }
 )");
-    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+    for (const Style style : asynchronous_styles()) {
         const Netlist netlist = netlist_of(grafcet, style);
         CHECK(count(netlist, CellType::hold_latch) == 0);
         CHECK(count(netlist, CellType::latch) == 1);

@@ -7,7 +7,7 @@
 namespace grafwire::testing {
 
 void compile(const std::vector<std::string>& command) {
-    const test::Ran ran = test::run_program(command);
+    const Ran ran = run_program(command);
     if (ran.status != 0 || !ran.err.empty()) {
         throw std::runtime_error("compiler: " + ran.err + ran.out);
     }
@@ -17,7 +17,7 @@ std::vector<std::string> run_on(const std::vector<std::string>& command,
                                 const std::vector<std::string>& scans) {
     std::vector<std::string> traces;
     for (const std::string& text : scans) {
-        test::Ran ran = test::run_program(command, text);
+        Ran ran = run_program(command, text);
         if (ran.status != 0 || !ran.err.empty()) throw std::runtime_error("program: " + ran.err);
         traces.push_back(std::move(ran.out));
     }

@@ -68,8 +68,7 @@ std::string compare_with_reference(const RandomCase& item, const LanguageRunner&
 }
 
 RandomCase example_case(const std::string& name) {
-    return {test::text_of(test::example(name + ".grafcet")),
-            test::text_of(test::example(name + ".stim"))};
+    return {text_of(example(name + ".grafcet")), text_of(example(name + ".stim"))};
 }
 
 std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program) {
@@ -86,14 +85,14 @@ std::string written(const std::string& format, const Grafcet& grafcet, const Sca
 
 void check_language(const LanguageRunner& run, std::uint64_t first_seed, std::size_t random_cases,
                     bool with_internals) {
-    const std::vector<std::string> examples = test::example_names();
+    const std::vector<std::string> examples = example_names();
     CHECK(examples.size() >= 13);
     for (const std::string& name : examples) {
         INFO("example " << name);
         CHECK(compare_with_reference(example_case(name), run, with_internals) == "");
     }
     // What the sanitizers watch is the writer alone: the program is compiled without them.
-    const std::size_t count = test::is_slow_build ? random_cases / 4 : random_cases;
+    const std::size_t count = is_slow_build ? random_cases / 4 : random_cases;
     check_property(
         [&](const RandomCase& item) { return compare_with_reference(item, run, with_internals); },
         Features(), first_seed, count, 15);

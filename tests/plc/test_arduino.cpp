@@ -84,7 +84,7 @@ int main() {
 
 std::vector<std::string> run_arduino(const Grafcet& grafcet, const ScanProgram& program,
                                      const std::vector<std::string>& scans) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     folder.file("sketch.ino", written("arduino", grafcet, program));
     folder.file("Arduino.h", arduino_h);
     compile({"g++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-I" + folder.path(""),

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<std::string> run_c(const Grafcet& grafcet, const ScanProgram& program,
                                const std::vector<std::string>& scans) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const std::string source = folder.file("program.c", written("c", grafcet, program));
     const std::string binary = folder.path("program");
     compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror",
@@ -23,7 +23,7 @@ std::vector<std::string> run_c(const Grafcet& grafcet, const ScanProgram& progra
 /// The same text as C++, and in C without its main function.
 std::vector<std::string> run_cpp(const Grafcet& grafcet, const ScanProgram& program,
                                  const std::vector<std::string>& scans) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const std::string source = folder.file("program.c", written("c", grafcet, program));
     const std::string binary = folder.path("program");
     compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c",

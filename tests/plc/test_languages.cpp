@@ -16,7 +16,7 @@ namespace grafwire::testing {
 namespace {
 
 std::string lift_chart() {
-    return test::text_of(std::string(GRAFWIRE_ROOT) + "/tests/golden/lift.grafcet");
+    return text_of(std::string(GRAFWIRE_ROOT) + "/tests/golden/lift.grafcet");
 }
 
 std::string messages_of(const std::string& format, const std::string& chart) {
@@ -112,7 +112,7 @@ TEST_CASE("names that a language does not take stand at the head of the file") {
 }
 
 TEST_CASE("programs with awkward names compile and run") {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const std::string c = folder.file("c.c", program_of("c", awkward));
     compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-DGRAFWIRE_MAIN", c,
              "-o", folder.path("c")});
@@ -133,7 +133,7 @@ TEST_CASE("programs with awkward names compile and run") {
 
 TEST_CASE("scans that make no sense end a program with the number of the line") {
     const std::string chart = "input a\noutput l\ngraph G { initial 0 : l if a }\n";
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     compile({"gcc", "-DGRAFWIRE_MAIN", folder.file("c.c", program_of("c", chart)), "-o",
              folder.path("c")});
     compile({"fpc", "-v0e", folder.file("p.pas", program_of("pascal", chart)),
@@ -146,10 +146,10 @@ TEST_CASE("scans that make no sense end a program with the number of the line") 
              std::vector<std::string>{"1,1,0,0\n", "x,1,0,0,0\n", "0.0001,1,0,0,0\n",
                                       "1.2.3,1,0,0,0\n", "1,2,0,0,0\n", "\n", "-1,1,0,0,0\n"}) {
             INFO(command.back() << " on " << bad);
-            const test::Ran ran = test::run_program(command, "x\n0,0,0,0,0\n" + bad);
+            const Ran ran = run_program(command, "x\n0,0,0,0,0\n" + bad);
             CHECK(ran.status == 1);
             CHECK(ran.err == "line 3: expected a moment in ms, whole in us, and 4 inputs\n");
-            CHECK(test::contains(ran.out, "\n0,0,0,0,0,1,0\n"));
+            CHECK(contains(ran.out, "\n0,0,0,0,0,1,0\n"));
         }
     }
 }
@@ -158,8 +158,8 @@ TEST_CASE("without modes there are no control inputs") {
     const LanguageRunner run = [](const Grafcet& grafcet, const ScanProgram& program,
                                   const std::vector<std::string>& scans) {
         const std::string text = written("c", grafcet, program);
-        CHECK_FALSE(test::contains(text, "bool Init"));
-        const test::ScratchFolder folder;
+        CHECK_FALSE(contains(text, "bool Init"));
+        const ScratchFolder folder;
         compile({"gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-DGRAFWIRE_MAIN",
                  folder.file("c.c", text), "-o", folder.path("c")});
         return run_on({folder.path("c")}, scans);
@@ -197,10 +197,10 @@ TEST_CASE("sums beyond 64 bits are refused where integers have no more") {
         CHECK(plc_format_named(format)->write(*grafcet, program, {}, diagnostics) == "");
         const std::string messages = format_diagnostics(diagnostics, {"chart", chart});
         INFO(messages);
-        CHECK(test::contains(messages, "chart:3:15: error: this sum can go beyond the 64 bits"));
+        CHECK(contains(messages, "chart:3:15: error: this sum can go beyond the 64 bits"));
     }
-    CHECK(test::contains(written("python", *grafcet, program),
-                         "self.counters.c + 1 + 9223372036854775807"));
+    CHECK(contains(written("python", *grafcet, program),
+                   "self.counters.c + 1 + 9223372036854775807"));
 }
 
 }  // namespace grafwire::testing

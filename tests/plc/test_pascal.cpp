@@ -14,7 +14,7 @@ namespace {
 LanguageRunner pascal_with(const std::string& setting) {
     return [setting](const Grafcet& grafcet, const ScanProgram& program,
                      const std::vector<std::string>& scans) {
-        const test::ScratchFolder folder;
+        const ScratchFolder folder;
         const std::string source = folder.file("program.pas", written("pascal", grafcet, program));
         // Overflow and ranges are checked as it runs.
         compile({"fpc", "-v0e", setting, "-Cro", source, "-o" + folder.path("program")});
@@ -31,7 +31,7 @@ TEST_CASE("a program in Pascal is the reference") {
 }
 
 TEST_CASE("the examples in Pascal compile without a warning") {
-    for (const std::string& name : test::example_names()) {
+    for (const std::string& name : example_names()) {
         INFO("example " << name);
         CHECK(compare_with_reference(example_case(name), pascal_with("-Sew")) == "");
     }

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::string> run_python(const Grafcet& grafcet, const ScanProgram& program,
                                     const std::vector<std::string>& scans) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     // Alone, and with warnings as errors.
     return run_on({"/usr/bin/python3", "-I", "-S", "-W", "error",
                    folder.file("program.py", written("python", grafcet, program))},

@@ -8,6 +8,7 @@
 #include "netlist/styles/netlist_from.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
@@ -102,7 +103,7 @@ TEST_CASE("asynchronous netlists of plain charts: every witness replays") {
     Features features = Features::plain_chart();
     features.steps = 8;
     features.inputs = 3;
-    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+    for (const Style style : asynchronous_styles()) {
         Tally tally;
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);
@@ -118,7 +119,7 @@ TEST_CASE("asynchronous netlists of plain charts: every witness replays") {
 TEST_CASE("asynchronous netlists of any charts: every witness replays") {
     Features features = Features::small();
     features.counters = 0;
-    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+    for (const Style style : asynchronous_styles()) {
         Tally tally;
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);

@@ -17,7 +17,7 @@ std::size_t case_count(std::size_t usual) {
         const std::size_t count = std::strtoull(wanted, nullptr, 10);
         if (count != 0) return count;
     }
-    return test::is_slow_build ? std::max<std::size_t>(usual / 3, 1) : usual;
+    return is_slow_build ? std::max<std::size_t>(usual / 3, 1) : usual;
 }
 
 RandomCase random_case(std::uint64_t seed, const Features& features, std::size_t stimuli_lines) {

@@ -172,4 +172,17 @@ std::string ExpressionWriter::write(const std::string& target) {
     }
 }
 
+std::string expression_of(RandomSource& random, const std::vector<std::string>& atoms,
+                          std::size_t depth) {
+    const std::size_t choice = depth == 0 ? 0 : random.below(6);
+    if (choice == 0) return random.pick(atoms);
+    if (choice == 1) return "/(" + expression_of(random, atoms, depth - 1) + ")";
+    const char* const sign = choice == 2 ? " ⊕ " : choice == 3 ? "." : " + ";
+    std::string text = "(" + expression_of(random, atoms, depth - 1);
+    for (std::size_t count = random.between(1, 3); count != 0; --count) {
+        text += sign + expression_of(random, atoms, depth - 1);
+    }
+    return text + ")";
+}
+
 }  // namespace grafwire::testing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "random/chart_names.h"
 
@@ -48,5 +49,9 @@ class ExpressionWriter {
     std::size_t times_left_;
     std::size_t edges_left_;
 };
+
+/// A random expression over these atoms alone, with operators of two to four operands.
+std::string expression_of(RandomSource& random, const std::vector<std::string>& atoms,
+                          std::size_t depth);
 
 }  // namespace grafwire::testing

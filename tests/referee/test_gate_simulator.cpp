@@ -6,6 +6,7 @@
 #include "random/read_text.h"
 #include "referee/foreign_cells.h"
 #include "referee/gate_simulator.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
@@ -35,12 +36,10 @@ struct TwoSteps {
 const std::vector<bool> step_1{true, false};
 const std::vector<bool> step_2{false, true};
 
-constexpr std::array asynchronous{Style::gates, Style::nand, Style::nor};
-
 }  // namespace
 
 TEST_CASE("gate simulator: inputs have been what they are since always") {
-    for (const Style style : asynchronous) {
+    for (const Style style : asynchronous_styles()) {
         const TwoSteps chart("↑a", style);
         GateSimulator gates(chart.grafcet, chart.netlist);
         REQUIRE(gates.start(chart.inputs(true), chart.zeros()));
@@ -54,7 +53,7 @@ TEST_CASE("gate simulator: inputs have been what they are since always") {
 }
 
 TEST_CASE("gate simulator: a delay counts from the instant, and ends if its operand still asks") {
-    for (const Style style : asynchronous) {
+    for (const Style style : asynchronous_styles()) {
         const TwoSteps chart("30ms/(a . /b)", style);
         for (const bool b : {false, true}) {
             GateSimulator gates(chart.grafcet, chart.netlist);

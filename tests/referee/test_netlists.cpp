@@ -18,6 +18,7 @@
 #include "referee/pair_run.h"
 #include "referee/random_walk.h"
 #include "support/mutate.h"
+#include "support/styles.h"
 
 namespace grafwire::testing {
 
@@ -183,8 +184,6 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style, bool mode
     return netlist_from(equations, style, diagnostics);
 }
 
-constexpr std::array all_styles{Style::gates, Style::nand, Style::nor, Style::clocked};
-
 /// A netlist that is probably wrong: one of another chart, one with something foreign in it, one
 /// with a slip of the hand. `told`: in words, what was done.
 std::optional<Netlist> spoiled(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
@@ -229,7 +228,7 @@ TEST_CASE("referee: the netlists of the examples") {
     for (const auto& [name, text] : example_charts()) {
         const auto grafcet = read_grafcet(text);
         REQUIRE(grafcet);
-        for (const Style style : all_styles) {
+        for (const Style style : all_styles()) {
             for (const bool modes : {true, false}) {
                 const auto netlist = netlist_in(*grafcet, style, modes);
                 if (netlist) judge({text, style, modes, "", 1}, *grafcet, *netlist, 4000, counts);
@@ -247,7 +246,7 @@ TEST_CASE("referee: the netlists of random charts") {
         const std::string text = chart_of(seed);
         const auto grafcet = read_grafcet(text);
         REQUIRE(grafcet);
-        for (const Style style : all_styles) {
+        for (const Style style : all_styles()) {
             const bool modes = seed % 3 != 0;
             const auto netlist = netlist_in(*grafcet, style, modes);
             if (netlist) judge({text, style, modes, "", seed}, *grafcet, *netlist, 3000, counts);
@@ -263,7 +262,7 @@ TEST_CASE("referee: mutants of the netlists of the examples") {
     const std::size_t each = 1 + case_count(600) / (4 * texts.size());
     for (const auto& [name, text] : texts) {
         const auto grafcet = read_grafcet(text);
-        for (const Style style : all_styles) {
+        for (const Style style : all_styles()) {
             judge_mutants({text, style, true, "", 2}, *grafcet, each, 3000, counts);
         }
     }
@@ -280,7 +279,7 @@ TEST_CASE("referee: mutants of the netlists of random charts") {
         const std::string text = chart_of(seed);
         const auto grafcet = read_grafcet(text);
         REQUIRE(grafcet);
-        for (const Style style : all_styles) {
+        for (const Style style : all_styles()) {
             judge_mutants({text, style, seed % 3 != 0, "", seed}, *grafcet, 2, 2000, counts);
         }
     }

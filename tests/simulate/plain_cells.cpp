@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::vector<bool> plain_output(const PlainCell& cell, const std::vector<PlainMom
     return is_pulse ? plain_pulses(cell, moments) : Plain(cell, moments, delays_end).run();
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

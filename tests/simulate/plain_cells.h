@@ -5,7 +5,7 @@
 
 #include "netlist/netlist.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// A cell as its definition says, in two values and nanosecond by nanosecond, without events: what
 /// the simulation of a cell is judged by.
@@ -32,4 +32,4 @@ struct PlainMoment {
 std::vector<bool> plain_output(const PlainCell& cell, const std::vector<PlainMoment>& moments,
                                bool delays_end);
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -5,8 +5,12 @@
 namespace grafwire {
 
 std::ostream& operator<<(std::ostream& out, Logic value) {
-    return out << (value == unknown ? 'x' : value == one ? '1' : '0');
+    return out << (value == Logic::unknown ? 'x' : value == Logic::one ? '1' : '0');
 }
+
+}  // namespace grafwire
+
+namespace grafwire::testing {
 
 SmallNetlist::SmallNetlist() {
     netlist.name = "small";
@@ -71,4 +75,4 @@ void Bench::record(std::string_view name) {
     });
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -12,13 +12,17 @@
 
 namespace grafwire {
 
+/// So that a failed comparison shows values.
+std::ostream& operator<<(std::ostream& out, Logic value);
+
+}  // namespace grafwire
+
+namespace grafwire::testing {
+
 inline constexpr Logic zero = Logic::zero;
 inline constexpr Logic one = Logic::one;
 inline constexpr Logic unknown = Logic::unknown;
 inline constexpr Logic all_values[] = {zero, one, unknown};
-
-/// So that a failed comparison shows values.
-std::ostream& operator<<(std::ostream& out, Logic value);
 
 /// A netlist written by hand, nets by their names; a name stands for its net from its first use.
 class SmallNetlist {
@@ -69,4 +73,4 @@ class Bench {
     Simulator simulator;
 };
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

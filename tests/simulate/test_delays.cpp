@@ -3,6 +3,7 @@
 #include "small_netlist.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "small_netlist.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "small_netlist.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 // Random netlists of gates and latches against an oracle that knows nothing of events: every
 // nanosecond it evaluates every cell from its pins, and all outputs change together.

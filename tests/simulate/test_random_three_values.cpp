@@ -6,6 +6,7 @@
 #include "waveform_player.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 // As test_three_values.cpp, for small random netlists of all types of cells, with feedback: every
 // net, at every nanosecond, when the inputs are known, against the simulation in which some of them

@@ -3,6 +3,7 @@
 #include "two_steps.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "waveform_player.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 // Three values against two: whatever an unknown input does, every cell shows at every nanosecond a
 // value that the simulation with the unknown input allows. For each type of cell by itself, over

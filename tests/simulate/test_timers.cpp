@@ -7,6 +7,7 @@
 #include "small_netlist.h"
 
 using namespace grafwire;
+using namespace grafwire::testing;
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 Grafcet grafcet_of(std::string_view text) {
     const SourceFile source{"two.grafcet", std::string(text)};
@@ -81,4 +81,4 @@ std::string traced(const SimulateResult& result) {
     return write_csv(result.trace);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

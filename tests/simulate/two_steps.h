@@ -8,7 +8,7 @@
 #include "small_netlist.h"
 #include "trace/stimuli.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 inline constexpr std::string_view two_steps_text = R"(
 grafcet two
@@ -36,4 +36,4 @@ SmallNetlist two_steps_clocked();
 /// The trace as CSV.
 std::string traced(const SimulateResult& result);
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -138,4 +138,4 @@ WaveformPlayer::Played WaveformPlayer::play(const Waveforms& waveforms) {
     return played;
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -8,7 +8,7 @@
 #include "simulate/delay_ends.h"
 #include "small_netlist.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// The values of the inputs at one position of a waveform.
 using InputRow = std::vector<Logic>;
@@ -71,4 +71,4 @@ class WaveformPlayer {
     DelayEnds delay_ends_;
 };
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -1,6 +1,6 @@
 #include "support/csv.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 std::vector<CsvRow> read_csv(const std::string& text) {
     std::vector<CsvRow> rows;
@@ -29,4 +29,4 @@ std::vector<CsvRow> read_csv(const std::string& text) {
     return rows;
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

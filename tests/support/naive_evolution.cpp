@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 bool NaiveEvolution::value(ExprId id, const NaiveState& s, const InputValues& in) const {
     const Expressions& e = g_.expressions;
@@ -311,4 +311,4 @@ bool NaiveEvolution::settle(NaiveState& s, const InputValues& in, Time now,
     }
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

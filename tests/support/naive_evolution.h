@@ -7,7 +7,7 @@
 #include "grafcet/grafcet.h"
 #include "trace/stimuli.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// The method once more, written as slowly and plainly as it can be: every table in full, every
 /// expression in every scan, one byte per bit. For comparison.
@@ -52,4 +52,4 @@ class NaiveEvolution {
     const Grafcet& g_;
 };
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 /// Whether the tests are to write their reviewed files anew instead of comparing with them:
 /// `tools/bless --tables`.
@@ -41,4 +41,4 @@ inline void check_reviewed(const std::string& name, const std::string& table) {
     CHECK_MESSAGE(count == expected.size(), name << " has more lines than there should be");
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

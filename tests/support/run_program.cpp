@@ -11,8 +11,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -75,6 +76,23 @@ Ran grafwire_with(std::vector<std::string> arguments, const std::string& input,
     return run_program(arguments, input, environment);
 }
 
+std::vector<std::string> choices_of(const std::string& command, const std::string& option) {
+    const std::string help = grafwire_with({command, "--help"}).out;
+    const std::size_t entry = help.find("\n  " + option + " ");
+    REQUIRE(entry != std::string::npos);
+    const std::size_t next = std::min(help.find("\n  -", entry + 1), help.find("\n\n", entry));
+    const std::string text = help.substr(entry, next - entry);
+    // `{a,b,c}` behind its name, or `a, b, c` behind a colon.
+    std::size_t begin = text.find('{');
+    const std::size_t end = begin == std::string::npos ? text.size() : text.find('}');
+    if (begin == std::string::npos) begin = text.find(": ");
+    REQUIRE(begin != std::string::npos);
+    std::string list = text.substr(begin + 1, end - begin - 1);
+    std::replace(list.begin(), list.end(), ',', ' ');
+    std::istringstream words(list);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
 ScratchFolder::ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "grafwire-XXXXXX").string();
     REQUIRE(mkdtemp(name.data()) != nullptr);
@@ -123,4 +141,4 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

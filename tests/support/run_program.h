@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 /// What a program left behind.
 struct Ran {
@@ -21,6 +21,10 @@ Ran run_program(const std::vector<std::string>& command, const std::string& inpu
 /// Runs grafwire with these arguments.
 Ran grafwire_with(std::vector<std::string> arguments, const std::string& input = {},
                   const std::vector<std::string>& environment = {});
+
+/// What an option of a command may be, as its help lists it: the styles of `netlist --style`, the
+/// formats of `netlist --to`, …
+std::vector<std::string> choices_of(const std::string& command, const std::string& option);
 
 /// An empty folder that goes with the object.
 class ScratchFolder {
@@ -51,4 +55,4 @@ std::vector<std::string> example_names();
 
 bool contains(const std::string& text, const std::string& part);
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 /// Under the sanitizers everything takes many times longer, and some tests do less.
 #if defined(__SANITIZE_ADDRESS__)
@@ -15,4 +15,4 @@ inline constexpr bool is_slow_build = false;
 inline constexpr bool is_slow_build = false;
 #endif
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing

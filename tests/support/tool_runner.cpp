@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 ToolRunner::ToolRunner() {
     std::string pattern = (std::filesystem::temp_directory_path() / "grafwire-XXXXXX").string();
@@ -41,4 +41,4 @@ ToolRunner::Result ToolRunner::run(const std::string& command) const {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("output.txt")};
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// A directory of its own for the files of one test; gone at its end.
 class ToolRunner {
@@ -28,4 +28,4 @@ class ToolRunner {
     std::string directory_;
 };
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

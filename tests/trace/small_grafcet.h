@@ -7,7 +7,7 @@
 
 #include "grafcet/parse_grafcet.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 /// Reads a GRAFCET that has no errors; fails the test with the messages otherwise.
 inline Grafcet read_grafcet(std::string_view text) {
@@ -18,4 +18,4 @@ inline Grafcet read_grafcet(std::string_view text) {
     return std::move(*grafcet);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -1,7 +1,7 @@
 #include "trace/small_grafcet.h"
 #include "trace/stimuli.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("the first broken assumption is found") {
     const Grafcet grafcet = read_grafcet(R"(
@@ -27,4 +27,4 @@ TEST_CASE("without assumptions none is broken") {
     CHECK(broken_assumption(grafcet, {1, 1, 1}) == 0);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

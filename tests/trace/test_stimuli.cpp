@@ -5,7 +5,7 @@
 #include "trace/small_grafcet.h"
 #include "trace/stimuli.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -228,4 +228,4 @@ TEST_CASE("any bytes give stimuli or errors, and stimuli can be written and read
     CHECK(accepted > 500);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -1,7 +1,7 @@
 #include "trace/small_grafcet.h"
 #include "trace/trace.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 namespace {
 
@@ -82,4 +82,4 @@ TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
     CHECK(write_vcd(Trace{}, "").find("$scope module _ $end") != std::string::npos);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing

@@ -4,7 +4,7 @@
 
 #include "trace/vcd_writer.h"
 
-namespace grafwire {
+namespace grafwire::testing {
 
 TEST_CASE("a waveform written signal by signal") {
     VcdWriter writer("top");
@@ -83,4 +83,4 @@ TEST_CASE("wide numbers are extended with their sign") {
     CHECK(text.find("\nb" + std::string(65, '1') + "0 !\n") != std::string::npos);
 }
 
-}  // namespace grafwire
+}  // namespace grafwire::testing
