@@ -1,17 +1,28 @@
-# What `cmake --install` puts in place: the program, the libraries, their headers by folder, the schema
-# of the reports of `check`, and the package that lets others write find_package(grafwire) and link to grafwire::check.
+# What `cmake --install` puts in place: the program, the library as one file with its public headers,
+# the schema of the reports of `check`, and what lets others find the library: a package for CMake
+# (find_package(grafwire), grafwire::grafwire) and one for pkg-config.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/grafwire)
 
+# The libraries of the folders, in one: their users see the public headers alone.
 get_property(libraries GLOBAL PROPERTY GRAFWIRE_LIBRARIES)
+set(objects "")
 foreach(library ${libraries})
-  target_compile_features(${library} PUBLIC cxx_std_20)
+  list(APPEND objects $<TARGET_OBJECTS:${library}>)
 endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire
-  FILES_MATCHING PATTERN "*.h" PATTERN command EXCLUDE)
-install(TARGETS ${libraries} EXPORT grafwireTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+add_library(grafwire_whole STATIC ${objects})
+set_target_properties(grafwire_whole PROPERTIES
+  OUTPUT_NAME grafwire EXPORT_NAME grafwire LINKER_LANGUAGE CXX)
+target_compile_features(grafwire_whole INTERFACE cxx_std_17)
+target_include_directories(grafwire_whole INTERFACE
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(grafwire_whole PRIVATE fmt::fmt pugixml::pugixml cadical)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/grafwire/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire
+  FILES_MATCHING PATTERN "*.h" PATTERN parts.h EXCLUDE)
+install(TARGETS grafwire_whole EXPORT grafwireTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT grafwireTargets NAMESPACE grafwire:: DESTINATION ${package_folder})
 install(FILES ${PROJECT_SOURCE_DIR}/src/check/report.schema.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET grafwire)
@@ -25,3 +36,9 @@ configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/grafwireConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/grafwireConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${package_files} DESTINATION ${package_folder})
+
+# The paths are relative to the file, so that the folder can be installed or moved anywhere.
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/grafwire.pc.in
+  ${PROJECT_BINARY_DIR}/grafwire.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/grafwire.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafwire/check.h"
+#include "text/diagnostics.h"
+#include "text/language.h"
+#include "text/time.h"
+#include "workflow/chart.h"
+#include "workflow/netlists.h"
+
+namespace grafwire::api {
+
+// What stands behind the handles of the public headers, and how their values become those of the
+// workflow. Not installed.
+
+struct Chart::Parts {
+    grafwire::Chart chart;
+};
+
+struct Netlist::Parts {
+    Chart chart;
+    grafwire::Netlist netlist;
+    std::string style;  ///< of a generated one, with its form of CDX
+    std::string cdx;
+    std::string source;  ///< what a netlist from elsewhere is called
+};
+
+std::vector<Message> messages_from(const Diagnostics& diagnostics);
+Message error(std::string text);
+
+inline grafwire::Language language_from(Language language) {
+    return language == Language::french ? grafwire::Language::french : grafwire::Language::english;
+}
+inline CdxForm form_from(Cdx cdx) {
+    return cdx == Cdx::successor ? CdxForm::successor : CdxForm::transition;
+}
+
+/// A period that may be wrong: then `is_wrong`, and the value is none.
+struct CheckedPeriod {
+    std::optional<Time> value;
+    bool is_wrong = false;
+};
+CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period);
+Message wrong_period();
+
+std::vector<std::string> strings(const std::vector<std::string_view>& names);
+
+}  // namespace grafwire::api

@@ -1,0 +1,95 @@
+#include "grafwire/read.h"
+
+#include <fmt/format.h>
+
+#include "grafwire/parts.h"
+#include "grafwire/version.h"
+#include "text/version.h"
+
+namespace grafwire::api {
+
+std::string version() {
+    return std::string(grafwire::version());
+}
+
+std::string shown(const std::vector<Message>& messages, std::string_view file) {
+    std::string text;
+    for (const Message& message : messages) {
+        text += file;
+        if (message.line != 0) text += fmt::format(":{}:{}", message.line, message.column);
+        text += fmt::format(": {}: {}\n",
+                            message.severity == Message::Severity::error ? "error" : "warning",
+                            message.text);
+    }
+    return text;
+}
+
+std::vector<Message> messages_from(const Diagnostics& diagnostics) {
+    std::vector<Message> messages;
+    for (const Diagnostic& item : diagnostics.items()) {
+        Message message;
+        if (item.severity == grafwire::Severity::warning) {
+            message.severity = Message::Severity::warning;
+        }
+        message.text = item.message;
+        if (item.where.is_known()) {
+            message.line = item.where.line;
+            message.column = item.where.column;
+        }
+        messages.push_back(std::move(message));
+    }
+    return messages;
+}
+
+Message error(std::string text) {
+    return {Message::Severity::error, std::move(text), 0, 0};
+}
+
+CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period) {
+    if (!period) return {};
+    const std::int64_t count = period->count();
+    if (count <= 0 || count > never / nanosecond) return {std::nullopt, true};
+    return {count * nanosecond, false};
+}
+
+Message wrong_period() {
+    return error("a period is positive, and less than 106 days");
+}
+
+std::vector<std::string> strings(const std::vector<std::string_view>& names) {
+    return {names.begin(), names.end()};
+}
+
+Result<Chart> read_chart(std::string text, std::string name) {
+    Diagnostics diagnostics;
+    auto chart = grafwire::read_chart({std::move(name), std::move(text)}, diagnostics);
+    Result<Chart> result{std::nullopt, messages_from(diagnostics)};
+    if (chart) {
+        result.value = Chart(std::make_shared<const Chart::Parts>(Chart::Parts{std::move(*chart)}));
+    }
+    return result;
+}
+
+std::string Chart::name() const {
+    return parts_->chart.grafcet.name;
+}
+
+std::vector<std::string> Chart::steps() const {
+    std::vector<std::string> names;
+    for (const Step& step : parts_->chart.grafcet.steps) names.push_back(step.name);
+    return names;
+}
+
+std::vector<std::string> Chart::inputs() const {
+    std::vector<std::string> names;
+    for (const auto& input : parts_->chart.grafcet.inputs) names.push_back(input.name);
+    return names;
+}
+
+std::vector<std::string> Chart::outputs() const {
+    std::vector<std::string> names;
+    for (const auto& output : parts_->chart.grafcet.outputs) names.push_back(output.name);
+    return names;
+}
+
+}  // namespace grafwire::api

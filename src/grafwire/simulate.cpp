@@ -1,0 +1,69 @@
+#include "grafwire/simulate.h"
+
+#include "grafwire/parts.h"
+#include "trace/stimuli.h"
+#include "workflow/runs.h"
+
+namespace grafwire::api {
+
+namespace {
+
+std::optional<std::chrono::nanoseconds> moment(std::optional<Time> time) {
+    if (!time) return std::nullopt;
+    return std::chrono::nanoseconds(*time / nanosecond);
+}
+
+/// What both kinds of runs begin with.
+struct Start {
+    std::optional<Stimuli> stimuli;
+    CheckedPeriod period;
+    std::vector<Message> messages;
+};
+
+Start begin(const grafwire::Chart& chart, std::string text,
+            std::optional<std::chrono::nanoseconds> period) {
+    Start start;
+    Diagnostics diagnostics;
+    start.stimuli = parse_stimuli({"stimuli", std::move(text)}, chart.grafcet, diagnostics);
+    start.messages = messages_from(diagnostics);
+    start.period = period_from(period);
+    if (start.period.is_wrong) {
+        start.messages.push_back(wrong_period());
+        start.stimuli.reset();
+    }
+    return start;
+}
+
+}  // namespace
+
+Result<Run> run(const Chart& chart, std::string stimuli,
+                std::optional<std::chrono::nanoseconds> period) {
+    const grafwire::Chart& read = chart.parts().chart;
+    Start start = begin(read, std::move(stimuli), period);
+    Result<Run> result{std::nullopt, std::move(start.messages)};
+    if (!start.stimuli) return result;
+    const RunResult ran = run_reference(read, *start.stimuli, start.period.value);
+    result.value =
+        Run{write_csv(ran.trace), write_vcd(ran.trace, read.grafcet.name), moment(ran.unstable_at)};
+    return result;
+}
+
+Result<Run> simulate(const Netlist& netlist, std::string stimuli,
+                     std::optional<std::chrono::nanoseconds> period) {
+    const Netlist::Parts& parts = netlist.parts();
+    const grafwire::Chart& chart = parts.chart.parts().chart;
+    Start start = begin(chart, std::move(stimuli), period);
+    Result<Run> result{std::nullopt, std::move(start.messages)};
+    if (period && !netlist.is_clocked()) {
+        result.messages.push_back(
+            error("a period is for clocked netlists: the others have no scans"));
+        return result;
+    }
+    if (!start.stimuli) return result;
+    SimulateResult ran =
+        simulate_gates(chart, parts.netlist, *start.stimuli, start.period.value, true);
+    result.value = Run{write_csv(ran.trace), std::move(ran.waveform), moment(ran.unsettled_at)};
+    return result;
+}
+
+}  // namespace grafwire::api
