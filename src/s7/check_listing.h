@@ -17,4 +17,11 @@ namespace grafwire::s7 {
 /// something, are allowed: they work with what the network before has left on the stack.
 void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics);
 
+/// The levels of the stack of bits; what is pushed out at the bottom is lost.
+inline constexpr std::size_t stack_levels = 9;
+
+/// The part of it that looks at an instruction by itself: the kinds of its operands, and that the
+/// controller has what they name.
+void check_operands(const Instruction& instruction, const CpuRow& cpu, Diagnostics& diagnostics);
+
 }  // namespace grafwire::s7

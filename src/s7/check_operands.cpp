@@ -1,4 +1,7 @@
-#include "s7/check_operands.h"
+// Whether each operand of an instruction is of the kind that its place needs (instruction_set.h),
+// and within what the controller has of that area (cpu.h).
+
+#include "s7/check_listing.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "s7/addresses/io_assignment.h"
 #include "text/location.h"
 
 namespace grafwire::s7 {
@@ -35,5 +37,11 @@ bool is_offset(const ListingWord& word);
 std::optional<std::string_view> network_digits(const ListingWord& word);
 /// Up to nine digits as a number.
 std::uint32_t number_of(std::string_view digits);
+
+/// What to say of a word that is no instruction; `suggests`: with the nearest that is one.
+std::string unknown_instruction_message(std::string_view word, bool suggests);
+
+/// What to say of a word that is no operand, where names have addresses in `io` (may be null).
+std::string unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io);
 
 }  // namespace grafwire::s7

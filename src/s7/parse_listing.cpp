@@ -14,8 +14,6 @@
 #include "s7/instruction_set.h"
 #include "s7/listing_items.h"
 #include "s7/listing_lines.h"
-#include "s7/offsets.h"
-#include "s7/unknown_words.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "s7/instruction_set.h"
-#include "s7/offsets.h"
 #include "support/listings.h"
 
 namespace grafwire::testing {

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "s7/offsets.h"
+#include "s7/instruction_set.h"
 #include "s7/random_listing.h"
 #include "s7/write_listing.h"
 #include "support/listings.h"

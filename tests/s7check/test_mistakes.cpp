@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "s7/offsets.h"
+#include "s7/instruction_set.h"
 #include "s7/write_listing.h"
 #include "s7check/application.h"
 #include "s7check/mistakes.h"

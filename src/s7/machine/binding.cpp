@@ -1,3 +1,6 @@
+// The names of a GRAFCET and the addresses that stand for them in a listing, from a table of
+// assignment; and without a GRAFCET, from the table or the listing alone, the names there are.
+
 #include "s7/machine/binding.h"
 
 #include <fmt/format.h>
@@ -7,6 +10,7 @@
 #include <unordered_map>
 
 #include "s7/addresses/operand_text.h"
+#include "s7/machine/decoded.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -183,28 +187,48 @@ Grafcet names_of(const IoAssignment& io) {
     return grafcet;
 }
 
+namespace {
+
+/// How many bits an instruction takes from where an operand of it begins.
+std::int32_t bits_taken(const Instruction& instruction, const Operand& operand) {
+    const std::int32_t bits =
+        operand.width == Width::bit ? 1 : 8 * static_cast<std::int32_t>(bytes_of(operand.width));
+    switch (instruction.operation) {
+        case Operation::set:
+        case Operation::reset:
+            return instruction.operands[1].address;
+        case Operation::fill:
+        case Operation::block_move:
+            return bits * instruction.operands[2].address;
+        default:
+            return bits;
+    }
+}
+
+/// The bit so many bits after the one with which an operand begins.
+Operand bit_after(Operand operand, std::int32_t distance) {
+    const std::int32_t bit = operand.bit + distance;
+    operand.width = Width::bit;
+    operand.address += bit / 8;
+    operand.bit = static_cast<std::uint8_t>(bit % 8);
+    return operand;
+}
+
+void add_image_bits(const Instruction& instruction, std::set<Operand>& bits) {
+    for (const Operand& operand : instruction.operands) {
+        if (operand.area != Area::input && operand.area != Area::output) continue;
+        const std::int32_t count = bits_taken(instruction, operand);
+        for (std::int32_t i = 0; i < count; ++i) bits.insert(bit_after(operand, i));
+    }
+}
+
+}  // namespace
+
 IoAssignment addresses_of(const Listing& listing) {
     std::set<Operand> bits;
     for (const Network& network : listing.networks) {
         for (const Instruction& instruction : network.instructions) {
-            for (const Operand& operand : instruction.operands) {
-                if (operand.area != Area::input && operand.area != Area::output) continue;
-                const bool is_bit = operand.width == Width::bit;
-                std::int32_t count = is_bit ? 1 : 1 << static_cast<int>(operand.width) << 2;
-                if (instruction.operation == Operation::set ||
-                    instruction.operation == Operation::reset) {
-                    count = instruction.operands[1].address;
-                } else if (instruction.operands.size() == 3) {
-                    count *= instruction.operands[2].address;  // FILL, BMB, BMW
-                }
-                for (std::int32_t i = 0; i < count; ++i) {
-                    Operand bit = operand;
-                    bit.width = Width::bit;
-                    bit.address += (operand.bit + i) / 8;
-                    bit.bit = static_cast<std::uint8_t>((operand.bit + i) % 8);
-                    bits.insert(bit);
-                }
-            }
+            add_image_bits(instruction, bits);
         }
     }
     IoAssignment io;

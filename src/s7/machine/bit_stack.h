@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "s7/check_stack.h"
+#include "s7/check_listing.h"
 #include "s7/machine/machine.h"
 
 namespace grafwire::s7 {

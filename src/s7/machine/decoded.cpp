@@ -1,3 +1,6 @@
+// A listing made ready for execution: every address looked up, every jump and call turned into the
+// place it leads to, and a RET at the end of each block that might run out of it.
+
 #include "s7/machine/decoded.h"
 
 #include <algorithm>

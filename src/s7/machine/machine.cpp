@@ -1,3 +1,6 @@
+// What the machine is from outside: its state between two scans, the image of the inputs, the time
+// that passes, and what can be read after a scan.
+
 #include "s7/machine/machine.h"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ struct MachineState {
     std::vector<TimerState> counters;  ///< likewise
     std::vector<std::uint8_t> edges;   ///< of EU, ED and counters: the bit as they saw it last
     bool first_scan = true;
-    Time last_scan = 0;  ///< the moment of the last scan
+    Time last_scan = 0;  ///< the time of the last scan
     bool operator==(const MachineState&) const = default;
 };
 
@@ -86,7 +86,7 @@ class Machine {
         std::optional<RunError> error;
         bool is_done() const { return !needs && !error; }
     };
-    /// One scan at moment `now`, which does not precede the last.
+    /// One scan at time `now`, which does not precede the last.
     ScanEnd scan(MachineState& state, const InputImage& inputs, Time now);
 
     /// A bit of memory, timer or counter as the last scan (of this machine) has left it.
@@ -120,7 +120,7 @@ class Machine {
         std::uint32_t network = 0;
         Operand operand;
         std::int32_t value = 0;
-        std::optional<Writer> writer;  ///< the last of its bits, at that moment
+        std::optional<Writer> writer;  ///< the last of its bits, at that time
     };
     /// In the order of their execution.
     std::vector<Read> reads() const;

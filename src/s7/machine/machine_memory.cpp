@@ -1,3 +1,6 @@
+// The bytes of a scan under way. Beside each bit there may be noted whether it is known, an open
+// input it depends on otherwise, and who wrote it last.
+
 #include "s7/machine/machine_memory.h"
 
 #include <algorithm>

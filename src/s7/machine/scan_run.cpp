@@ -1,3 +1,8 @@
+// One scan of an S7-200: the instructions in their order on a stack of bits, from the first of the
+// main program to its MEND. Bits go on in three values as long as they can; where it depends on an
+// open input whether an instruction is executed, or with what number, the scan ends and names it.
+// What it does with words is in scan_words.cpp.
+
 #include "s7/machine/scan_run.h"
 
 #include <fmt/format.h>

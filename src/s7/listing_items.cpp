@@ -9,12 +9,12 @@
 // line at the foot of a column, with its instructions elsewhere: among the instructions between its
 // neighbours it begins where the sorted order leaves the order of the text.
 
+#include "s7/listing_items.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
-
-#include "s7/listing_items.h"
 
 namespace grafwire::s7 {
 
@@ -203,6 +203,29 @@ void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics) {
     std::vector<ListingItem> sorted;
     for (const std::size_t item : order) sorted.push_back(std::move(items[item]));
     items = std::move(sorted);
+}
+
+void assemble(std::vector<ListingItem> items, Listing& listing, Diagnostics& diagnostics) {
+    for (ListingItem& item : items) {
+        if (item.is_network) {
+            const std::uint32_t last =
+                listing.networks.empty() ? 0 : listing.networks.back().number;
+            if (!listing.networks.empty() && item.network.number <= last) {
+                diagnostics.warning(
+                    Code::read_leniently, item.network.where,
+                    fmt::format("network {} comes after network {}: their numbers do not ascend",
+                                item.network.number, last));
+            }
+            listing.networks.push_back(std::move(item.network));
+            continue;
+        }
+        if (listing.networks.empty()) {
+            diagnostics.error(Code::bad_network, item.instruction.where,
+                              "an instruction outside a network: begin it with a line NETWORK 1");
+            listing.networks.emplace_back();
+        }
+        listing.networks.back().instructions.push_back(std::move(item.instruction));
+    }
 }
 
 }  // namespace grafwire::s7
