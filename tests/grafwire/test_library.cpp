@@ -5,7 +5,7 @@
 #include "grafwire/grafwire.h"
 #include "support/run_program.h"
 
-namespace grafwire::test {
+namespace grafwire::testing {
 
 namespace {
 
@@ -180,4 +180,4 @@ TEST_CASE("the version is that of the program") {
     CHECK(grafwire_with({"--version"}).out == "grafwire " + gw::version() + "\n");
 }
 
-}  // namespace grafwire::test
+}  // namespace grafwire::testing
