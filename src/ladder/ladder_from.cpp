@@ -143,7 +143,7 @@ void LadderBuild::move(const Statement& statement) {
 
 /// A TON or TOF where there is one delay. With two, a TON runs while the operand and the value
 /// differ, one for either change: a return of the operand before the end stops it, as it must,
-/// while a TON followed by a TOF would start the first delay anew.
+/// while a TON followed by a TOF would restart the first delay.
 void LadderBuild::time(const Statement& statement) {
     const Bit value = statement.targets.front();
     const Purpose purpose{statement.comment, statement.origin};

@@ -20,14 +20,14 @@ struct PlcFormat {
     std::string_view description;
     std::string (*write)(const Grafcet& grafcet, const ScanProgram& program,
                          const PlcOptions& options, Diagnostics& diagnostics);
-    /// The options that it heeds, as they are called on the command line: `--io --mnemonics`.
+    /// The options that it uses, as they are called on the command line: `--io --mnemonics`.
     std::string_view options = "";
     /// What is wrong with `PlcOptions::io` for that chart, with places in the assignment; of
-    /// formats that heed it.
+    /// formats that use it.
     void (*check_io)(const Grafcet& grafcet, const PlcOptions& options,
                      Diagnostics& diagnostics) = nullptr;
     /// Where everything in the file lives, as a text that `PlcOptions::io` can be read from; of
-    /// formats that heed `--addresses`.
+    /// formats that use `--addresses`.
     std::string (*write_addresses)(const Grafcet& grafcet, const ScanProgram& program,
                                    const PlcOptions& options, Diagnostics& diagnostics) = nullptr;
 };

@@ -59,7 +59,7 @@ class LadderElements {
 
     const std::vector<Element>& all() const { return elements_; }
     const Element& operator[](std::size_t index) const { return elements_[index]; }
-    /// The inlets that an output feeds, but for those of right rails.
+    /// The inlets that an output feeds, except those of right rails.
     struct Consumer {
         std::size_t element = 0;
         std::size_t inlet = 0;

@@ -8,7 +8,7 @@
 
 namespace grafwire::plcopen {
 
-/// Reads the LD body of a program in a PLCopen TC6 XML project, whoever wrote it. With `program`
+/// Reads the LD body of a program in a PLCopen TC6 XML project of any tool. With `program`
 /// empty the project must hold exactly one program in LD. Networks are executed from top to bottom,
 /// or by executionOrderId where every coil and block has one; within a network, what others depend
 /// on comes first. What is not understood (jumps, other blocks, variables of other types) goes into

@@ -14,20 +14,26 @@ constexpr int left_rail = 20;
 constexpr int contacts_left = 150;  ///< leaves room for what the first block reads
 constexpr int columns = 100;
 
-class LadderBody {
+/// One rung below a height. Its symbols and boxes are placed one after the other, in the order in
+/// which the layout lists them.
+class RungBody {
   public:
-    LadderBody(const ladder::Ladder& ladder, const std::vector<std::string>& names,
-               pugi::xml_node body)
-        : ladder_(ladder), names_(names), body_(body) {}
+    RungBody(const ladder::Ladder& ladder, const std::vector<std::string>& names,
+             const ladder::Rung& rung, int top, Body& body)
+        : ladder_(ladder),
+          names_(names),
+          rung_(rung),
+          layout_(draw(ladder, rung, columns)),
+          body_(body),
+          top_(top),
+          bottom_(top + row_height * layout_.height) {}
 
-    void write() {
-        for (const ladder::Rung& item : ladder_.rungs) rung(item);
-    }
+    /// Gives the height at which the rung ends.
+    int write();
 
   private:
     using Outlets = std::vector<Outlet>;
 
-    void rung(const ladder::Rung& rung);
     Outlets power(const ladder::Power& power, Outlets sources);
     Outlet contact(const ladder::Power& power, const Outlets& sources);
     Outlet comparison(const ladder::Power& power, const Outlets& sources);
@@ -48,21 +54,22 @@ class LadderBody {
 
     const ladder::Ladder& ladder_;
     const std::vector<std::string>& names_;
-    Body body_;
-    int top_ = 20;
-    int bottom_ = 0;
-    ladder::Drawing layout_;
+    const ladder::Rung& rung_;
+    const ladder::Drawing layout_;
+    Body& body_;
+    const int top_;
+    int bottom_;
     std::size_t next_symbol_ = 0;
     std::size_t next_box_ = 0;
 };
 
-std::string LadderBody::text(const ladder::Operand& operand) const {
+std::string RungBody::text(const ladder::Operand& operand) const {
     if (operand.kind != ladder::Operand::Kind::variable) return operand_text(ladder_, operand);
     const bool is_block = ladder_.variable(operand.variable).type == ladder::Type::block;
     return is_block ? name(operand.variable) + ".CV" : name(operand.variable);
 }
 
-LadderBody::Outlets LadderBody::power(const ladder::Power& power, Outlets sources) {
+RungBody::Outlets RungBody::power(const ladder::Power& power, Outlets sources) {
     Outlets outlets;
     switch (power.kind) {
         case ladder::Power::Kind::wire:
@@ -88,7 +95,7 @@ LadderBody::Outlets LadderBody::power(const ladder::Power& power, Outlets source
     return outlets;
 }
 
-Outlet LadderBody::contact(const ladder::Power& power, const Outlets& sources) {
+Outlet RungBody::contact(const ladder::Power& power, const Outlets& sources) {
     const ladder::Drawing::Symbol& symbol = layout_.symbols[next_symbol_++];
     const Point in = wire_at(symbol.x - 1, symbol.y);
     const Point out{in.x + 21, in.y};
@@ -105,7 +112,7 @@ Outlet LadderBody::contact(const ladder::Power& power, const Outlets& sources) {
     return {Body::id_of(contact), "", out};
 }
 
-Outlet LadderBody::coil(const ladder::Coil& coil, const Outlets& sources) {
+Outlet RungBody::coil(const ladder::Coil& coil, const Outlets& sources) {
     const ladder::Drawing::Symbol& symbol = layout_.symbols[next_symbol_++];
     const Point in = wire_at(symbol.x - 1, symbol.y);
     const Point out{in.x + 21, in.y};
@@ -127,7 +134,7 @@ Outlet LadderBody::coil(const ladder::Coil& coil, const Outlets& sources) {
 constexpr int box_width = 80;
 
 /// A block whose first input lies on the wire, the others a row each below it.
-pugi::xml_node LadderBody::box(const std::string& type, Point corner, std::size_t inputs) {
+pugi::xml_node RungBody::box(const std::string& type, Point corner, std::size_t inputs) {
     const int height = row_height * (static_cast<int>(inputs) + 2);
     pugi::xml_node block = body_.element("block", corner, box_width, height);
     block.append_attribute("typeName") = type.c_str();
@@ -135,20 +142,20 @@ pugi::xml_node LadderBody::box(const std::string& type, Point corner, std::size_
     return block;
 }
 
-pugi::xml_node LadderBody::parameter(pugi::xml_node list, std::string_view name) {
+pugi::xml_node RungBody::parameter(pugi::xml_node list, std::string_view name) {
     pugi::xml_node variable = list.append_child("variable");
     variable.append_attribute("formalParameter") = std::string(name).c_str();
     return variable;
 }
 
-void LadderBody::input(pugi::xml_node inputs, std::string_view name, Point corner, std::size_t row,
-                       const ladder::Operand& operand) {
+void RungBody::input(pugi::xml_node inputs, std::string_view name, Point corner, std::size_t row,
+                     const ladder::Operand& operand) {
     const Point at{corner.x, corner.y + row_height * (static_cast<int>(row) + 1) + 10};
     const Outlet source = body_.value({at.x - 16, at.y}, text(operand));
     Body::inlet(parameter(inputs, name), corner, at, {source});
 }
 
-Outlet LadderBody::comparison(const ladder::Power& power, const Outlets& sources) {
+Outlet RungBody::comparison(const ladder::Power& power, const Outlets& sources) {
     const ladder::Drawing::Symbol& symbol = layout_.symbols[next_symbol_++];
     const Point in = wire_at(symbol.x - symbol.width / 2, symbol.y);
     const Point corner{in.x, in.y - row_height - 10};
@@ -164,7 +171,7 @@ Outlet LadderBody::comparison(const ladder::Power& power, const Outlets& sources
     return {Body::id_of(block), "OUT", out};
 }
 
-Outlet LadderBody::block(const ladder::Block& block, const Outlets& sources) {
+Outlet RungBody::block(const ladder::Block& block, const Outlets& sources) {
     const ladder::Drawing::Box& place = layout_.boxes[next_box_++];
     const ladder::BlockTypeRow& row = row_of(block.type);
     const Point in = wire_at(place.x + 12, place.y + 1);
@@ -196,21 +203,7 @@ Outlet LadderBody::block(const ladder::Block& block, const Outlets& sources) {
     return {Body::id_of(node), std::string(onward), out};
 }
 
-void LadderBody::rung(const ladder::Rung& rung) {
-    if (!rung.heading.empty()) {
-        body_.comment({left_rail, top_}, 900, rung.heading);
-        top_ += 30;
-    }
-    if (!rung.comment.empty()) {
-        body_.comment({left_rail, top_}, 900, rung.comment);
-        top_ += 30;
-    }
-    top_ += row_height;
-    layout_ = draw(ladder_, rung, columns);
-    next_symbol_ = 0;
-    next_box_ = 0;
-    bottom_ = top_ + row_height * layout_.height;
-
+int RungBody::write() {
     const int height = bottom_ - top_;
     const Point corner{left_rail, top_};
     pugi::xml_node rail = body_.element("leftPowerRail", corner, 3, height);
@@ -220,27 +213,36 @@ void LadderBody::rung(const ladder::Rung& rung) {
     Body::outlet(rail, corner, begin, true);
     std::vector<Outlet> sources{{Body::id_of(rail), "", begin}};
 
-    sources = power(rung.power, std::move(sources));
-    for (const ladder::Block& item : rung.blocks) {
+    sources = power(rung_.power, std::move(sources));
+    for (const ladder::Block& item : rung_.blocks) {
         const Outlet end = block(item, sources);
         sources = {end};
     }
     std::vector<Outlet> ends;
-    for (const ladder::Coil& item : rung.coils) ends.push_back(coil(item, sources));
+    for (const ladder::Coil& item : rung_.coils) ends.push_back(coil(item, sources));
     if (ends.empty()) ends = sources;
     const Point right_corner{contacts_left + cell_width * layout_.width, top_};
     pugi::xml_node right = body_.element("rightPowerRail", right_corner, 3, height);
     for (const Outlet& end : ends) {
         Body::inlet(right, right_corner, {right_corner.x, end.at.y}, {end});
     }
-    top_ = bottom_ + row_height;
+    return bottom_;
 }
 
 }  // namespace
 
 void write_ladder_body(const ladder::Ladder& ladder, const std::vector<std::string>& names,
-                       pugi::xml_node body) {
-    LadderBody(ladder, names, body).write();
+                       pugi::xml_node node) {
+    Body body(node);
+    int top = 20;
+    for (const ladder::Rung& rung : ladder.rungs) {
+        for (const std::string& text : {rung.heading, rung.comment}) {
+            if (text.empty()) continue;
+            body.comment({left_rail, top}, 900, text);
+            top += 30;
+        }
+        top = RungBody(ladder, names, rung, top + row_height, body).write() + row_height;
+    }
 }
 
 }  // namespace grafwire::plcopen

@@ -2,7 +2,8 @@
 //
 // The orders are those of the steps that SBR 4 left active, in one pass (Cordier, section 5.6):
 // every statement below that forces reads Ts before `Ts = Ts . /Tf0 + Tf1`. Enclosures come after
-// it; where an order bears on an enclosed graph, a scratch bit keeps that fact across the formula.
+// it; where an order applies to an enclosed graph, a scratch bit keeps that fact across the
+// formula.
 
 #include <map>
 

@@ -4,7 +4,7 @@
 // because it obeys the five rules whatever the chart: all transitions are tested on the situation
 // that the scan began with, and `Ts = Tp . /Td + Ta` gives activation its priority (Cordier,
 // "Méthode d'implémentation du GRAFCET" (1998), section 3.3). Every part of the chart becomes a
-// statement of its own, so that whoever maintains the program changes one place for one transition.
+// statement of its own, so that a change of one transition is a change in one place.
 
 #include "program/program.h"
 

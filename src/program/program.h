@@ -13,7 +13,7 @@ namespace grafwire {
 
 // The scan of a GRAFCET as a program: the table method of Cordier, "Méthode d'implémentation du
 // GRAFCET" (1998), sections 3.2 and 5.0 to 5.9, written down as statements that name bits, before
-// anybody has said where those bits live or in which language they are written. Every PLC and
+// any choice of where those bits live or in which language they are written. Every PLC and
 // programming language is written from this form.
 //
 // A program is executed statement by statement, section by section, once a scan; it keeps all its
@@ -116,7 +116,7 @@ struct Statement {
     std::int64_t low = 0;
     std::int64_t high = 0;
     /// time: 1 once the condition has been 1 for on_delay, 0 once it has been 0 for off_delay (at
-    /// once where off_delay is 0). A return before that starts the delay anew.
+    /// once where off_delay is 0). A return before that restarts the delay.
     Time on_delay = 0;
     Time off_delay = 0;
     /// What it is for, in words of the GRAFCET: `(0) 0 -> 1`, `X13`, `"H+"`. Never empty.

@@ -3,7 +3,7 @@
 // The reference reads all right-hand sides and events first and writes afterwards, in the order
 // deactivation, clearing, activation, event. A program that writes as it goes gives the same result
 // wherever an action reads nothing that an earlier one writes; only where it does, what it reads is
-// worked out beforehand into scratch bits and integers. So the common program has none.
+// first worked out into scratch bits and integers. So the common program has none.
 
 #include <algorithm>
 #include <set>

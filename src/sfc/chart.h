@@ -12,7 +12,7 @@ namespace grafwire::sfc {
 /// steps behind them, for in SFC every transition has a step before it and one after it.
 ///
 /// - A source transition leaves a step that is always active: an initial one, which is also among
-///   the steps that follow. Each has one of its own, lest two of them be a selection.
+///   the steps that follow. Each has one of its own: two that shared one would be a selection.
 /// - A sink transition leads to a step that nothing leaves.
 class Chart {
   public:

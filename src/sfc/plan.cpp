@@ -4,7 +4,7 @@
 // met: qualifiers for what they say, statements on a pulse for the rest. Two cautions:
 // - S and R act as long as their step is active, a stored action of GRAFCET only on activation. The
 //   two are the same where all that writes the variable are S and R of one sequence.
-// - The time of D and L may begin anew when a step is left and entered in one scan, or may not; a
+// - The time of D and L may restart when a step is left and entered in one scan, or may not; a
 //   step of a sequence that does not lead back to itself leaves no doubt.
 // Then all expressions are walked through, to find which edges, time conditions and copies they
 // ask for; copies serve where a variable is read that may have been written earlier in the scan.

@@ -89,7 +89,7 @@ class Situation {
     bool has_noted_ = false;
 };
 
-/// Its preceding steps, but for one perhaps, are active and its receptivity is 1.
+/// Its preceding steps, perhaps all but one, are active and its receptivity is 1.
 Condition Situation::cleared(const Transition& transition, const Condition& receptivity,
                              const StepId* but_step) const {
     std::vector<Condition> parts;
@@ -148,8 +148,8 @@ void Situation::obey_orders() {
     }
 }
 
-/// An enclosure, AUdur, a bit that says whether an order bears on a graph; forcing orders are kept
-/// until all are known. AUdur has the steps preset at any rate, which is shorter than to look
+/// An enclosure, AUdur, a bit that says whether an order applies to a graph; forcing orders are
+/// kept until all are known. AUdur has the steps preset in any case, which is shorter than to look
 /// whether any is active.
 void Situation::obey(const Statement& statement) {
     const Condition condition = worked_out(statement.condition);

@@ -8,7 +8,7 @@
 
 namespace grafwire {
 
-/// Whether forcing orders or enclosures bear on the chart, so that its own evolution is not enough.
+/// Whether the chart has forcing orders or enclosures, so that its own evolution is not enough.
 bool has_orders(const Grafcet& grafcet);
 
 /// Rungs of the preliminary processing that work out, an internal bit a step, the situation that

@@ -23,7 +23,7 @@ struct ConditionSpelling {
 };
 
 /// Writes conditions in a language. Operands that are compound stand in parentheses whatever the
-/// precedence: nobody should have to know by heart whether AND binds stronger than exclusive OR.
+/// precedence: readers need not know whether AND binds stronger than exclusive OR.
 class ConditionText {
   public:
     /// `name` and `counter` give an operand that needs no parentheses.

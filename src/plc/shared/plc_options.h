@@ -7,7 +7,7 @@
 
 namespace grafwire {
 
-/// Each format heeds some of them; see PlcFormat::options.
+/// Each format uses some of them; see PlcFormat::options.
 struct PlcOptions {
     /// Addresses for inputs, outputs and steps; without, they are assigned in order.
     const s7::IoAssignment* io = nullptr;

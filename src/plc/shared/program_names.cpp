@@ -15,19 +15,19 @@ namespace {
 /// in the program; the name need not hold all of it.
 std::string word_of(const std::string& text) {
     constexpr std::size_t longest = 32;
-    std::string spelt;
+    std::string spelled;
     for (std::size_t at = 0; at < text.size();) {
         if (text.compare(at, 3, "↑") == 0) {
-            spelt += " rise ";
+            spelled += " rise ";
             at += 3;
         } else if (text.compare(at, 3, "↓") == 0) {
-            spelt += " fall ";
+            spelled += " fall ";
             at += 3;
         } else {
-            spelt += text[at++];
+            spelled += text[at++];
         }
     }
-    std::string word = ascii_word(spelt);
+    std::string word = ascii_word(spelled);
     if (word.size() > longest) word.resize(word.find_last_not_of('_', longest - 1) + 1);
     return word;
 }

@@ -10,7 +10,7 @@ namespace grafwire {
 bool is_c_word(std::string_view word);
 
 /// Those, and the macros of Arduino cores. Processor headers define hundreds of the form `PB0`, so
-/// every word of capitals and digits counts, but for a step's `X10`.
+/// every word of capitals and digits counts, except a step's `X10`.
 bool is_arduino_word(std::string_view word);
 
 /// Keywords of Free Pascal and Turbo Pascal, in lower case.

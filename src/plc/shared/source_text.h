@@ -30,7 +30,7 @@ class SourceText {
     /// Whether a line of so many characters would be wrapped.
     bool is_too_long(std::size_t length) const { return depth_ + length > width; }
 
-    /// The text so far; what follows begins anew.
+    /// The text so far, which is forgotten.
     std::string take() { return std::exchange(text_, {}); }
 
   private:
@@ -43,8 +43,8 @@ class SourceText {
 };
 
 /// A text of the chart as a comment may hold it: control characters become blanks, signs that turn
-/// the direction of writing are spelt out, and no compiler takes the end for a continuation of the
-/// line.
+/// the direction of writing are written as names, and no compiler takes the end for a continuation
+/// of the line.
 std::string comment_text(std::string_view text);
 
 /// Whether a program calls a function: its name, no part of a longer one, before a parenthesis.

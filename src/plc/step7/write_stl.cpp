@@ -3,7 +3,7 @@
 // The tables are words of bit memory, so the whole-table formulas of the method are a few
 // operations on words, whatever the number of steps up to 32. Operands are absolute, each with its
 // symbol behind it, so that the file compiles without a symbol table; the assignment stands at the
-// head. The situation is set up anew at every restart, for bit memory may be retentive.
+// head. The situation is set up again at every restart, because bit memory may be retentive.
 
 #include "plc/step7/write_stl.h"
 

@@ -124,7 +124,7 @@ void ListingBuild::hold_within(const IntegerRange& range, const Statement& state
 }
 
 /// value = T(on) + value . /T(off), with T(on) counting while the operand is 1 and T(off) while it
-/// is 0. A TON starts anew whenever its condition has been 0, so T(on) says that the operand has
+/// is 0. A TON restarts whenever its condition has been 0, so T(on) says that the operand has
 /// been 1 for the delay, and T(off) that it has been 0 for the other. Without an on-delay the
 /// operand itself stands for T(on); without an off-delay the value is T(on).
 void ListingBuild::write_time(const Statement& statement) {

@@ -99,8 +99,8 @@ class Places {
     std::vector<bool> used_;
 };
 
-/// The bit that a name nm (or nnm) with m <= 7 stands for; a number as nobody else writes it: no
-/// zeros before it.
+/// The bit that a name nm (or nnm) with m <= 7 stands for; a number as only the method writes it:
+/// no zeros before it.
 std::optional<std::uint32_t> numbered_place(std::string_view name) {
     if (name.empty() || name.size() > 3) return std::nullopt;
     if (name.size() > 1 && name.front() == '0') return std::nullopt;

@@ -24,7 +24,7 @@ struct Wanted {
     std::optional<Delay>* result = nullptr;
 };
 
-/// The timers of one controller that nobody has taken, by tick; the lowest numbers go first.
+/// The timers of one controller that are still free, by tick; the lowest numbers go first.
 class FreeTimers {
   public:
     explicit FreeTimers(const CpuRow& cpu) {
