@@ -175,9 +175,10 @@ configured() {
 }
 
 # How build/release is set up by whoever comes first: for speed of building. The product is compiled
-# some files at a time, so that what they include is read once for all of them; .ci/run compiles each
-# file by itself as well.
-fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+# some files at a time, so that what they include is read once for all of them, the tests with common
+# headers read once; .ci/run compiles each file by itself as well.
+fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
+    -DPRECOMPILE=ON)
 
 # is_new FOLDER: whether build/FOLDER has not been set up yet.
 is_new() {

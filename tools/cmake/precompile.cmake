@@ -1,9 +1,9 @@
 # With PRECOMPILE on, the headers that most files include and that take longest to read are read
-# once for the product and once for its tests.
+# once for the product and once for its tests; not where files are compiled together, which does the same.
 
 # grafwire_precompiled(NAME HEADERS…): makes them ready, with the settings of the folder.
 function(grafwire_precompiled name)
-  if(PRECOMPILE)
+  if(PRECOMPILE AND NOT CMAKE_UNITY_BUILD)
     file(WRITE ${PROJECT_BINARY_DIR}/${name}.cpp "")
     add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
     target_link_libraries(${name} PRIVATE fmt::fmt grafwire_settings)
@@ -15,7 +15,7 @@ endfunction()
 
 # grafwire_use_precompiled(TARGET NAME)
 function(grafwire_use_precompiled target name)
-  if(PRECOMPILE)
+  if(PRECOMPILE AND NOT CMAKE_UNITY_BUILD)
     target_precompile_headers(${target} REUSE_FROM ${name})
     # The compiler takes them only where the macros are those they were read with.
     target_compile_definitions(${target} PRIVATE
