@@ -237,7 +237,7 @@ ExitStatus report(const Request& request, const Chart& chart, Judgement& judgeme
         judgement.subject.witness_files =
             add_witness(files, request.witness, judgement.witness_files);
     }
-    const ReportRow* form = row_named(report_table, request.format);
+    const ReportRow* form = row_named(report_forms(), request.format);
     files.add(request.output, form->write(judgement, chart, seconds, language));
     return finish(files, exit_status(judgement.result.verdict));
 }
@@ -309,7 +309,7 @@ void declare_subject(const CommandLine& line, Request& request) {
 
 void declare_report(const CommandLine& line, Request& request) {
     line.add("--to", request.format, "form of the report")
-        .one_of_names(report_table)
+        .one_of_names(report_forms())
         .shows_default();
     line.add("-o", request.output, "file for the report (default: standard output)");
     line.add("--witness", request.witness,

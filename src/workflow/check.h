@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,7 +59,8 @@ struct ReportRow {
     std::string (*write)(const Judgement& judgement, const Chart& chart, double seconds,
                          Language language);
 };
-extern const ReportRow report_table[3];  ///< text, json, junit
+/// All forms, in the order in which help shows them.
+std::span<const ReportRow> report_forms();
 
 /// How the steps of a netlist get their first values; one from elsewhere may leave that open.
 PowerUp power_up_of(const Chart& chart, const Netlist& netlist, bool is_from_elsewhere);

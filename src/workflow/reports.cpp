@@ -18,8 +18,12 @@ std::string junit(const Judgement& judgement, const Chart& chart, double seconds
                              seconds);
 }
 
+constexpr ReportRow table[] = {{"text", text}, {"json", json}, {"junit", junit}};
+
 }  // namespace
 
-const ReportRow report_table[3] = {{"text", text}, {"json", json}, {"junit", junit}};
+std::span<const ReportRow> report_forms() {
+    return table;
+}
 
 }  // namespace grafwire
