@@ -203,7 +203,8 @@ targets_of_tests() {
     # Brings the list of tests up to date first, where CMake has to be asked again.
     quietly ninja -C "$root/build/$1" build.ninja || return
     while read -r name targets; do
-        [[ ! $name =~ $2 ]] || printf '%s\n' $targets
+        # shellcheck disable=SC2086
+        [[ ! $name =~ $2 || -z $targets ]] || printf '%s\n' $targets
     done <"$root/build/$1/tests.txt" | sort -u
 }
 
