@@ -12,8 +12,7 @@
 
 namespace grafwire {
 
-void derive_outputs(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_outputs(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
 
     Table<OutputId, ExprId> sums(grafcet.outputs.size(), pool.constant(false));
@@ -21,8 +20,9 @@ void derive_outputs(Equations& equations) {
     for (const Action& action : grafcet.actions) {
         if (action.kind != ActionKind::continuous) continue;
         ExprId term = step_variable(pool, action.step);
-        if (action.expression != no_expr)
+        if (action.expression != no_expr) {
             term = and_of(pool, {term, translated(equations, action.expression)});
+        }
         terms.add(action.output, term);
     }
     terms.consume([&](OutputId output, const std::vector<ExprId>& active) {
@@ -39,7 +39,7 @@ void derive_outputs(Equations& equations) {
 
 namespace {
 
-// Where the writes to a variable are collected: outputs, then vars, then counters.
+/// Where the writes to a variable are collected: outputs, then vars, then counters.
 class Targets {
   public:
     explicit Targets(const Grafcet& grafcet)
@@ -60,15 +60,16 @@ class Targets {
     std::vector<std::vector<StoredWrite>> writes_;
 };
 
-// What is written: `value` or `sum` of the write.
-void add_written(const Equations& equations, const Write& write, ExprId zero, ExprId one,
-                 StoredWrite& result) {
-    if (write.sum != none)
-        result.sum = &equations.grafcet->sums[write.sum];
-    else if (write.operation == WriteOperation::assign)
+/// What is written: `value` or `sum` of the write.
+void add_written(const Grafcet& grafcet, const Equations& equations, const Write& write,
+                 ExprId zero, ExprId one, StoredWrite& result) {
+    if (write.sum != none) {
+        result.sum = grafcet.sums[write.sum];
+    } else if (write.operation == WriteOperation::assign) {
         result.value = translated(equations, write.value);
-    else
+    } else {
         result.value = write.operation == WriteOperation::set ? one : zero;
+    }
 }
 
 StoredWrite::Cause cause_of(Trigger trigger) {
@@ -83,7 +84,7 @@ StoredWrite::Cause cause_of(Trigger trigger) {
     return StoredWrite::Cause::event;
 }
 
-StoredWrite step_write(Equations& equations, const Action& action) {
+StoredWrite step_write(const Grafcet& grafcet, Equations& equations, const Action& action) {
     Expressions& pool = equations.expressions;
     StoredWrite write;
     write.cause = cause_of(action.trigger);
@@ -98,11 +99,12 @@ StoredWrite step_write(Equations& equations, const Action& action) {
         write.event = translated(equations, action.expression);
         write.trigger = and_of(pool, {x, write.event});
     }
-    add_written(equations, action.write, pool.constant(false), pool.constant(true), write);
+    add_written(grafcet, equations, action.write, pool.constant(false), pool.constant(true), write);
     return write;
 }
 
-StoredWrite clearing_write(Equations& equations, const ClearingAction& action) {
+StoredWrite clearing_write(const Grafcet& grafcet, Equations& equations,
+                           const ClearingAction& action) {
     Expressions& pool = equations.expressions;
     StoredWrite write;
     write.cause = StoredWrite::Cause::clearing;
@@ -110,27 +112,28 @@ StoredWrite clearing_write(Equations& equations, const ClearingAction& action) {
     write.where = action.where;
     write.trigger =
         and_not_control(equations, equations.clearing[action.transition], ControlInput::init);
-    add_written(equations, action.write, pool.constant(false), pool.constant(true), write);
+    add_written(grafcet, equations, action.write, pool.constant(false), pool.constant(true), write);
     return write;
 }
 
-Targets writes_by_target(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+Targets writes_by_target(const Grafcet& grafcet, Equations& equations) {
     Targets targets(grafcet);
     const auto add_of_steps = [&](Trigger trigger) {
-        for (const Action& action : grafcet.actions)
-            if (action.kind == ActionKind::stored && action.trigger == trigger)
-                targets[action.write.target].push_back(step_write(equations, action));
+        for (const Action& action : grafcet.actions) {
+            if (action.kind != ActionKind::stored || action.trigger != trigger) continue;
+            targets[action.write.target].push_back(step_write(grafcet, equations, action));
+        }
     };
     add_of_steps(Trigger::deactivation);
-    for (const ClearingAction& action : grafcet.clearing_actions)
-        targets[action.write.target].push_back(clearing_write(equations, action));
+    for (const ClearingAction& action : grafcet.clearing_actions) {
+        targets[action.write.target].push_back(clearing_write(grafcet, equations, action));
+    }
     add_of_steps(Trigger::activation);
     add_of_steps(Trigger::event);
     return targets;
 }
 
-// The condition under which the variable ends up with `value`.
+/// The condition under which the variable ends up with `value`.
 ExprId written_when(Expressions& pool, const std::vector<StoredWrite>& writes, bool value) {
     std::vector<ExprId> terms;
     ExprId later = pool.constant(false);  // triggers of later writes that may write the other value
@@ -145,10 +148,9 @@ ExprId written_when(Expressions& pool, const std::vector<StoredWrite>& writes, b
 
 }  // namespace
 
-void derive_stored(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_stored(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
-    Targets targets = writes_by_target(equations);
+    Targets targets = writes_by_target(grafcet, equations);
     const auto add = [&](VariableKind kind, std::size_t index) {
         StoredEquation equation;
         equation.target = {kind, static_cast<std::uint32_t>(index)};
@@ -160,8 +162,9 @@ void derive_stored(Equations& equations) {
         }
         equations.stored.push_back(std::move(equation));
     };
-    for (std::size_t i = 0; i < grafcet.outputs.size(); ++i)
+    for (std::size_t i = 0; i < grafcet.outputs.size(); ++i) {
         if (grafcet.outputs[grafcet.outputs.id_at(i)].stored) add(VariableKind::output, i);
+    }
     for (std::size_t i = 0; i < grafcet.vars.size(); ++i) add(VariableKind::var, i);
     for (std::size_t i = 0; i < grafcet.counters.size(); ++i) add(VariableKind::counter, i);
 }

@@ -9,22 +9,25 @@
 
 namespace grafwire {
 
-// What the parts of equations_from share. Each derive_ function fills the fields it names, from
-// those that the functions before it have filled.
+// What the parts of equations_from share. Each derive_ function fills the fields it names from the
+// GRAFCET and from what the functions before it have filled; they are listed in this order.
 
+/// `expressions` and `from_grafcet`: every expression of the GRAFCET without constant terms and
+/// without the variables of macro-steps and graphs. Edges and time conditions keep their ordinals.
+void normalise_expressions(const Grafcet& grafcet, Equations& equations);
 /// `frozen`.
-void derive_frozen(Equations& equations);
+void derive_frozen(const Grafcet& grafcet, Equations& equations);
 /// `receptivity` and `clearing`.
-void derive_transitions(Equations& equations);
-/// CAX and CDX of every step, as they are and as tabulated.
-void derive_step_conditions(Equations& equations);
+void derive_transitions(const Grafcet& grafcet, Equations& equations);
+/// CAX and CDX of every step.
+void derive_step_conditions(const Grafcet& grafcet, Equations& equations);
 /// forced_off, forced_on, enclosing and link of every step.
-void derive_forcing(Equations& equations);
-void derive_enclosures(Equations& equations);
+void derive_forcing(const Grafcet& grafcet, Equations& equations);
+void derive_enclosures(const Grafcet& grafcet, Equations& equations);
 /// `outputs`.
-void derive_outputs(Equations& equations);
+void derive_outputs(const Grafcet& grafcet, Equations& equations);
 /// `stored`.
-void derive_stored(Equations& equations);
+void derive_stored(const Grafcet& grafcet, Equations& equations);
 
 inline ExprId step_variable(Expressions& pool, StepId step) {
     return pool.variable({VariableKind::step, static_cast<std::uint32_t>(step)});
@@ -43,10 +46,6 @@ inline ExprId and_not_control(Expressions& pool, ExprId id, ControlInput input) 
 inline ExprId and_not_control(Equations& equations, ExprId id, ControlInput input) {
     return equations.options.modes ? and_not_control(equations.expressions, id, input) : id;
 }
-
-/// The parts of the equation of a step put together; they live in the pool given.
-ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool initial,
-                bool modes);
 
 inline ExprId translated(const Equations& equations, ExprId in_grafcet) {
     return equations.from_grafcet[static_cast<std::size_t>(in_grafcet)];

@@ -7,13 +7,11 @@
 #include "equations/equations.h"
 
 #include "equations/derivation.h"
-#include "equations/normal_expressions.h"
 
 namespace grafwire {
 
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options) {
     Equations equations;
-    equations.grafcet = &grafcet;
     equations.options = options;
     // For most charts all there will be: the X of every step, and per transition a clearing
     // condition and the conjunction of the steps that follow.
@@ -21,23 +19,22 @@ Equations equations_from(const Grafcet& grafcet, const EquationOptions& options)
     equations.expressions.reserve(
         grafcet.expressions.size() + grafcet.steps.size() + 2 * transitions, transitions,
         2 * grafcet.links.size() + 2 * transitions);
-    normalise_expressions(equations);
-    derive_frozen(equations);
-    derive_transitions(equations);
-    derive_step_conditions(equations);
-    derive_forcing(equations);
-    derive_enclosures(equations);
-    derive_outputs(equations);
-    derive_stored(equations);
+    normalise_expressions(grafcet, equations);
+    derive_frozen(grafcet, equations);
+    derive_transitions(grafcet, equations);
+    derive_step_conditions(grafcet, equations);
+    derive_forcing(grafcet, equations);
+    derive_enclosures(grafcet, equations);
+    derive_outputs(grafcet, equations);
+    derive_stored(grafcet, equations);
     return equations;
 }
 
-ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool initial,
-                bool modes) {
+ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool modes) {
     const ExprId held = and_of(pool, {not_of(pool, parts.cdx), step_variable(pool, step)});
     ExprId x = or_of(pool, {parts.cax, held});
-    if (modes && initial) x = or_of(pool, {x, control_variable(pool, ControlInput::init)});
-    if (modes && !initial) x = and_not_control(pool, x, ControlInput::init);
+    if (modes && parts.initial) x = or_of(pool, {x, control_variable(pool, ControlInput::init)});
+    if (modes && !parts.initial) x = and_not_control(pool, x, ControlInput::init);
 
     if (parts.forced_off != no_expr) x = and_of(pool, {x, not_of(pool, parts.forced_off)});
     if (parts.forced_on != no_expr) x = or_of(pool, {x, parts.forced_on});
@@ -46,16 +43,20 @@ ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool 
     return modes ? and_not_control(pool, x, ControlInput::au_dur) : x;
 }
 
-ExprId step_expression(Equations& equations, StepId step) {
-    const StepEquation parts = equations.steps[step];
-    return combined(equations.expressions, parts, step, equations.grafcet->steps[step].initial,
-                    equations.options.modes);
+ExprId step_expression(const Equations& equations, StepId step, Expressions& pool) {
+    return combined(pool, equations.steps[step], step, equations.options.modes);
+}
+
+ExprId stored_expression(const StoredEquation& stored, Expressions& pool) {
+    if (stored.writes.empty()) return pool.constant(false);
+    const ExprId held = and_of(pool, {not_of(pool, stored.reset), pool.variable(stored.target)});
+    return or_of(pool, {stored.set, held});
 }
 
 namespace {
 
-// One direction of the links between steps and transitions, turned round: per step, the transitions
-// that name it. First every link is counted, then each is put in its place.
+/// One direction of the links between steps and transitions, turned round: per step, the
+/// transitions that name it. First every link is counted, then each is put in its place.
 struct TurnedRound {
     std::vector<std::uint32_t>& first;
     std::vector<TransitionId>& transitions;

@@ -27,6 +27,7 @@ struct EquationOptions {
 ///   core = CAX + /CDX.X                    (+ Init for an initial step, ./Init for another)
 ///   X    = (((core . /forced_off) + forced_on) . enclosing + link) . /AUdur
 struct StepEquation {
+    bool initial = false;  ///< whether Init activates the step
     /// Without Init; the constant 0 where nothing activates the step, 1 where a source transition
     /// with the receptivity 1 leads to it.
     ExprId cax = no_expr;
@@ -55,7 +56,7 @@ struct StoredWrite {
     ExprId event = no_expr;     ///< cause event: the expression, without its step
     ExprId trigger = no_expr;   ///< ↓X, the clearing condition [. /Init], ↑X, or X . event
     ExprId value = no_expr;     ///< written to an output or var: an expression, perhaps constant
-    const Sum* sum = nullptr;   ///< written to a counter; lives in the GRAFCET
+    Sum sum;                    ///< written to a counter; empty for outputs and vars
     Location where;
 };
 
@@ -74,7 +75,8 @@ struct StoredEquation {
 };
 
 /// The equations of a GRAFCET. All expressions live in `expressions`, a pool of its own: an id of
-/// the GRAFCET's pool means nothing here, from_grafcet translates it.
+/// the GRAFCET's pool means nothing here, from_grafcet translates it. Names stand in the GRAFCET
+/// alone, and an expression is written by write_expression with both.
 ///
 /// Variables of macro-steps and graphs do not occur: they are written out as the OR of their steps.
 /// No expression holds a term that is constant; but the operand of a time condition may be 1.
@@ -83,7 +85,6 @@ struct StoredEquation {
 /// its operand (those that turn out to be constantly 0 keep their place, unused). Edges of steps
 /// that only triggers and activation links need come after them.
 struct Equations {
-    const Grafcet* grafcet = nullptr;  ///< must outlive the equations
     EquationOptions options;
     Expressions expressions;
     /// Per expression of the GRAFCET's pool: what it is here, perhaps a constant.
@@ -105,17 +106,25 @@ struct Equations {
 
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);
 
-/// CAX and CDX of a step as tabulated: with Init where there are modes. Built on request, like the
-/// whole equation.
+/// CAX and CDX of a step as tabulated: with Init where there are modes.
 struct TableConditions {
     ExprId cax = no_expr;
     ExprId cdx = no_expr;
 };
-TableConditions table_conditions(Equations& equations, StepId step);
 
-/// The whole right-hand side of a step, built on request because it costs memory for every step:
-/// `(X2.b + /X1.X0 + Init)./AUdur`.
-ExprId step_expression(Equations& equations, StepId step);
+// What no field of the equations holds, because it would cost memory for every step, is built on
+// request in a pool given: the equations' own or a copy of it that has grown.
+
+TableConditions table_conditions(const Equations& equations, StepId step, Expressions& pool);
+
+/// The whole right-hand side of a step: `(X2.b + /X1.X0 + Init)./AUdur`.
+ExprId step_expression(const Equations& equations, StepId step, Expressions& pool);
+
+/// `S + /R.v` of a stored output or var; the constant 0 where nothing writes it. Not for counters.
+ExprId stored_expression(const StoredEquation& stored, Expressions& pool);
+
+/// The parts of the equation of a step put together; they live in the pool given.
+ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool modes);
 
 /// The transitions into and out of every step, in table order.
 struct StepTransitions {

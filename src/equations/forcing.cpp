@@ -14,14 +14,14 @@ namespace grafwire {
 
 namespace {
 
-// Per graph the OR of the X that give it an order of the chosen kinds; no_expr where none does.
+/// Per graph the OR of the X that give it an order of the chosen kinds; no_expr where none does.
 template <typename Chosen>
-Table<GraphId, ExprId> ordering_steps(Equations& equations, Chosen chosen) {
-    const Grafcet& grafcet = *equations.grafcet;
+Table<GraphId, ExprId> ordering_steps(const Grafcet& grafcet, Equations& equations, Chosen chosen) {
     Expressions& pool = equations.expressions;
     TermsByKey<GraphId> terms;
-    for (const Order& order : grafcet.orders)
+    for (const Order& order : grafcet.orders) {
         if (chosen(order.kind)) terms.add(order.graph, step_variable(pool, order.step));
+    }
 
     Table<GraphId, ExprId> result(grafcet.graphs.size(), no_expr);
     terms.consume([&](GraphId graph, const std::vector<ExprId>& steps) {
@@ -30,28 +30,28 @@ Table<GraphId, ExprId> ordering_steps(Equations& equations, Chosen chosen) {
     return result;
 }
 
-// Calls `use(step id)` for every step of a graph, those of its expansions included.
+/// Calls `use(step id)` for every step of a graph, those of its expansions included.
 template <typename Use>
 void for_each_step(const Grafcet& grafcet, GraphId graph, Use use) {
     const Graph& range = grafcet.graphs[graph];
-    for (std::uint32_t i = 0; i < range.step_count; ++i)
+    for (std::uint32_t i = 0; i < range.step_count; ++i) {
         use(grafcet.steps.id_at(range.first_step + i));
+    }
 }
 
 }  // namespace
 
-void derive_frozen(Equations& equations) {
-    equations.frozen =
-        ordering_steps(equations, [](OrderKind kind) { return kind == OrderKind::freeze; });
+void derive_frozen(const Grafcet& grafcet, Equations& equations) {
+    equations.frozen = ordering_steps(grafcet, equations,
+                                      [](OrderKind kind) { return kind == OrderKind::freeze; });
 }
 
-void derive_forcing(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_forcing(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
-    const Table<GraphId, ExprId> forcing =
-        ordering_steps(equations, [](OrderKind kind) { return kind != OrderKind::freeze; });
-    const Table<GraphId, ExprId> to_initial =
-        ordering_steps(equations, [](OrderKind kind) { return kind == OrderKind::initial; });
+    const Table<GraphId, ExprId> forcing = ordering_steps(
+        grafcet, equations, [](OrderKind kind) { return kind != OrderKind::freeze; });
+    const Table<GraphId, ExprId> to_initial = ordering_steps(
+        grafcet, equations, [](OrderKind kind) { return kind == OrderKind::initial; });
 
     // Orders to the initial situation enter as one shared sum per graph.
     TermsByKey<StepId> forced_on;
@@ -60,23 +60,24 @@ void derive_forcing(Equations& equations) {
         if (forcing[graph] == no_expr) continue;
         for_each_step(grafcet, graph, [&](StepId step) {
             equations.steps[step].forced_off = forcing[graph];
-            if (to_initial[graph] != no_expr && grafcet.steps[step].initial)
+            if (to_initial[graph] != no_expr && grafcet.steps[step].initial) {
                 forced_on.add(step, to_initial[graph]);
+            }
         });
     }
-    for (const Order& order : grafcet.orders)
+    for (const Order& order : grafcet.orders) {
         for (const StepId step : order.steps) forced_on.add(step, step_variable(pool, order.step));
+    }
 
     forced_on.consume([&](StepId step, const std::vector<ExprId>& orders) {
         equations.steps[step].forced_on = or_of(pool, orders);
     });
 }
 
-void derive_enclosures(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_enclosures(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
     const Table<GraphId, ExprId> bearing =
-        ordering_steps(equations, [](OrderKind) { return true; });
+        ordering_steps(grafcet, equations, [](OrderKind) { return true; });
 
     for (const Enclosure& enclosure : grafcet.enclosures) {
         const ExprId enclosing = step_variable(pool, enclosure.step);
@@ -85,8 +86,9 @@ void derive_enclosures(Equations& equations) {
         if (enclosure.links.empty()) continue;
 
         ExprId link = pool.rise(enclosing);
-        if (const ExprId orders = bearing[enclosure.graph]; orders != no_expr)
+        if (const ExprId orders = bearing[enclosure.graph]; orders != no_expr) {
             link = and_of(pool, {link, not_of(pool, orders)});
+        }
         link = and_not_control(equations, link, ControlInput::init);
         for (const StepId step : enclosure.links) equations.steps[step].link = link;
     }

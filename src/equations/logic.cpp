@@ -9,7 +9,7 @@ namespace grafwire {
 
 namespace {
 
-// The operands with nested operators of the same kind replaced by theirs, in order.
+/// The operands with nested operators of the same kind replaced by theirs, in order.
 std::vector<ExprId> flattened(const Expressions& pool, ExprKind kind,
                               std::span<const ExprId> operands) {
     std::vector<ExprId> flat;
@@ -35,18 +35,20 @@ void drop_repeated(std::vector<ExprId>& ids) {
         return;
     }
     auto end = ids.begin();
-    for (const ExprId id : ids)
+    for (const ExprId id : ids) {
         if (std::find(ids.begin(), end, id) == end) *end++ = id;
+    }
     ids.erase(end, ids.end());
 }
 
-// Conjunction and disjunction: the constant `decisive` decides, the other one is neutral.
+/// Conjunction and disjunction: the constant `decisive` decides, the other one is neutral.
 ExprId and_or_of(Expressions& pool, ExprKind kind, bool decisive,
                  std::span<const ExprId> operands) {
     if (operands.size() == 1) return operands.front();
     std::vector<ExprId> flat = flattened(pool, kind, operands);
-    for (const ExprId id : flat)
+    for (const ExprId id : flat) {
         if (is_constant(pool, id, decisive)) return id;
+    }
     std::erase_if(flat, [&](ExprId id) { return is_constant(pool, id, !decisive); });
     drop_repeated(flat);
     if (flat.empty()) return pool.constant(!decisive);
@@ -86,8 +88,9 @@ ExprId xor_of(Expressions& pool, std::span<const ExprId> operands) {
 }
 
 ExprId not_of(Expressions& pool, ExprId operand) {
-    if (pool.kind(operand) == ExprKind::constant)
+    if (pool.kind(operand) == ExprKind::constant) {
         return pool.constant(!pool.constant_value(operand));
+    }
     if (pool.kind(operand) == ExprKind::negation) return pool.operands(operand).front();
     return pool.negation(operand);
 }

@@ -34,7 +34,7 @@ bool is_operator(ExprKind kind) {
            kind == ExprKind::disjunction || kind == ExprKind::exclusive_or;
 }
 
-// The atoms in the order in which they occur, and all nodes of the expression, operands first.
+/// The atoms in the order in which they occur, and all nodes of the expression, operands first.
 struct Parts {
     std::vector<ExprId> atoms;
     std::vector<ExprId> nodes;
@@ -52,8 +52,9 @@ Parts parts_of(const Expressions& pool, ExprId root) {
         const ExprKind kind = pool.kind(id);
         if (is_operator(kind)) {
             const std::span<const ExprId> operands = pool.operands(id);
-            for (std::size_t i = operands.size(); i-- > 0;)
+            for (std::size_t i = operands.size(); i-- > 0;) {
                 if (seen.insert(operands[i]).second) pending.push_back(operands[i]);
+            }
         } else if (kind != ExprKind::constant) {
             if (parts.atoms.size() == max_atoms) {
                 parts.too_many = true;
@@ -75,8 +76,9 @@ Rows column_of_atom(std::size_t atom, std::size_t row_count) {
 Rows truth_table(const Expressions& pool, const Parts& parts, ExprId root) {
     const std::size_t row_count = std::size_t{1} << parts.atoms.size();
     std::unordered_map<ExprId, Rows> values;
-    for (std::size_t i = 0; i < parts.atoms.size(); ++i)
+    for (std::size_t i = 0; i < parts.atoms.size(); ++i) {
         values[parts.atoms[i]] = column_of_atom(i, row_count);
+    }
     for (const ExprId id : parts.nodes) {
         const ExprKind kind = pool.kind(id);
         if (kind == ExprKind::constant) {
@@ -127,7 +129,7 @@ Product product_of(std::size_t number, std::size_t atom_count) {
     return product;
 }
 
-// Per product, whether it implies the function.
+/// Per product, whether it implies the function.
 std::vector<bool> implicants(const Rows& function, std::size_t atom_count) {
     const std::vector<std::size_t> power = powers_of_three(atom_count);
     std::vector<bool> result(power[atom_count]);
@@ -152,8 +154,9 @@ std::vector<Product> prime_implicants(const Rows& function, std::size_t atom_cou
     for (std::size_t number = 0; number < implicant.size(); ++number) {
         if (!implicant[number]) continue;
         bool prime = true;
-        for (std::size_t atom = 0, rest = number; atom < atom_count && prime; ++atom, rest /= 3)
+        for (std::size_t atom = 0, rest = number; atom < atom_count && prime; ++atom, rest /= 3) {
             prime = rest % 3 == 2 || !implicant[number + (2 - rest % 3) * power[atom]];
+        }
         if (prime) primes.push_back(product_of(number, atom_count));
     }
     return primes;
@@ -163,8 +166,9 @@ class CoverSearch {
   public:
     CoverSearch(const Rows& function, const std::vector<Product>& primes) : primes_(primes) {
         order_rows(function);
-        for (const Product& prime : primes)
+        for (const Product& prime : primes) {
             largest_ = std::max(largest_, (prime.rows & function).count());
+        }
     }
 
     std::vector<std::size_t> cheapest(const Rows& function) {
@@ -187,8 +191,9 @@ class CoverSearch {
         for (std::size_t row = 0; row < max_rows; ++row) {
             if (!function[row]) continue;
             Row entry{row, {}};
-            for (std::size_t i = 0; i < primes_.size(); ++i)
+            for (std::size_t i = 0; i < primes_.size(); ++i) {
                 if (primes_[i].rows[row]) entry.covered_by.push_back(i);
+            }
             std::stable_sort(entry.covered_by.begin(), entry.covered_by.end(),
                              [&](std::size_t a, std::size_t b) {
                                  return primes_[a].literals < primes_[b].literals;
@@ -213,8 +218,9 @@ class CoverSearch {
         }
         const std::size_t at_least = (left.count() + largest_ - 1) / largest_;
         if (best_cost_ != no_cost &&
-            (cost + at_least * product_cost >= best_cost_ || ++branches_ > search_budget))
+            (cost + at_least * product_cost >= best_cost_ || ++branches_ > search_budget)) {
             return;
+        }
         for (const std::size_t prime : rows_[place].covered_by) {
             chosen_.push_back(prime);
             branch(left & ~primes_[prime].rows, place + 1,
@@ -232,7 +238,7 @@ class CoverSearch {
     std::size_t branches_ = 0;
 };
 
-// Products that name early atoms come first, plain before negated.
+/// Products that name early atoms come first, plain before negated.
 bool reads_before(const Product& a, const Product& b) {
     const auto rank = [](std::uint8_t digit) { return digit == 1 ? 0 : digit == 0 ? 1 : 2; };
     return std::lexicographical_compare(
@@ -249,9 +255,11 @@ ExprId minimised(Expressions& pool, ExprId id) {
     const std::vector<Product> primes = prime_implicants(function, parts.atoms.size());
 
     std::vector<Product> cover;
-    if (function.any())
-        for (const std::size_t prime : CoverSearch(function, primes).cheapest(function))
+    if (function.any()) {
+        for (const std::size_t prime : CoverSearch(function, primes).cheapest(function)) {
             cover.push_back(primes[prime]);
+        }
+    }
     std::sort(cover.begin(), cover.end(), reads_before);
 
     std::vector<ExprId> sum;

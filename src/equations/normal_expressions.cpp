@@ -7,13 +7,11 @@
 // `3s/(a + 0)` beside `3s/a`); since a pool holds equal expressions once, the later one is then
 // given an operand that is equal but not the same: `↑(e.e)`, the next `↑(e.(e.e))`.
 
-#include "equations/normal_expressions.h"
-
 #include <cassert>
 #include <map>
 #include <utility>
 
-#include "equations/logic.h"
+#include "equations/derivation.h"
 
 namespace grafwire {
 
@@ -26,8 +24,9 @@ class Normaliser {
 
     void run() {
         normal_.reserve(source_.size());
-        for (std::size_t i = 0; i < source_.size(); ++i)
+        for (std::size_t i = 0; i < source_.size(); ++i) {
             normal_.push_back(rebuilt(static_cast<ExprId>(i)));
+        }
         assert(pool_.edges().size() == source_.edges().size());
         assert(pool_.time_conditions().size() == source_.time_conditions().size());
     }
@@ -81,8 +80,9 @@ class Normaliser {
     ExprId any_step(std::uint32_t first, std::uint32_t count) {
         std::vector<ExprId> steps;
         steps.reserve(count);
-        for (std::uint32_t i = first; i < first + count; ++i)
+        for (std::uint32_t i = first; i < first + count; ++i) {
             steps.push_back(pool_.variable({VariableKind::step, i}));
+        }
         return or_of(pool_, steps);
     }
 
@@ -91,8 +91,9 @@ class Normaliser {
         const ExprId operand = normal(source_.operands(id).front());
         const std::size_t before = pool_.edges().size();
         ExprId result = make_edge(kind, operand);
-        if (pool_.edges().size() == before)
+        if (pool_.edges().size() == before) {
             result = make_edge(kind, equal_but_not_same(kind, {0, operand, 0}));
+        }
         assert(pool_.ordinal(result) == source_.ordinal(id));
         // What never changes has no edge.
         return pool_.kind(operand) == ExprKind::constant ? pool_.constant(false) : result;
@@ -133,8 +134,8 @@ class Normaliser {
 
 }  // namespace
 
-void normalise_expressions(Equations& equations) {
-    Normaliser(*equations.grafcet, equations.expressions, equations.from_grafcet).run();
+void normalise_expressions(const Grafcet& grafcet, Equations& equations) {
+    Normaliser(grafcet, equations.expressions, equations.from_grafcet).run();
 }
 
 }  // namespace grafwire

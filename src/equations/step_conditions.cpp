@@ -10,8 +10,7 @@
 
 namespace grafwire {
 
-void derive_transitions(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_transitions(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
     equations.receptivity = Table<TransitionId, ExprId>(grafcet.transitions.size(), no_expr);
     equations.clearing = Table<TransitionId, ExprId>(grafcet.transitions.size(), no_expr);
@@ -27,8 +26,9 @@ void derive_transitions(Equations& equations) {
         equations.receptivity[id] = receptivity;
 
         factors.clear();
-        for (const StepId step : grafcet.preceding(transition))
+        for (const StepId step : grafcet.preceding(transition)) {
             factors.push_back(step_variable(pool, step));
+        }
         factors.push_back(receptivity);
         equations.clearing[id] = and_of(pool, factors);
     }
@@ -36,11 +36,10 @@ void derive_transitions(Equations& equations) {
 
 namespace {
 
-// Per transition, what its clearing adds to the CDX of the steps before it.
-Table<TransitionId, ExprId> deactivations(Equations& equations) {
+/// Per transition, what its clearing adds to the CDX of the steps before it.
+Table<TransitionId, ExprId> deactivations(const Grafcet& grafcet, Equations& equations) {
     if (equations.options.cdx == CdxForm::transition) return equations.clearing;
 
-    const Grafcet& grafcet = *equations.grafcet;
     Expressions& pool = equations.expressions;
     Table<TransitionId, ExprId> result = equations.clearing;
     std::vector<ExprId> factors;
@@ -65,29 +64,29 @@ ExprId any_of(Expressions& pool, std::span<const TransitionId> transitions,
 
 }  // namespace
 
-void derive_step_conditions(Equations& equations) {
-    const Grafcet& grafcet = *equations.grafcet;
+void derive_step_conditions(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
     const StepTransitions transitions = transitions_by_step(grafcet);
-    const Table<TransitionId, ExprId> deactivation = deactivations(equations);
+    const Table<TransitionId, ExprId> deactivation = deactivations(grafcet, equations);
 
     equations.steps = Table<StepId, StepEquation>(grafcet.steps.size());
     for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
         const StepId id = grafcet.steps.id_at(i);
         StepEquation& step = equations.steps[id];
+        step.initial = grafcet.steps[id].initial;
         step.cax = any_of(pool, transitions.into_step(id), equations.clearing);
         step.cdx = any_of(pool, transitions.out_of_step(id), deactivation);
     }
 }
 
-TableConditions table_conditions(Equations& equations, StepId step) {
-    Expressions& pool = equations.expressions;
+TableConditions table_conditions(const Equations& equations, StepId step, Expressions& pool) {
     const StepEquation& parts = equations.steps[step];
     if (!equations.options.modes) return {parts.cax, parts.cdx};
     const ExprId init = control_variable(pool, ControlInput::init);
     const ExprId not_init = not_of(pool, init);
-    if (equations.grafcet->steps[step].initial)
+    if (parts.initial) {
         return {or_of(pool, {parts.cax, init}), and_of(pool, {parts.cdx, not_init})};
+    }
     return {and_of(pool, {parts.cax, not_init}), or_of(pool, {parts.cdx, init})};
 }
 

@@ -45,8 +45,9 @@ class SharedEdge {
     /// The first such edge, or no_expr.
     ExprId find() const {
         for (std::size_t i = 0; i < shared_; ++i) {
-            if (!is_edge(atoms_[i]) || !occurs(first_, atoms_[i]) || !occurs(second_, atoms_[i]))
+            if (!is_edge(atoms_[i]) || !occurs(first_, atoms_[i]) || !occurs(second_, atoms_[i])) {
                 continue;
+            }
             if (atoms_.size() > most_atoms || can_hang_on(i)) return atoms_[i];
         }
         return no_expr;
@@ -155,8 +156,9 @@ class HazardSearch {
             const auto after = grafcet_.following(grafcet_.transitions[out]);
             const bool is_own = after.size() == 1 && after[0] == step;
             if (after.empty() || is_own || !concurrent.are_concurrent(step, after)) return;
-            if (!is_loop(step, out, loops))
+            if (!is_loop(step, out, loops)) {
                 hazards_.push_back({WiringHazard::Kind::two_tokens, step, out, out, no_expr});
+            }
         });
         if (!grafcet_.expressions.edges().empty()) {
             for_every_way_out([&](StepId step, TransitionId out) { find_edges(step, out); });

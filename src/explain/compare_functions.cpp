@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-#include "equations/equation_text.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
@@ -101,16 +101,17 @@ EquationPair different_pair(const Wanted& wanted, const TruthTable& lower, const
 
 class StepComparison {
   public:
-    StepComparison(const NetReader& reader, Equations& equations, StepId step)
+    StepComparison(const NetReader& reader, const Equations& equations, StepId step)
         : reader_(reader),
+          grafcet_(reader.grafcet()),
           equations_(equations),
+          pool_(equations.expressions),
           step_(step),
-          name_(equations.grafcet->steps[step].name),
-          own_(operand_name(*equations.grafcet,
-                            {VariableKind::step, static_cast<std::uint32_t>(step)})),
+          name_(grafcet_.steps[step].name),
+          own_(operand_name(grafcet_, {VariableKind::step, static_cast<std::uint32_t>(step)})),
           is_clocked_(reader.netlist().is_clocked()),
-          table_(table_conditions(equations, step)),
-          whole_(step_expression(equations, step)) {}
+          table_(table_conditions(equations, step, pool_)),
+          whole_(step_expression(equations, step, pool_)) {}
 
     FunctionComparison make() {
         const NetId net = reader_.ports().steps[index_of(step_)];
@@ -120,13 +121,13 @@ class StepComparison {
         FunctionVariables& variables = result_.variables;
         variables.add({own_, net, false, false, false});
         for (const ExprId id : {table_.cax, table_.cdx, whole_}) {
-            add_variables(equations_, id, is_clocked_, variables);
+            add_variables(grafcet_, pool_, id, is_clocked_, variables);
         }
         const std::size_t from_equations = variables.size();
         take_own_loop(cone);
         add_leaves(cone, variables);
         reader_.locate(variables);
-        result_.expected = function_of(equations_, whole_, is_clocked_, variables);
+        result_.expected = function_of(grafcet_, pool_, whole_, is_clocked_, variables);
         if (result_.expected && net != no_net) result_.got = reader_.function(cone, variables);
         if (!is_readable(variables, result_.got, cone, from_equations)) {
             result_.got.reset();
@@ -161,9 +162,9 @@ class StepComparison {
     void add_plain(std::string_view role, ExprId id) {
         EquationPair pair;
         pair.name = std::string(role) + name_;
-        pair.expected = equation_text(equations_, id);
+        pair.expected = write_expression(grafcet_, pool_, id);
         FunctionVariables operands;
-        add_variables(equations_, id, is_clocked_, operands);
+        add_variables(grafcet_, pool_, id, is_clocked_, operands);
         for (std::size_t v = 0; v < operands.size(); ++v) {
             pair.operands.push_back({operands[v].name, Logic::unknown});
         }
@@ -174,8 +175,8 @@ class StepComparison {
         const FunctionVariables& variables = result_.variables;
         const TruthTable& got = *result_.got;
         const TruthTable& expected = *result_.expected;
-        const TruthTable cax = *function_of(equations_, table_.cax, is_clocked_, variables);
-        const TruthTable cdx = *function_of(equations_, table_.cdx, is_clocked_, variables);
+        const TruthTable cax = *function_of(grafcet_, pool_, table_.cax, is_clocked_, variables);
+        const TruthTable cdx = *function_of(grafcet_, pool_, table_.cdx, is_clocked_, variables);
         result_.cax = cax;
         result_.cdx = cdx;
         const TruthTable care = ~acts_outside();
@@ -205,16 +206,18 @@ class StepComparison {
             !is_equation || (has_certain ? wrong_set & ~should_reset : wrong_set).is(false);
         const bool same_reset = !is_equation || wrong_reset.is(false);
         const std::string factor = cdx.depends_on(0) ? own_ : std::string();
-        const Wanted wanted_cax{"CAX" + name_, equation_text(equations_, table_.cax), should_set};
-        const Wanted wanted_cdx{"CDX" + name_, equation_text(equations_, table_.cdx), should_reset};
+        const Wanted wanted_cax{"CAX" + name_, write_expression(grafcet_, pool_, table_.cax),
+                                should_set};
+        const Wanted wanted_cdx{"CDX" + name_, write_expression(grafcet_, pool_, table_.cdx),
+                                should_reset};
         add(same_set ? same_pair(wanted_cax, variables)
                      : different_pair(wanted_cax, set & care, set | open_set, variables, {}));
         add(same_reset
                 ? same_pair(wanted_cdx, variables)
                 : different_pair(wanted_cdx, reset & care, reset | open_reset, variables, factor));
         if (result_.fault == Fault::order) {
-            add(different_pair({own_, equation_text(equations_, whole_), expected}, got, got,
-                               variables, {}));
+            add(different_pair({own_, write_expression(grafcet_, pool_, whole_), expected}, got,
+                               got, variables, {}));
         }
     }
     /// Where AUdur, orders or the enclosing step act on X past CAX and CDX.
@@ -223,10 +226,11 @@ class StepComparison {
         const StepEquation& parts = equations_.steps[step_];
         TruthTable acts(variables.size(), false);
         for (const ExprId part : {parts.forced_off, parts.forced_on, parts.link}) {
-            if (part != no_expr) acts |= *function_of(equations_, part, is_clocked_, variables);
+            if (part != no_expr)
+                acts |= *function_of(grafcet_, pool_, part, is_clocked_, variables);
         }
         if (parts.enclosing != no_expr) {
-            acts |= ~*function_of(equations_, parts.enclosing, is_clocked_, variables);
+            acts |= ~*function_of(grafcet_, pool_, parts.enclosing, is_clocked_, variables);
         }
         const auto au_dur = variables.find("AUdur");
         if (equations_.options.modes && au_dur) {
@@ -237,7 +241,9 @@ class StepComparison {
     void add(EquationPair pair) { result_.equations.push_back(std::move(pair)); }
 
     const NetReader& reader_;
-    Equations& equations_;
+    const Grafcet& grafcet_;
+    const Equations& equations_;
+    Expressions pool_;  ///< the equations' and what is built of them here
     StepId step_;
     std::string name_;
     std::string own_;  ///< its X
@@ -271,7 +277,7 @@ std::optional<std::size_t> row_of(const FunctionVariables& variables,
     return row;
 }
 
-FunctionComparison compare_step(const NetReader& reader, Equations& equations, StepId step) {
+FunctionComparison compare_step(const NetReader& reader, const Equations& equations, StepId step) {
     return StepComparison(reader, equations, step).make();
 }
 
@@ -280,7 +286,9 @@ FunctionComparison compare_output(const NetReader& reader, const Equations& equa
     FunctionComparison result;
     const NetId net = reader.ports().outputs[index_of(output)];
     if (net == no_net) return result;
-    const bool is_stored = equations.grafcet->outputs[output].stored;
+    const Grafcet& grafcet = reader.grafcet();
+    const Expressions& pool = equations.expressions;
+    const bool is_stored = grafcet.outputs[output].stored;
     const Cone cone = reader.cone_of(net, is_stored);
     note_gates(cone, result);
     const auto equation = std::find_if(equations.outputs.begin(), equations.outputs.end(),
@@ -291,15 +299,15 @@ FunctionComparison compare_output(const NetReader& reader, const Equations& equa
         return result;
     }
     const bool is_clocked = reader.netlist().is_clocked();
-    add_variables(equations, equation->value, is_clocked, result.variables);
+    add_variables(grafcet, pool, equation->value, is_clocked, result.variables);
     const std::size_t from_equations = result.variables.size();
     add_leaves(cone, result.variables);
     reader.locate(result.variables);
-    result.expected = function_of(equations, equation->value, is_clocked, result.variables);
+    result.expected = function_of(grafcet, pool, equation->value, is_clocked, result.variables);
     if (result.expected) result.got = reader.function(cone, result.variables);
     const bool can_compare = is_readable(result.variables, result.got, cone, from_equations);
-    const std::string text = equation_text(equations, equation->value);
-    const std::string& name = equations.grafcet->outputs[output].name;
+    const std::string text = write_expression(grafcet, pool, equation->value);
+    const std::string& name = grafcet.outputs[output].name;
     if (!can_compare) {
         result.got.reset();
         result.fault = Fault::unread;

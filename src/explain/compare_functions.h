@@ -31,7 +31,7 @@ std::optional<std::size_t> row_of(const FunctionVariables& variables,
                                   const std::vector<const TruthTable*>& tables,
                                   const std::vector<Logic>& nets);
 
-FunctionComparison compare_step(const NetReader& reader, Equations& equations, StepId step);
+FunctionComparison compare_step(const NetReader& reader, const Equations& equations, StepId step);
 /// Of a stored output nothing but its gates.
 FunctionComparison compare_output(const NetReader& reader, const Equations& equations,
                                   OutputId output);

@@ -100,7 +100,7 @@ class Explaining {
     }
 
     void compare_with(CdxForm cdx, std::vector<FunctionComparison>& functions) {
-        Equations equations = equations_from(grafcet_, {cdx, netlist_.has_modes});
+        const Equations equations = equations_from(grafcet_, {cdx, netlist_.has_modes});
         for (const Examined& examined : parts_) {
             const std::size_t steps = grafcet_.steps.size();
             if (examined.part.is_step) {

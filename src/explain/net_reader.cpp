@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "equations/equation_text.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
@@ -94,8 +93,8 @@ NetReader::NetReader(const Grafcet& grafcet, const Netlist& netlist)
         }
     }
     const Equations equations = equations_from(grafcet, {});
-    name_timers(equations);
-    name_memories(equations);
+    name_timers(equations.expressions);
+    name_memories(equations.expressions);
 }
 
 void NetReader::locate(FunctionVariables& variables) const {
@@ -173,22 +172,22 @@ NetId NetReader::other_half(StepId step) const {
     return no_net;
 }
 
-void NetReader::name_timers(const Equations& equations) {
-    const std::vector<ExprId>& named = equations.expressions.time_conditions();
+void NetReader::name_timers(const Expressions& pool) {
+    const std::vector<ExprId>& named = pool.time_conditions();
     for (const Cell& cell : netlist_.cells) {
         if (cell.type != CellType::timer && cell.type != CellType::scan_timer) continue;
         const std::uint32_t ordinal = netlist_.timings[cell.timing].ordinal;
         if (ordinal >= named.size()) continue;
-        named_[cell.output] = {equation_text(equations, named[ordinal]), cell.output, false, false,
-                               true};
+        named_[cell.output] = {write_expression(grafcet_, pool, named[ordinal]), cell.output, false,
+                               false, true};
     }
 }
 
 /// Edges, and memories that the GRAFCET has no name for.
-void NetReader::name_memories(const Equations& equations) {
+void NetReader::name_memories(const Expressions& pool) {
     std::unordered_set<std::string> remembered;  // what edges compare with
-    for (const ExprId edge : equations.expressions.edges()) {
-        remembered.insert(equation_text(equations, equations.expressions.operands(edge)[0]));
+    for (const ExprId edge : pool.edges()) {
+        remembered.insert(write_expression(grafcet_, pool, pool.operands(edge)[0]));
     }
     std::vector<std::pair<NetId, FunctionVariable>> found;
     for (const Cell& cell : netlist_.cells) {
@@ -385,25 +384,25 @@ bool is_edge(ExprKind kind) {
 
 /// Walks an expression; `variable(name, is_made)` gives the table of a variable.
 template <typename VariableTable>
-TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std::size_t variables,
-                    const VariableTable& variable) {
-    const Expressions& pool = equations.expressions;
+TruthTable evaluate(const Grafcet& grafcet, const Expressions& pool, ExprId id, bool as_clocked,
+                    std::size_t variables, const VariableTable& variable) {
     const ExprKind kind = pool.kind(id);
     const auto operand = [&](ExprId part) {
-        return evaluate(equations, part, as_clocked, variables, variable);
+        return evaluate(grafcet, pool, part, as_clocked, variables, variable);
     };
     if (kind == ExprKind::constant) return {variables, pool.constant_value(id)};
     if (is_edge(kind) && as_clocked) {
         const ExprId inside = pool.operands(id)[0];
         const TruthTable now = operand(inside);
-        const TruthTable before = variable(name_before(equation_text(equations, inside)), true);
+        const TruthTable before =
+            variable(name_before(write_expression(grafcet, pool, inside)), true);
         return kind == ExprKind::rise ? now & ~before : ~now & before;
     }
     if (!is_operator(kind)) {
         const bool is_made = kind != ExprKind::variable ||
                              pool.variable_of(id).kind == VariableKind::var ||
                              pool.variable_of(id).kind == VariableKind::counter;
-        return variable(equation_text(equations, id), is_made);
+        return variable(write_expression(grafcet, pool, id), is_made);
     }
     TruthTable table = operand(pool.operands(id)[0]);
     for (std::size_t i = 1; i < pool.operands(id).size(); ++i) {
@@ -417,19 +416,19 @@ TruthTable evaluate(const Equations& equations, ExprId id, bool as_clocked, std:
 
 }  // namespace
 
-void add_variables(const Equations& equations, ExprId id, bool as_clocked,
+void add_variables(const Grafcet& grafcet, const Expressions& pool, ExprId id, bool as_clocked,
                    FunctionVariables& variables) {
-    evaluate(equations, id, as_clocked, 0, [&](const std::string& name, bool is_made) {
+    evaluate(grafcet, pool, id, as_clocked, 0, [&](const std::string& name, bool is_made) {
         variables.add({name, no_net, false, false, is_made});
         return TruthTable(0, false);
     });
 }
 
-std::optional<TruthTable> function_of(const Equations& equations, ExprId id, bool as_clocked,
-                                      const FunctionVariables& variables) {
+std::optional<TruthTable> function_of(const Grafcet& grafcet, const Expressions& pool, ExprId id,
+                                      bool as_clocked, const FunctionVariables& variables) {
     if (variables.size() > TruthTable::most_variables) return std::nullopt;
     return evaluate(
-        equations, id, as_clocked, variables.size(), [&](const std::string& name, bool) {
+        grafcet, pool, id, as_clocked, variables.size(), [&](const std::string& name, bool) {
             return TruthTable::variable(variables.size(), variables.find(name).value_or(0));
         });
 }

@@ -70,6 +70,7 @@ class NetReader {
     /// another one.
     NetId other_half(StepId step) const;
 
+    const Grafcet& grafcet() const { return grafcet_; }
     const Netlist& netlist() const { return netlist_; }
     const PortMap& ports() const { return ports_; }
     CellId driver(NetId net) const { return drivers_[net]; }
@@ -80,8 +81,8 @@ class NetReader {
     void name_step(std::size_t index);
     void name_complements();
     NetId cross_coupled(NetId net) const;
-    void name_timers(const Equations& equations);
-    void name_memories(const Equations& equations);
+    void name_timers(const Expressions& pool);
+    void name_memories(const Expressions& pool);
     std::optional<FunctionVariable> leaf(NetId net) const;
     std::string text_of(NetId net) const;
     TruthTable value_of(const Cell& cell, const std::unordered_map<NetId, TruthTable>& known,
@@ -95,13 +96,13 @@ class NetReader {
     std::unordered_map<std::string, NetId> ports_by_name_;
 };
 
-/// An expression of the equations as a function of variables that have been added; nothing where
+/// An expression as a function of variables that have been added; nothing where
 /// there are too many. `as_clocked`: an edge is its operand and not the same one
 /// clock cycle before.
-std::optional<TruthTable> function_of(const Equations& equations, ExprId id, bool as_clocked,
-                                      const FunctionVariables& variables);
+std::optional<TruthTable> function_of(const Grafcet& grafcet, const Expressions& pool, ExprId id,
+                                      bool as_clocked, const FunctionVariables& variables);
 /// Adds what an expression depends on.
-void add_variables(const Equations& equations, ExprId id, bool as_clocked,
+void add_variables(const Grafcet& grafcet, const Expressions& pool, ExprId id, bool as_clocked,
                    FunctionVariables& variables);
 
 /// `X1.a + X2./b`; `0` and `1` for constants.

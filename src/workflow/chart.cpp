@@ -33,7 +33,7 @@ std::string_view name_of(CdxForm form) {
 
 std::string equation_report(const Chart& chart, const EquationOptions& options,
                             const EquationReport& report) {
-    return write_equations(equations_from(chart.grafcet, options), report);
+    return write_equations(chart.grafcet, equations_from(chart.grafcet, options), report);
 }
 
 }  // namespace grafwire

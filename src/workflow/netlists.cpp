@@ -30,8 +30,8 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& op
         diagnostics.error(Code::unsupported_by_style, {}, std::move(conflict));
         return std::nullopt;
     }
-    Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});
-    return netlist_from(equations, options.style, diagnostics);
+    const Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});
+    return netlist_from(chart.grafcet, equations, options.style, diagnostics);
 }
 
 const AgainstRow* against_of(std::string_view extension) {

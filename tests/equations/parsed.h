@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "equations/equation_text.h"
 #include "equations/equations.h"
 #include "equations/minimise.h"
 #include "equations/report/write_equations.h"
 #include "grafcet/parse_grafcet.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire::testing {
 
@@ -26,7 +26,8 @@ inline Grafcet parsed(std::string_view text) {
 /// The report of a GRAFCET in CSV.
 inline std::string csv(std::string_view text, const EquationOptions& options) {
     const Grafcet grafcet = parsed(text);
-    return write_equations(equations_from(grafcet, options), {.format = EquationFormat::csv});
+    return write_equations(grafcet, equations_from(grafcet, options),
+                           {.format = EquationFormat::csv});
 }
 
 inline constexpr EquationOptions with_modes{};

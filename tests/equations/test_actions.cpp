@@ -19,12 +19,11 @@ struct Stored {
     explicit Stored(std::string_view chart, const EquationOptions& options = without_modes)
         : grafcet(parsed(chart)), equations(equations_from(grafcet, options)) {}
 
-    std::string set(std::size_t i) const {
-        return equation_text(equations, equations.stored[i].set);
+    std::string text(ExprId id) const {
+        return write_expression(grafcet, equations.expressions, id);
     }
-    std::string reset(std::size_t i) const {
-        return equation_text(equations, equations.stored[i].reset);
-    }
+    std::string set(std::size_t i) const { return text(equations.stored[i].set); }
+    std::string reset(std::size_t i) const { return text(equations.stored[i].reset); }
 };
 
 }  // namespace
@@ -83,9 +82,9 @@ TEST_CASE("the last write wins: deactivation, clearing, activation, event") {
     CHECK(writes[1].transition == TransitionId{0});
     CHECK(writes[2].cause == StoredWrite::Cause::activation);
     CHECK(writes[3].cause == StoredWrite::Cause::event);
-    CHECK(equation_text(stored.equations, writes[1].trigger) == "X1.a./Init");
-    CHECK(equation_text(stored.equations, writes[3].event) == "↑e");
-    CHECK(equation_text(stored.equations, writes[3].trigger) == "X1.↑e");
+    CHECK(stored.text(writes[1].trigger) == "X1.a./Init");
+    CHECK(stored.text(writes[3].event) == "↑e");
+    CHECK(stored.text(writes[3].trigger) == "X1.↑e");
     // The two resets need not exclude each other.
     CHECK(stored.set(0) == "↓X1./(X1.a./Init + ↑X1) + X1.↑e");
     CHECK(stored.reset(0) == "X1.a./Init./(X1.↑e) + ↑X1./(X1.↑e)");
@@ -149,12 +148,12 @@ TEST_CASE("counters have their writes in order; variables without writes have no
     CHECK(n.set == no_expr);
     CHECK(n.reset == no_expr);
     REQUIRE(n.writes.size() == 3);
-    CHECK(equation_text(stored.equations, n.writes[0].trigger) == "X1.(a.[n < 3] + idle)");
-    REQUIRE(n.writes[0].sum != nullptr);
-    CHECK(n.writes[0].sum->size() == 2);
+    CHECK(stored.text(n.writes[0].trigger) == "X1.(a.[n < 3] + idle)");
+    REQUIRE(!n.writes[0].sum.empty());
+    CHECK(n.writes[0].sum.size() == 2);
     CHECK(n.writes[0].value == no_expr);
-    CHECK(equation_text(stored.equations, n.writes[1].trigger) == "↑X1");
-    CHECK(equation_text(stored.equations, n.writes[2].trigger) == "X2.↑a");
+    CHECK(stored.text(n.writes[1].trigger) == "↑X1");
+    CHECK(stored.text(n.writes[2].trigger) == "X2.↑a");
 }
 
 }  // namespace grafwire::testing

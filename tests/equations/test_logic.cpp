@@ -96,7 +96,8 @@ TEST_CASE("edges and time conditions keep their ordinals") {
     const Expressions& source = grafcet.expressions;
     const Expressions& pool = equations.expressions;
     const auto here = [&](ExprId id) {
-        return equation_text(equations, equations.from_grafcet[index_of(id)]);
+        return write_expression(grafcet, equations.expressions,
+                                equations.from_grafcet[index_of(id)]);
     };
 
     std::vector<std::string> edges;

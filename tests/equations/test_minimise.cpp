@@ -10,9 +10,10 @@ std::string minimal(const std::string& expression) {
         "input a, b, c, d, e, f, g, h, i, j, k, l\n"
         "graph G { initial 1 step 2  1 -> 2 : " +
         expression + " }");
-    Equations equations = equations_from(grafcet, without_modes);
-    const ExprId id = minimised(equations.expressions, equations.receptivity[TransitionId{0}]);
-    return id == no_expr ? "none" : equation_text(equations, id);
+    const Equations equations = equations_from(grafcet, without_modes);
+    Expressions pool = equations.expressions;
+    const ExprId id = minimised(pool, equations.receptivity[TransitionId{0}]);
+    return id == no_expr ? "none" : write_expression(grafcet, pool, id);
 }
 
 }  // namespace

@@ -114,9 +114,9 @@ TEST_CASE("the steps of expansions are forced and enclosed with their graph") {
     CHECK(enclosed.step_count == 5);
     for (std::uint32_t i = 0; i < enclosed.step_count; ++i) {
         const StepEquation& step = equations.steps[StepId{enclosed.first_step + i}];
-        CHECK(equation_text(equations, step.forced_off) == "X1");
+        CHECK(write_expression(grafcet, equations.expressions, step.forced_off) == "X1");
         CHECK(step.forced_on == no_expr);
-        CHECK(equation_text(equations, step.enclosing) == "X50");
+        CHECK(write_expression(grafcet, equations.expressions, step.enclosing) == "X50");
         CHECK((step.link == no_expr) == (i > 0));
     }
     CHECK(equations.steps[StepId{0}].forced_off == no_expr);

@@ -31,7 +31,7 @@ graph G { initial 0 step 1  0 -> 1 : m.b + m./b  1 -> 0 : b }
 std::string report(std::string_view chart, const EquationReport& report,
                    const EquationOptions& options = with_modes) {
     const Grafcet grafcet = parsed(chart);
-    return write_equations(equations_from(grafcet, options), report);
+    return write_equations(grafcet, equations_from(grafcet, options), report);
 }
 
 }  // namespace

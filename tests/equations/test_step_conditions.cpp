@@ -148,7 +148,9 @@ TEST_CASE("clearing and receptivity of a transition") {
         graph G0 { initial 0 step 9 : G{*}  0 -> 9 : a  9 -> 0 : b }
         graph G { initial 1 step 2 step 3  1, 2 -> 3 : a + b   3 -> 1, 2 : 1 })");
     const Equations equations = equations_from(grafcet, with_modes);
-    const auto text = [&](ExprId id) { return equation_text(equations, id); };
+    const auto text = [&](ExprId id) {
+        return write_expression(grafcet, equations.expressions, id);
+    };
     CHECK(text(equations.receptivity[TransitionId{2}]) == "(a + b)./X9");
     CHECK(text(equations.clearing[TransitionId{2}]) == "X1.X2.(a + b)./X9");
     CHECK(text(equations.receptivity[TransitionId{3}]) == "/X9");
@@ -171,12 +173,13 @@ TEST_CASE("a synchronisation of many steps does not cost their square") {
     }
     const Grafcet grafcet = parsed("input go graph G {" + steps + "\n" + before + " -> " + after +
                                    " : go\n" + after + " -> " + before + " : 1 }");
-    Equations equations = equations_from(grafcet, with_modes);
+    const Equations equations = equations_from(grafcet, with_modes);
     const StepEquation& first = equations.steps[StepId{1}];
     const StepEquation& last = equations.steps[StepId{2 * width - 1}];
     CHECK(first.cax == last.cax);
-    CHECK(table_conditions(equations, StepId{1}).cdx ==
-          table_conditions(equations, StepId{2 * width - 1}).cdx);
+    Expressions pool = equations.expressions;
+    CHECK(table_conditions(equations, StepId{1}, pool).cdx ==
+          table_conditions(equations, StepId{2 * width - 1}, pool).cdx);
     CHECK(equations.expressions.operands(first.cax).size() == width + 1);
     CHECK(equations.expressions.size() < 3 * width);
 }

@@ -112,9 +112,9 @@ Stimuli load_stimuli(const std::string& path, const Grafcet& grafcet) {
 }
 
 std::optional<Netlist> netlist_of(const Grafcet& grafcet, const StyleRow& row) {
-    Equations equations = equations_from(grafcet, {row.default_cdx, true});
+    const Equations equations = equations_from(grafcet, {row.default_cdx, true});
     Diagnostics diagnostics;
-    auto netlist = netlist_from(equations, row.style, diagnostics);
+    auto netlist = netlist_from(grafcet, equations, row.style, diagnostics);
     CHECK(netlist.has_value() != diagnostics.has_errors());
     if (!netlist) {
         CHECK(row.style != Style::clocked);

@@ -17,9 +17,9 @@ namespace {
 std::string coverage_of(const Example& example, const StyleRow& style, bool has_modes,
                         Changes changes) {
     static constexpr const char* verdicts[] = {"equivalent", "different", "undecided"};
-    Equations equations = equations_from(example.grafcet, {style.default_cdx, has_modes});
+    const Equations equations = equations_from(example.grafcet, {style.default_cdx, has_modes});
     Diagnostics diagnostics;
-    const auto netlist = netlist_from(equations, style.style, diagnostics);
+    const auto netlist = netlist_from(example.grafcet, equations, style.style, diagnostics);
     if (!netlist) return {};
     CheckOptions options;
     options.changes = changes;

@@ -24,9 +24,9 @@ struct Count {
 };
 
 void compare_all(const Grafcet& grafcet, const StyleRow& style, Count& count) {
-    Equations equations = equations_from(grafcet, {style.default_cdx, true});
+    const Equations equations = equations_from(grafcet, {style.default_cdx, true});
     Diagnostics diagnostics;
-    const auto netlist = netlist_from(equations, style.style, diagnostics);
+    const auto netlist = netlist_from(grafcet, equations, style.style, diagnostics);
     if (!netlist) return;  // counters need the clocked style
     const NetReader reader(grafcet, *netlist);
     const auto note = [&](const FunctionComparison& comparison, const std::string& name) {

@@ -361,9 +361,9 @@ graph G { initial 1 initial 2 step 3
     CHECK(told.explanation.chain.back().value == Logic::zero);
     // What is said to help does.
     const Grafcet grafcet = grafcet_of(two_tokens);
-    Equations equations = equations_from(grafcet, {CdxForm::transition, true});
+    const Equations equations = equations_from(grafcet, {CdxForm::transition, true});
     Diagnostics diagnostics;
-    const auto netlist = netlist_from(equations, Style::nand, diagnostics);
+    const auto netlist = netlist_from(grafcet, equations, Style::nand, diagnostics);
     REQUIRE(netlist);
     CHECK(check_equivalence(grafcet, *netlist, unit_delays(*netlist), {}).verdict ==
           Verdict::equivalent);

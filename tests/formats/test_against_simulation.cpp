@@ -38,8 +38,8 @@ Grafcet parsed(const std::string& name, const std::string& text) {
 
 Netlist clocked_netlist(const Grafcet& grafcet) {
     Diagnostics diagnostics;
-    Equations equations = equations_from(grafcet, {CdxForm::transition, true});
-    std::optional<Netlist> netlist = netlist_from(equations, Style::clocked, diagnostics);
+    const Equations equations = equations_from(grafcet, {CdxForm::transition, true});
+    std::optional<Netlist> netlist = netlist_from(grafcet, equations, Style::clocked, diagnostics);
     REQUIRE(netlist.has_value());
     return std::move(*netlist);
 }
@@ -114,9 +114,9 @@ TEST_CASE("examples in Icarus Verilog") {
         REQUIRE(stimuli.has_value());
         for (const bool modes : {true, false}) {
             CAPTURE(modes);
-            Equations equations = equations_from(grafcet, {CdxForm::successor, modes});
+            const Equations equations = equations_from(grafcet, {CdxForm::successor, modes});
             const std::optional<Netlist> netlist =
-                netlist_from(equations, Style::nand, diagnostics);
+                netlist_from(grafcet, equations, Style::nand, diagnostics);
             REQUIRE(netlist.has_value());
             const SimulateResult result =
                 simulate(grafcet, *netlist, unit_delays(*netlist), *stimuli, {});

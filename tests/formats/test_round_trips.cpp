@@ -96,10 +96,10 @@ void for_each_example(const Visit& visit) {
         REQUIRE(grafcet.has_value());
         for (const StyleRow& style : style_table) {
             for (const bool modes : {true, false}) {
-                Equations equations = equations_from(*grafcet, {style.default_cdx, modes});
+                const Equations equations = equations_from(*grafcet, {style.default_cdx, modes});
                 Diagnostics refusals;
                 const std::optional<Netlist> netlist =
-                    netlist_from(equations, style.style, refusals);
+                    netlist_from(*grafcet, equations, style.style, refusals);
                 if (!netlist) continue;
                 CAPTURE(name);
                 CAPTURE(style.name);

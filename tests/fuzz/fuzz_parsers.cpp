@@ -52,7 +52,7 @@ void try_grafcet(std::string text) {
     if (grafcet->steps.size() > 50 || grafcet->expressions.size() > 500) return;
     for (const CdxForm form : {CdxForm::successor, CdxForm::transition}) {
         const Equations equations = equations_from(*grafcet, {form, true});
-        write_equations(equations, {EquationFormat::text, false, Language::english});
+        write_equations(*grafcet, equations, {EquationFormat::text, false, Language::english});
     }
 }
 

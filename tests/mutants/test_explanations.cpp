@@ -84,9 +84,9 @@ TEST_CASE("mistakes in the small examples are explained") {
         const auto grafcet = read_grafcet(text.str());
         REQUIRE(grafcet);
         for (const StyleRow& style : style_table) {
-            Equations equations = equations_from(*grafcet, {style.default_cdx, true});
+            const Equations equations = equations_from(*grafcet, {style.default_cdx, true});
             Diagnostics diagnostics;
-            const auto netlist = netlist_from(equations, style.style, diagnostics);
+            const auto netlist = netlist_from(*grafcet, equations, style.style, diagnostics);
             REQUIRE(netlist);
             const std::vector<Mutation> mutations = mutations_of(*netlist);
             for (std::size_t i = 0; i < mutations.size(); i += every) {

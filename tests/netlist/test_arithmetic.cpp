@@ -1,10 +1,11 @@
 // Words of gates against whole numbers: every pair of small counters, random sums.
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 
 #include "netlist/styles/arithmetic.h"
 #include "random/random_source.h"
-#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 
@@ -12,20 +13,19 @@ namespace {
 
 /// Counters as input words, and what has been computed from them by gates.
 struct Bench {
-    Grafcet grafcet = grafcet_of("input a graph G { initial 0 }");
-    ChartNetlist builder{grafcet};
+    NetlistBuilder builder{"arithmetic", InnerNames::by_role};
+    GateMaker gates{builder, {builder.add_module("arithmetic"), 0}, "test"};
     std::vector<Word> counters;
     Netlist netlist;
     std::vector<bool> values;
 
     explicit Bench(const std::vector<std::size_t>& widths) {
-        builder.work_on(builder.add_module("arithmetic"), 0);
         for (const std::size_t width : widths) {
             Word word;
             for (std::size_t bit = 0; bit < width; ++bit) {
                 const std::string name =
                     "c" + std::to_string(counters.size()) + "_" + std::to_string(bit);
-                word.push_back(builder.add_port_net(name));
+                word.push_back(builder.add_net(name));
                 builder.add_input(name, word.back());
             }
             counters.push_back(word);
@@ -88,7 +88,7 @@ std::int64_t expected_sum(const Sum& terms, const std::vector<std::int64_t>& num
 
 TEST_CASE("comparisons of all small numbers") {
     Bench bench({4, 3});
-    Arithmetic arithmetic(bench.builder, "test");
+    Arithmetic arithmetic(bench.gates);
     std::vector<NetId> results;
     for (int relation = 0; relation < 6; ++relation) {
         results.push_back(arithmetic.compare(bench.counters[0], static_cast<Relation>(relation),
@@ -122,7 +122,7 @@ TEST_CASE("random sums are the sums of whole numbers") {
                                        : static_cast<std::uint32_t>(random.below(widths.size())),
                              is_number ? static_cast<std::int64_t>(random.below(20)) : 0});
         }
-        Arithmetic arithmetic(bench.builder, "test");
+        Arithmetic arithmetic(bench.gates);
         const Word sum = arithmetic.sum(terms, bench.counters);
         const NetId chooser = bench.counters[0][0];
         const Word chosen = arithmetic.choose(chooser, sum, bench.counters[0]);
@@ -147,7 +147,7 @@ TEST_CASE("random sums are the sums of whole numbers") {
 
 TEST_CASE("the widest numbers do not overflow") {
     Bench bench({1});
-    Arithmetic arithmetic(bench.builder, "test");
+    Arithmetic arithmetic(bench.gates);
     const std::int64_t largest = INT64_MAX;
     const Word a =
         arithmetic.sum({{false, SumTerm::no_counter, largest}, {false, 0, 0}}, {bench.counters});

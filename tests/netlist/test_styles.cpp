@@ -201,9 +201,9 @@ graph G { initial 0 : c := c + 1
   0 -> 0 : [d = 0] }
 )");
     for (const StyleRow& row : style_table) {
-        Equations equations = equations_from(grafcet, {row.default_cdx, true});
+        const Equations equations = equations_from(grafcet, {row.default_cdx, true});
         Diagnostics diagnostics;
-        const auto netlist = netlist_from(equations, row.style, diagnostics);
+        const auto netlist = netlist_from(grafcet, equations, row.style, diagnostics);
         CHECK(netlist.has_value() == (row.style == Style::clocked));
         if (netlist) continue;
         REQUIRE(diagnostics.error_count() == 2);

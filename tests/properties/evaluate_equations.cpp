@@ -34,12 +34,13 @@ bool holds(const Comparison& comparison, const std::vector<std::int64_t>& counte
     return false;
 }
 
-bool variable_value(const Equations& equations, Variable variable, const EquationValues& values) {
+bool variable_value(Variable variable, const EquationValues& values) {
     switch (variable.kind) {
         case VariableKind::input:
             return (*values.inputs)[variable.index] != 0;
         case VariableKind::control:
-            return (*values.inputs)[equations.grafcet->inputs.size() + variable.index] != 0;
+            return (*values.inputs)[values.inputs->size() - control_input_count + variable.index] !=
+                   0;
         case VariableKind::output:
             return values.state->stored_outputs.test(variable.index);
         case VariableKind::var:
@@ -60,7 +61,7 @@ bool equation_value(const Equations& equations, ExprId id, const EquationValues&
         case ExprKind::constant:
             return pool.constant_value(id);
         case ExprKind::variable:
-            return variable_value(equations, pool.variable_of(id), values);
+            return variable_value(pool.variable_of(id), values);
         case ExprKind::negation:
             return !value(pool.operands(id)[0]);
         case ExprKind::conjunction:

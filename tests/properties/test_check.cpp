@@ -16,9 +16,9 @@ namespace {
 
 std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    Equations equations = equations_from(grafcet, {cdx, true});
+    const Equations equations = equations_from(grafcet, {cdx, true});
     Diagnostics diagnostics;
-    return netlist_from(equations, style, diagnostics);
+    return netlist_from(grafcet, equations, style, diagnostics);
 }
 
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {

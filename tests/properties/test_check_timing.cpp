@@ -35,9 +35,9 @@ std::string mutants_are_found(const RandomCase& item, Style style, Tally& tally)
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    Equations equations = equations_from(*grafcet, {cdx, true});
+    const Equations equations = equations_from(*grafcet, {cdx, true});
     Diagnostics diagnostics;
-    const auto netlist = netlist_from(equations, style, diagnostics);
+    const auto netlist = netlist_from(*grafcet, equations, style, diagnostics);
     if (!netlist) return "no netlist";
     const std::vector<Mutation> mutations = mutations_of(*netlist);
     for (std::size_t i = 0; i < mutations.size(); i += 23) {

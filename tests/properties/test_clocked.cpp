@@ -23,9 +23,9 @@ std::string compare(const Trace& expected, const Trace& got) {
 }
 
 std::optional<Netlist> clocked(const Grafcet& grafcet) {
-    Equations equations = equations_from(grafcet, {CdxForm::transition, true});
+    const Equations equations = equations_from(grafcet, {CdxForm::transition, true});
     Diagnostics diagnostics;
-    return netlist_from(equations, Style::clocked, diagnostics);
+    return netlist_from(grafcet, equations, Style::clocked, diagnostics);
 }
 
 SimulateResult cycles(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli,

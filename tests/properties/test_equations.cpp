@@ -31,7 +31,8 @@ struct StepExpressions {
     StepExpressions(const Grafcet& grafcet, CdxForm form)
         : equations(equations_from(grafcet, {form, true})) {
         for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
-            steps.push_back(step_expression(equations, grafcet.steps.id_at(i)));
+            const StepId step = grafcet.steps.id_at(i);
+            steps.push_back(step_expression(equations, step, equations.expressions));
         }
     }
     std::vector<bool> next(const EquationValues& values) const {

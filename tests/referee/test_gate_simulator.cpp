@@ -18,9 +18,9 @@ struct TwoSteps {
         : grafcet(*read_grafcet(
               "input a, b\ngraph G {\n  initial 1\n  step 2\n  1 -> 2 : " + condition + "\n}\n")) {
         const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-        Equations equations = equations_from(grafcet, {cdx, true});
+        const Equations equations = equations_from(grafcet, {cdx, true});
         Diagnostics diagnostics;
-        netlist = *netlist_from(equations, style, diagnostics);
+        netlist = *netlist_from(grafcet, equations, style, diagnostics);
     }
 
     /// Inputs a and b, the control inputs at 0.

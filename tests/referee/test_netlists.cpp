@@ -179,9 +179,9 @@ void judge(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
 
 std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style, bool modes) {
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    Equations equations = equations_from(grafcet, {cdx, modes});
+    const Equations equations = equations_from(grafcet, {cdx, modes});
     Diagnostics diagnostics;
-    return netlist_from(equations, style, diagnostics);
+    return netlist_from(grafcet, equations, style, diagnostics);
 }
 
 /// A netlist that is probably wrong: one of another chart, one with something foreign in it, one

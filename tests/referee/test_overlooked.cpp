@@ -17,9 +17,9 @@ Netlist netlist_of(const std::string& chart, Style style) {
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    Equations equations = equations_from(*grafcet, {cdx, true});
+    const Equations equations = equations_from(*grafcet, {cdx, true});
     Diagnostics diagnostics;
-    const auto netlist = netlist_from(equations, style, diagnostics);
+    const auto netlist = netlist_from(*grafcet, equations, style, diagnostics);
     REQUIRE(netlist);
     return *netlist;
 }

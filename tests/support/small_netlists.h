@@ -21,9 +21,9 @@ inline Grafcet grafcet_of(const std::string& text) {
 /// Its netlist, with the form of CDX that the style takes by itself.
 inline Netlist netlist_of(const Grafcet& grafcet, Style style, bool modes = true) {
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    Equations equations = equations_from(grafcet, {cdx, modes});
+    const Equations equations = equations_from(grafcet, {cdx, modes});
     Diagnostics diagnostics;
-    std::optional<Netlist> netlist = netlist_from(equations, style, diagnostics);
+    std::optional<Netlist> netlist = netlist_from(grafcet, equations, style, diagnostics);
     if (!netlist) FAIL("refused: " << diagnostics.items()[0].message);
     return std::move(*netlist);
 }

@@ -24,8 +24,8 @@ void measure_example(const std::string& name, Style style) {
     Diagnostics diagnostics;
     const auto grafcet = parse_grafcet({name, text.str()}, diagnostics);
     if (!grafcet) std::abort();
-    Equations equations = equations_from(*grafcet, EquationOptions{});
-    const auto netlist = netlist_from(equations, style, diagnostics);
+    const Equations equations = equations_from(*grafcet, EquationOptions{});
+    const auto netlist = netlist_from(*grafcet, equations, style, diagnostics);
     if (!netlist) std::abort();
     const CellDelays delays = unit_delays(*netlist);
     CheckOptions options;

@@ -107,8 +107,9 @@ Measured measure_ours(std::size_t steps, const fs::path& folder, std::size_t sho
     Diagnostics diagnostics;
     const auto grafcet = parse_grafcet({"ring", ring_chart(steps)}, diagnostics);
     if (!grafcet) std::abort();
-    Equations equations = equations_from(*grafcet, {.cdx = CdxForm::successor, .modes = false});
-    const auto netlist = netlist_from(equations, Style::gates, diagnostics);
+    const Equations equations =
+        equations_from(*grafcet, {.cdx = CdxForm::successor, .modes = false});
+    const auto netlist = netlist_from(*grafcet, equations, Style::gates, diagnostics);
     if (!netlist) std::abort();
     if (!folder.empty()) {
         write_file(folder / "ring.v", write_verilog(*netlist));

@@ -50,7 +50,8 @@ void go(const std::string& path, std::vector<double>& times) {
     lap(parsing);
     std::optional<Equations> equations = equations_from(*grafcet, EquationOptions{});
     lap(deriving);
-    const std::optional<Netlist> netlist = netlist_from(*equations, Style::nand, diagnostics);
+    const std::optional<Netlist> netlist =
+        netlist_from(*grafcet, *equations, Style::nand, diagnostics);
     if (!netlist) std::abort();
     lap(wiring);
     const std::string text =

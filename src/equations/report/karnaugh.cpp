@@ -5,14 +5,13 @@
 
 #include <array>
 
-#include "equations/report/report_parts.h"
 #include "equations/report/reports.h"
 
 namespace grafwire {
 
 namespace {
 
-// The columns CAX CDX of the map, in Gray order.
+/// The columns CAX CDX of the map, in Gray order.
 struct Column {
     std::string_view label;
     bool cax;
@@ -44,7 +43,7 @@ void write_truth_table(const Words& words, StepId step, Page& page) {
     page.end_table();
 }
 
-// Ones are marked with the groups that cover them: a for CAX, b for /CDX.X.
+/// Ones are marked with the groups that cover them: a for CAX, b for /CDX.X.
 void write_map(StepId step, Page& page) {
     std::vector<Page::Cell> head{Page::words("")};
     for (const Column& column : columns) head.push_back(Page::words(column.label));
@@ -77,13 +76,13 @@ void write_groups(const Words& words, StepId step, Page& page) {
 
 }  // namespace
 
-void write_karnaugh(Equations& equations, StepId step, const Words& words, Page& page) {
-    page.heading(std::string(words.karnaugh) + " X" + equations.grafcet->steps[step].name);
+void write_karnaugh(Reported& reported, StepId step, const Words& words, Page& page) {
+    page.heading(std::string(words.karnaugh) + " X" + reported.grafcet.steps[step].name);
     write_truth_table(words, step, page);
     write_map(step, page);
     write_groups(words, step, page);
 
-    const SmallerForms smaller = smaller_forms(equations, step);
+    const SmallerForms smaller = smaller_forms(reported, step);
     if (!smaller.any()) return;
     page.paragraph(words.smaller);
     page.begin_equations();

@@ -12,7 +12,7 @@ namespace grafwire {
 
 namespace {
 
-// How tightly an expression binds; what is looser than its place asks for gets parentheses.
+/// How tightly an expression binds; what is looser than its place asks for gets parentheses.
 enum Binding { loosest, disjunction, exclusive_or, conjunction, prefix, tightest };
 
 Binding binding_of(ExprKind kind) {
@@ -68,10 +68,11 @@ class Printer {
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            if (piece.id == no_expr)
+            if (piece.id == no_expr) {
                 text_ += piece.text;
-            else
+            } else {
                 expand(piece.id, piece.least);
+            }
         }
         return std::move(text_);
     }
@@ -160,8 +161,9 @@ std::string latex_expression(const Grafcet& grafcet, const Expressions& expressi
 }
 
 std::string latex_name(const Grafcet& grafcet, Variable variable) {
-    if (variable.kind == VariableKind::step)
+    if (variable.kind == VariableKind::step) {
         return latex_of_step(grafcet, "X", static_cast<StepId>(variable.index));
+    }
     return latex_identifier(variable_name(grafcet, variable));
 }
 

@@ -46,9 +46,9 @@ class Page {
     virtual std::string finish() = 0;
 };
 
-/// The equations must outlive the page.
-std::unique_ptr<Page> text_page(const Equations& equations);
-std::unique_ptr<Page> markdown_page(const Equations& equations);
-std::unique_ptr<Page> latex_page(const Equations& equations);
+/// What the pages refer to must outlive them; the pool of expressions may grow meanwhile.
+std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool);
+std::unique_ptr<Page> markdown_page(const Grafcet& grafcet, const Expressions& pool);
+std::unique_ptr<Page> latex_page(const Grafcet& grafcet, const Expressions& pool);
 
 }  // namespace grafwire

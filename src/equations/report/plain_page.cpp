@@ -1,21 +1,20 @@
 #include "equations/report/plain_page.h"
 
-#include "equations/equation_text.h"
 #include "equations/report/report_parts.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
 std::string PlainPage::expression(ExprId id) const {
-    return equation_text(equations_, id);
+    return write_expression(grafcet_, pool_, id);
 }
 
 std::string PlainPage::name(Variable variable) const {
-    return shown_name(*equations_.grafcet, variable);
+    return shown_name(grafcet_, variable);
 }
 
 std::string PlainPage::of_step(std::string_view quantity, StepId step) const {
-    return quoted_where_needed(std::string(quantity) + equations_.grafcet->steps[step].name);
+    return quoted_where_needed(std::string(quantity) + grafcet_.steps[step].name);
 }
 
 std::string PlainPage::held(StepId step) const {
@@ -23,7 +22,7 @@ std::string PlainPage::held(StepId step) const {
 }
 
 std::string PlainPage::write(Variable target, const StoredWrite& write) const {
-    return write_text(equations_, target, write);
+    return write_text(grafcet_, pool_, target, write);
 }
 
 }  // namespace grafwire

@@ -7,7 +7,7 @@ namespace grafwire {
 /// A page whose formulas are in the notation of the `.grafcet` language.
 class PlainPage : public Page {
   public:
-    explicit PlainPage(const Equations& equations) : equations_(equations) {}
+    PlainPage(const Grafcet& grafcet, const Expressions& pool) : grafcet_(grafcet), pool_(pool) {}
 
     std::string expression(ExprId id) const override;
     std::string name(Variable variable) const override;
@@ -16,7 +16,8 @@ class PlainPage : public Page {
     std::string write(Variable target, const StoredWrite& write) const override;
 
   private:
-    const Equations& equations_;
+    const Grafcet& grafcet_;
+    const Expressions& pool_;
 };
 
 }  // namespace grafwire

@@ -4,23 +4,14 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "equations/derivation.h"
-#include "equations/equation_text.h"
 #include "equations/minimise.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
-ExprId stored_expression(Equations& equations, const StoredEquation& stored) {
-    Expressions& pool = equations.expressions;
-    if (stored.writes.empty()) return pool.constant(false);
-    const ExprId held = and_of(pool, {not_of(pool, stored.reset), pool.variable(stored.target)});
-    return or_of(pool, {stored.set, held});
-}
-
 namespace {
 
-// Marks expressions and all they are made of.
+/// Marks expressions and all they are made of.
 class Marks {
   public:
     explicit Marks(const Expressions& pool) : pool_(pool), marked_(pool.size(), false) {}
@@ -29,21 +20,23 @@ class Marks {
         if (id != no_expr) marked_[static_cast<std::size_t>(id)] = true;
     }
 
-    // Operands have smaller ids, so one pass downwards reaches everything.
+    /// Operands have smaller ids, so one pass downwards reaches everything.
     void spread() {
         for (std::size_t i = marked_.size(); i-- > 0;) {
             if (!marked_[i]) continue;
             const auto id = static_cast<ExprId>(i);
             for (const ExprId operand : pool_.operands(id)) mark(operand);
-            if (pool_.kind(id) == ExprKind::time_condition)
+            if (pool_.kind(id) == ExprKind::time_condition) {
                 mark(pool_.time_condition_of(id).operand);
+            }
         }
     }
 
     std::vector<ExprId> marked_among(const std::vector<ExprId>& ids, std::size_t count) const {
         std::vector<ExprId> result;
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             if (marked_[static_cast<std::size_t>(ids[i])]) result.push_back(ids[i]);
+        }
         return result;
     }
 
@@ -54,19 +47,21 @@ class Marks {
 
 }  // namespace
 
-UsedMemories used_memories(const Equations& equations) {
+UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations) {
     Marks marks(equations.expressions);
-    for (const StepEquation& step : equations.steps)
+    for (const StepEquation& step : equations.steps) {
         for (const ExprId part : {step.cax, step.cdx, step.link}) marks.mark(part);
+    }
     for (const OutputEquation& output : equations.outputs) marks.mark(output.sum);
-    for (const StoredEquation& stored : equations.stored)
+    for (const StoredEquation& stored : equations.stored) {
         for (const StoredWrite& write : stored.writes) {
             marks.mark(write.trigger);
             marks.mark(write.value);
         }
+    }
     marks.spread();
     const Expressions& pool = equations.expressions;
-    const Expressions& source = equations.grafcet->expressions;
+    const Expressions& source = grafcet.expressions;
     return {marks.marked_among(pool.edges(), source.edges().size()),
             marks.marked_among(pool.time_conditions(), source.time_conditions().size())};
 }
@@ -87,23 +82,25 @@ std::string sum_text(const Grafcet& grafcet, const Sum& sum) {
     return text;
 }
 
-std::string write_text(const Equations& equations, Variable target, const StoredWrite& write) {
-    const std::string value = write.sum != nullptr ? sum_text(*equations.grafcet, *write.sum)
-                                                   : equation_text(equations, write.value);
-    return shown_name(*equations.grafcet, target) + " := " + value;
+std::string write_text(const Grafcet& grafcet, const Expressions& pool, Variable target,
+                       const StoredWrite& write) {
+    const std::string value = write.sum.empty() ? write_expression(grafcet, pool, write.value)
+                                                : sum_text(grafcet, write.sum);
+    return shown_name(grafcet, target) + " := " + value;
 }
 
 namespace {
 
-// The number of operands in an expression with few distinct atoms, each as often as it is written.
+/// The number of operands in an expression with few distinct atoms, each as often as it is written.
 std::size_t literal_count(const Expressions& pool, ExprId root) {
     std::vector<ExprId> nodes{root};
     std::unordered_set<ExprId> seen{root};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const ExprKind kind = pool.kind(nodes[i]);
         if (kind == ExprKind::rise || kind == ExprKind::fall) continue;
-        for (const ExprId operand : pool.operands(nodes[i]))
+        for (const ExprId operand : pool.operands(nodes[i])) {
             if (seen.insert(operand).second) nodes.push_back(operand);
+        }
     }
     std::sort(nodes.begin(), nodes.end());
     std::unordered_map<ExprId, std::size_t> counts;
@@ -112,8 +109,9 @@ std::size_t literal_count(const Expressions& pool, ExprId root) {
         const bool is_atom =
             pool.operands(id).empty() || kind == ExprKind::rise || kind == ExprKind::fall;
         std::size_t count = is_atom && kind != ExprKind::constant ? 1 : 0;
-        if (!is_atom)
+        if (!is_atom) {
             for (const ExprId operand : pool.operands(id)) count += counts.at(operand);
+        }
         counts[id] = count;
     }
     return counts.at(root);
@@ -127,11 +125,11 @@ ExprId smaller_form(Expressions& pool, ExprId id) {
 
 }  // namespace
 
-SmallerForms smaller_forms(Equations& equations, StepId step) {
-    Expressions& pool = equations.expressions;
-    const TableConditions table = table_conditions(equations, step);
+SmallerForms smaller_forms(Reported& reported, StepId step) {
+    Expressions& pool = reported.pool;
+    const TableConditions table = table_conditions(reported.equations, step, pool);
     return {smaller_form(pool, table.cax), smaller_form(pool, table.cdx),
-            smaller_form(pool, step_expression(equations, step))};
+            smaller_form(pool, step_expression(reported.equations, step, pool))};
 }
 
 }  // namespace grafwire

@@ -9,15 +9,21 @@ namespace grafwire {
 
 // What several forms of the report show, and where no field of the equations holds it.
 
-/// `S + /R.v` of a stored output or var; the constant 0 where nothing writes it. Not for counters.
-ExprId stored_expression(Equations& equations, const StoredEquation& stored);
+/// The subject of a report.
+struct Reported {
+    const Grafcet& grafcet;
+    const Equations& equations;
+    /// A copy of the equations' expressions, to which right-hand sides and minimised forms are
+    /// added as they are needed.
+    Expressions pool;
+};
 
 /// The edges and the time conditions of the GRAFCET that some equation uses, by ordinal.
 struct UsedMemories {
     std::vector<ExprId> edges;
     std::vector<ExprId> time_conditions;
 };
-UsedMemories used_memories(const Equations& equations);
+UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations);
 
 /// The name of a variable as expressions show it: quoted where it has to be.
 std::string shown_name(const Grafcet& grafcet, Variable variable);
@@ -26,7 +32,8 @@ std::string shown_name(const Grafcet& grafcet, Variable variable);
 std::string sum_text(const Grafcet& grafcet, const Sum& sum);
 
 /// What a write does: `pieces := pieces + 1`.
-std::string write_text(const Equations& equations, Variable target, const StoredWrite& write);
+std::string write_text(const Grafcet& grafcet, const Expressions& pool, Variable target,
+                       const StoredWrite& write);
 
 /// The form of a part of a step's equation that has fewer operands than the one written, or
 /// no_expr.
@@ -37,6 +44,6 @@ struct SmallerForms {
 
     bool any() const { return cax != no_expr || cdx != no_expr || x != no_expr; }
 };
-SmallerForms smaller_forms(Equations& equations, StepId step);
+SmallerForms smaller_forms(Reported& reported, StepId step);
 
 }  // namespace grafwire

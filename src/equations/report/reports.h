@@ -3,17 +3,17 @@
 #include <string>
 
 #include "equations/report/page.h"
+#include "equations/report/report_parts.h"
 #include "equations/report/words.h"
 #include "equations/report/write_equations.h"
 
 namespace grafwire {
 
-// The reports behind write_equations. The equations are a copy that may grow: right-hand sides and
-// minimised forms are added to its pool as they are needed.
+// The reports behind write_equations.
 
-void write_report(Equations& equations, const EquationReport& report, Page& page);
-void write_karnaugh(Equations& equations, StepId step, const Words& words, Page& page);
-std::string write_csv_report(Equations& equations);
-std::string write_json_report(Equations& equations, bool with_minimised);
+void write_report(Reported& reported, const EquationReport& report, Page& page);
+void write_karnaugh(Reported& reported, StepId step, const Words& words, Page& page);
+std::string write_csv_report(Reported& reported);
+std::string write_json_report(Reported& reported, bool with_minimised);
 
 }  // namespace grafwire

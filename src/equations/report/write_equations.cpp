@@ -4,25 +4,26 @@
 
 namespace grafwire {
 
-std::string write_equations(const Equations& equations, const EquationReport& report) {
-    Equations growing = equations;
+std::string write_equations(const Grafcet& grafcet, const Equations& equations,
+                            const EquationReport& report) {
+    Reported reported{grafcet, equations, equations.expressions};
     std::unique_ptr<Page> page;
     switch (report.format) {
         case EquationFormat::csv:
-            return write_csv_report(growing);
+            return write_csv_report(reported);
         case EquationFormat::json:
-            return write_json_report(growing, report.karnaugh);
+            return write_json_report(reported, report.karnaugh);
         case EquationFormat::text:
-            page = text_page(growing);
+            page = text_page(grafcet, reported.pool);
             break;
         case EquationFormat::markdown:
-            page = markdown_page(growing);
+            page = markdown_page(grafcet, reported.pool);
             break;
         case EquationFormat::latex:
-            page = latex_page(growing);
+            page = latex_page(grafcet, reported.pool);
             break;
     }
-    write_report(growing, report, *page);
+    write_report(reported, report, *page);
     return page->finish();
 }
 

@@ -20,6 +20,7 @@ struct EquationReport {
 /// `variable,CAX,CDX,X`, a row per step in table order, then one per output with its right-hand
 /// side in the last column. Of the Karnaugh report CSV shows nothing, JSON the minimised forms.
 /// LaTeX is a fragment that needs the package amsmath.
-std::string write_equations(const Equations& equations, const EquationReport& report);
+std::string write_equations(const Grafcet& grafcet, const Equations& equations,
+                            const EquationReport& report);
 
 }  // namespace grafwire

@@ -3,9 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "equations/equation_text.h"
-#include "equations/report/report_parts.h"
 #include "equations/report/reports.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
@@ -29,8 +28,11 @@ const char* cause_name(StoredWrite::Cause cause) {
 
 class JsonReport {
   public:
-    JsonReport(Equations& equations, bool with_minimised)
-        : equations_(equations), grafcet_(*equations.grafcet), with_minimised_(with_minimised) {}
+    JsonReport(Reported& reported, bool with_minimised)
+        : reported_(reported),
+          equations_(reported.equations),
+          grafcet_(reported.grafcet),
+          with_minimised_(with_minimised) {}
 
     std::string write() {
         const EquationOptions& options = equations_.options;
@@ -43,7 +45,7 @@ class JsonReport {
         list("steps", grafcet_.steps.size(), [&](std::size_t i) { return step(i); });
         list("outputs", equations_.outputs.size(), [&](std::size_t i) { return output(i); });
         list("stored", equations_.stored.size(), [&](std::size_t i) { return stored(i); });
-        const UsedMemories used = used_memories(equations_);
+        const UsedMemories used = used_memories(grafcet_, equations_);
         list("timeConditions", used.time_conditions.size(),
              [&](std::size_t i) { return time_condition(used.time_conditions[i]); });
         list("edges", used.edges.size(), [&](std::size_t i) { return edge(used.edges[i]); });
@@ -51,7 +53,7 @@ class JsonReport {
     }
 
   private:
-    std::string shown(ExprId id) const { return equation_text(equations_, id); }
+    std::string shown(ExprId id) const { return write_expression(grafcet_, reported_.pool, id); }
 
     template <typename Item>
     void list(const char* name, std::size_t count, Item item) {
@@ -71,8 +73,8 @@ class JsonReport {
 
     Json step(std::size_t index) {
         const StepId id = grafcet_.steps.id_at(index);
-        const ExprId x = step_expression(equations_, id);
-        const TableConditions table = table_conditions(equations_, id);
+        const ExprId x = step_expression(equations_, id, reported_.pool);
+        const TableConditions table = table_conditions(equations_, id, reported_.pool);
         const StepEquation& step = equations_.steps[id];
         Json object;
         object["name"] = "X" + grafcet_.steps[id].name;
@@ -85,7 +87,7 @@ class JsonReport {
         add_if_present(object, "enclosing", step.enclosing);
         add_if_present(object, "link", step.link);
         if (!with_minimised_) return object;
-        const SmallerForms smaller = smaller_forms(equations_, id);
+        const SmallerForms smaller = smaller_forms(reported_, id);
         if (!smaller.any()) return object;
         Json& minimised = object["minimised"];
         add_if_present(minimised, "cax", smaller.cax);
@@ -115,20 +117,21 @@ class JsonReport {
             object["kind"] = stored.target.kind == VariableKind::output ? "output" : "var";
             object["set"] = shown(stored.set);
             object["reset"] = shown(stored.reset);
-            object["equation"] = shown(stored_expression(equations_, stored));
+            object["equation"] = shown(stored_expression(stored, reported_.pool));
         }
         object["writes"] = Json::array();
-        for (const StoredWrite& write : stored.writes)
+        for (const StoredWrite& write : stored.writes) {
             object["writes"].push_back(
                 {{"cause", cause_name(write.cause)},
                  {"trigger", shown(write.trigger)},
                  {"value",
-                  write.sum != nullptr ? sum_text(grafcet_, *write.sum) : shown(write.value)}});
+                  write.sum.empty() ? shown(write.value) : sum_text(grafcet_, write.sum)}});
+        }
         return object;
     }
 
     Json time_condition(ExprId id) const {
-        const TimeCondition& condition = equations_.expressions.time_condition_of(id);
+        const TimeCondition& condition = reported_.pool.time_condition_of(id);
         Json object;
         object["condition"] = shown(id);
         object["operand"] = shown(condition.operand);
@@ -140,11 +143,12 @@ class JsonReport {
     Json edge(ExprId id) const {
         Json object;
         object["edge"] = shown(id);
-        object["operand"] = shown(equations_.expressions.operands(id).front());
+        object["operand"] = shown(reported_.pool.operands(id).front());
         return object;
     }
 
-    Equations& equations_;
+    Reported& reported_;
+    const Equations& equations_;
     const Grafcet& grafcet_;
     bool with_minimised_;
     std::string text_;
@@ -152,8 +156,8 @@ class JsonReport {
 
 }  // namespace
 
-std::string write_json_report(Equations& equations, bool with_minimised) {
-    return JsonReport(equations, with_minimised).write();
+std::string write_json_report(Reported& reported, bool with_minimised) {
+    return JsonReport(reported, with_minimised).write();
 }
 
 }  // namespace grafwire

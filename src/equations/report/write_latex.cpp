@@ -7,11 +7,10 @@ namespace {
 
 class LatexPage : public Page {
   public:
-    explicit LatexPage(const Equations& equations)
-        : equations_(equations), grafcet_(*equations.grafcet) {}
+    LatexPage(const Grafcet& grafcet, const Expressions& pool) : grafcet_(grafcet), pool_(pool) {}
 
     std::string expression(ExprId id) const override {
-        return latex_expression(grafcet_, equations_.expressions, id);
+        return latex_expression(grafcet_, pool_, id);
     }
     std::string name(Variable variable) const override { return latex_name(grafcet_, variable); }
     std::string of_step(std::string_view quantity, StepId step) const override {
@@ -22,7 +21,7 @@ class LatexPage : public Page {
     }
     std::string write(Variable target, const StoredWrite& write) const override {
         const std::string value =
-            write.sum != nullptr ? latex_sum(grafcet_, *write.sum) : expression(write.value);
+            write.sum.empty() ? expression(write.value) : latex_sum(grafcet_, write.sum);
         return name(target) + " := " + value;
     }
 
@@ -62,16 +61,16 @@ class LatexPage : public Page {
     std::string finish() override { return std::move(text_); }
 
   private:
-    const Equations& equations_;
     const Grafcet& grafcet_;
+    const Expressions& pool_;
     std::string text_;
     bool first_equation_ = true;
 };
 
 }  // namespace
 
-std::unique_ptr<Page> latex_page(const Equations& equations) {
-    return std::make_unique<LatexPage>(equations);
+std::unique_ptr<Page> latex_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<LatexPage>(grafcet, pool);
 }
 
 }  // namespace grafwire

@@ -6,7 +6,7 @@ namespace grafwire {
 
 namespace {
 
-// Words with everything escaped that Markdown would read as markup.
+/// Words with everything escaped that Markdown would read as markup.
 std::string escaped(std::string_view words) {
     std::string text;
     for (const char c : words) {
@@ -16,7 +16,7 @@ std::string escaped(std::string_view words) {
     return text;
 }
 
-// A formula as a code span, fenced by more backticks than it contains in a row.
+/// A formula as a code span, fenced by more backticks than it contains in a row.
 std::string code_span(std::string_view formula) {
     std::size_t longest = 0;
     std::size_t run = 0;
@@ -29,7 +29,7 @@ std::string code_span(std::string_view formula) {
     return fence + std::string(space) + std::string(formula) + std::string(space) + fence;
 }
 
-// In a table a bar ends the cell even within a code span.
+/// In a table a bar ends the cell even within a code span.
 std::string cell_text(const Page::Cell& cell) {
     if (!cell.is_formula) return escaped(cell.text);
     std::string text;
@@ -42,7 +42,7 @@ std::string cell_text(const Page::Cell& cell) {
 
 class MarkdownPage : public PlainPage {
   public:
-    explicit MarkdownPage(const Equations& equations) : PlainPage(equations) {}
+    MarkdownPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
 
     void title(std::string_view text) override { text_ += "# " + escaped(text) + "\n"; }
     void heading(std::string_view text) override { text_ += "\n## " + escaped(text) + "\n"; }
@@ -74,8 +74,8 @@ class MarkdownPage : public PlainPage {
 
 }  // namespace
 
-std::unique_ptr<Page> markdown_page(const Equations& equations) {
-    return std::make_unique<MarkdownPage>(equations);
+std::unique_ptr<Page> markdown_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<MarkdownPage>(grafcet, pool);
 }
 
 }  // namespace grafwire

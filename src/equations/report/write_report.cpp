@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "equations/report/report_parts.h"
 #include "equations/report/reports.h"
 
 namespace grafwire {
@@ -11,9 +10,10 @@ namespace {
 
 class Report {
   public:
-    Report(Equations& equations, const EquationReport& report, Page& page)
-        : equations_(equations),
-          grafcet_(*equations.grafcet),
+    Report(Reported& reported, const EquationReport& report, Page& page)
+        : reported_(reported),
+          equations_(reported.equations),
+          grafcet_(reported.grafcet),
           karnaugh_(report.karnaugh),
           words_(words(report.language)),
           page_(page) {}
@@ -27,8 +27,9 @@ class Report {
         counters();
         memories();
         if (!karnaugh_) return;
-        for (std::size_t i = 0; i < grafcet_.steps.size(); ++i)
-            write_karnaugh(equations_, grafcet_.steps.id_at(i), words_, page_);
+        for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
+            write_karnaugh(reported_, grafcet_.steps.id_at(i), words_, page_);
+        }
     }
 
   private:
@@ -54,7 +55,8 @@ class Report {
         page_.heading(words_.conditions);
         page_.begin_table({Page::words(words_.step), Page::words("CAX"), Page::words("CDX")});
         for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
-            const TableConditions step = table_conditions(equations_, grafcet_.steps.id_at(i));
+            const StepId id = grafcet_.steps.id_at(i);
+            const TableConditions step = table_conditions(equations_, id, reported_.pool);
             page_.row({shown(step_of(i)), shown(step.cax), shown(step.cdx)});
         }
         page_.end_table();
@@ -64,7 +66,8 @@ class Report {
         page_.heading(words_.steps);
         page_.begin_equations();
         for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
-            const ExprId x = step_expression(equations_, grafcet_.steps.id_at(i));
+            const StepId id = grafcet_.steps.id_at(i);
+            const ExprId x = step_expression(equations_, id, reported_.pool);
             page_.equation(page_.name(step_of(i)), page_.expression(x));
         }
         page_.end_equations();
@@ -74,29 +77,33 @@ class Report {
         if (equations_.outputs.empty()) return;
         page_.heading(words_.outputs);
         page_.begin_equations();
-        for (const OutputEquation& output : equations_.outputs)
+        for (const OutputEquation& output : equations_.outputs) {
             page_.equation(
                 page_.name({VariableKind::output, static_cast<std::uint32_t>(output.output)}),
                 page_.expression(output.value));
+        }
         page_.end_equations();
     }
 
     void stored() {
         std::vector<const StoredEquation*> shown_ones;
-        for (const StoredEquation& stored : equations_.stored)
+        for (const StoredEquation& stored : equations_.stored) {
             if (stored.target.kind != VariableKind::counter) shown_ones.push_back(&stored);
+        }
         if (shown_ones.empty()) return;
 
         page_.heading(words_.stored);
         page_.begin_table(
             {Page::words(words_.variable), Page::words(words_.set), Page::words(words_.reset)});
-        for (const StoredEquation* stored : shown_ones)
+        for (const StoredEquation* stored : shown_ones) {
             page_.row({shown(stored->target), shown(stored->set), shown(stored->reset)});
+        }
         page_.end_table();
         page_.begin_equations();
-        for (const StoredEquation* stored : shown_ones)
+        for (const StoredEquation* stored : shown_ones) {
             page_.equation(page_.name(stored->target),
-                           page_.expression(stored_expression(equations_, *stored)));
+                           page_.expression(stored_expression(*stored, reported_.pool)));
+        }
         page_.end_equations();
     }
 
@@ -112,16 +119,17 @@ class Report {
             }
             const Counter& counter = grafcet_.counters[static_cast<CounterId>(stored.target.index)];
             const std::string range = fmt::format("{}..{}", counter.low, counter.high);
-            for (const StoredWrite& write : stored.writes)
+            for (const StoredWrite& write : stored.writes) {
                 page_.row({shown(stored.target), Page::words(range), shown(write.trigger),
                            Page::formula(page_.write(stored.target, write))});
+            }
         }
         if (begun) page_.end_table();
     }
 
     void memories() {
-        const Expressions& pool = equations_.expressions;
-        const UsedMemories used = used_memories(equations_);
+        const Expressions& pool = reported_.pool;
+        const UsedMemories used = used_memories(grafcet_, equations_);
         if (!used.time_conditions.empty()) {
             page_.heading(words_.time_conditions);
             page_.begin_table({Page::words(words_.time_condition), Page::words(words_.operand),
@@ -137,13 +145,15 @@ class Report {
         if (!used.edges.empty()) {
             page_.heading(words_.edges);
             page_.begin_table({Page::words(words_.edge), Page::words(words_.operand)});
-            for (const ExprId id : used.edges)
+            for (const ExprId id : used.edges) {
                 page_.row({shown(id), shown(pool.operands(id).front())});
+            }
             page_.end_table();
         }
     }
 
-    Equations& equations_;
+    Reported& reported_;
+    const Equations& equations_;
     const Grafcet& grafcet_;
     bool karnaugh_;
     const Words& words_;
@@ -152,8 +162,8 @@ class Report {
 
 }  // namespace
 
-void write_report(Equations& equations, const EquationReport& report, Page& page) {
-    Report(equations, report, page).write();
+void write_report(Reported& reported, const EquationReport& report, Page& page) {
+    Report(reported, report, page).write();
 }
 
 }  // namespace grafwire

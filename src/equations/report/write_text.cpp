@@ -6,11 +6,11 @@ namespace grafwire {
 
 namespace {
 
-// Columns are aligned up to this width; a cell that is wider pushes its own row only, so that one
-// long formula does not pad a million rows.
+/// Columns are aligned up to this width; a cell that is wider pushes its own row only, so that one
+/// long formula does not pad a million rows.
 constexpr std::size_t widest_aligned = 40;
 
-// The number of characters of a UTF-8 text.
+/// The number of characters of a UTF-8 text.
 std::size_t width_of(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
@@ -19,7 +19,7 @@ std::size_t width_of(std::string_view text) {
 
 class TextPage : public PlainPage {
   public:
-    explicit TextPage(const Equations& equations) : PlainPage(equations) {}
+    TextPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
 
     void title(std::string_view text) override { line(text); }
     void heading(std::string_view text) override {
@@ -40,10 +40,12 @@ class TextPage : public PlainPage {
     void row(const std::vector<Cell>& cells) override { rows_.push_back(cells); }
     void end_table() override {
         std::vector<std::size_t> widths(rows_.front().size(), 0);
-        for (const std::vector<Cell>& row : rows_)
-            for (std::size_t i = 0; i < row.size(); ++i)
-                if (const std::size_t width = width_of(row[i].text); width <= widest_aligned)
-                    widths[i] = std::max(widths[i], width);
+        for (const std::vector<Cell>& row : rows_) {
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const std::size_t width = width_of(row[i].text);
+                if (width <= widest_aligned) widths[i] = std::max(widths[i], width);
+            }
+        }
         for (const std::vector<Cell>& row : rows_) add_row(row, widths);
         rows_.clear();
         after_block_ = true;
@@ -86,13 +88,13 @@ class TextPage : public PlainPage {
 
     std::string text_;
     bool after_block_ = false;
-    std::vector<std::vector<Cell>> rows_;  // of the table that is open
+    std::vector<std::vector<Cell>> rows_;  ///< of the table that is open
 };
 
 }  // namespace
 
-std::unique_ptr<Page> text_page(const Equations& equations) {
-    return std::make_unique<TextPage>(equations);
+std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<TextPage>(grafcet, pool);
 }
 
 }  // namespace grafwire

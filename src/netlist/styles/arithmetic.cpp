@@ -7,45 +7,41 @@
 #include "netlist/styles/arithmetic.h"
 
 #include <algorithm>
-#include <utility>
+#include <string>
 
 namespace grafwire {
 
-Arithmetic::Arithmetic(ChartNetlist& builder, std::string owner)
-    : builder_(builder), owner_(std::move(owner)) {}
-
 NetId Arithmetic::gate(CellType type, NetId a, NetId b) {
-    const NetId pins[] = {a, b};
-    return builder_.gate(type, pins, owner_, "a" + std::to_string(++next_));
+    return gates_.gate(type, {a, b}, "a" + std::to_string(++next_));
 }
 
 NetId Arithmetic::and_of(NetId a, NetId b) {
-    if (builder_.is_low(a) || builder_.is_low(b)) return builder_.low();
-    if (builder_.is_high(a) || a == b) return b;
-    if (builder_.is_high(b)) return a;
+    if (gates_.is_low(a) || gates_.is_low(b)) return gates_.low();
+    if (gates_.is_high(a) || a == b) return b;
+    if (gates_.is_high(b)) return a;
     return gate(CellType::and_gate, a, b);
 }
 
 NetId Arithmetic::or_of(NetId a, NetId b) {
-    if (builder_.is_high(a) || builder_.is_high(b)) return builder_.high();
-    if (builder_.is_low(a) || a == b) return b;
-    if (builder_.is_low(b)) return a;
+    if (gates_.is_high(a) || gates_.is_high(b)) return gates_.high();
+    if (gates_.is_low(a) || a == b) return b;
+    if (gates_.is_low(b)) return a;
     return gate(CellType::or_gate, a, b);
 }
 
 NetId Arithmetic::xor_of(NetId a, NetId b) {
-    if (a == b) return builder_.low();
-    if (builder_.is_low(a)) return b;
-    if (builder_.is_low(b)) return a;
-    if (builder_.is_high(a)) return builder_.inverted(b);
-    if (builder_.is_high(b)) return builder_.inverted(a);
+    if (a == b) return gates_.low();
+    if (gates_.is_low(a)) return b;
+    if (gates_.is_low(b)) return a;
+    if (gates_.is_high(a)) return gates_.inverted(b);
+    if (gates_.is_high(b)) return gates_.inverted(a);
     return gate(CellType::xor_gate, a, b);
 }
 
 NetId Arithmetic::choose(NetId chosen, NetId a, NetId b) {
     if (a == b) return a;
     const NetId from_a = and_of(chosen, a);
-    const NetId from_b = and_of(builder_.inverted(chosen), b);
+    const NetId from_b = and_of(gates_.inverted(chosen), b);
     return or_of(from_a, from_b);
 }
 
@@ -61,7 +57,7 @@ Word Arithmetic::choose(NetId chosen, const Word& a, const Word& b) {
 Word Arithmetic::constant(WideInteger value, std::size_t width) {
     Word word;
     for (std::size_t i = 0; i < width; ++i) {
-        word.push_back((value & 1) != 0 ? builder_.high() : builder_.low());
+        word.push_back((value & 1) != 0 ? gates_.high() : gates_.low());
         value >>= 1;
     }
     return word;
@@ -91,8 +87,8 @@ Word Arithmetic::add(const Word& a, const Word& b, NetId carry) {
 Word Arithmetic::subtract(const Word& a, const Word& b) {
     const std::size_t width = std::max(a.size(), b.size());
     Word complement = extended(b, width);
-    for (NetId& bit : complement) bit = builder_.inverted(bit);
-    return add(extended(a, width), complement, builder_.high());
+    for (NetId& bit : complement) bit = gates_.inverted(bit);
+    return add(extended(a, width), complement, gates_.high());
 }
 
 Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
@@ -108,15 +104,15 @@ Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
     for (const SumTerm& term : terms) {
         if (term.counter == SumTerm::no_counter) continue;
         const Word& counter = counters[term.counter];
-        result = term.negative ? subtract(result, counter) : add(result, counter, builder_.low());
+        result = term.negative ? subtract(result, counter) : add(result, counter, gates_.low());
     }
     return result;
 }
 
 NetId Arithmetic::is_zero(const Word& word) {
-    NetId any = builder_.low();
+    NetId any = gates_.low();
     for (const NetId bit : word) any = or_of(any, bit);
-    return builder_.inverted(any);
+    return gates_.inverted(any);
 }
 
 NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right) {
@@ -129,17 +125,17 @@ NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right
         case Relation::equal:
             return is_zero(difference);
         case Relation::not_equal:
-            return builder_.inverted(is_zero(difference));
+            return gates_.inverted(is_zero(difference));
         case Relation::less:
             return is_negative(difference);
         case Relation::greater_equal:
-            return builder_.inverted(is_negative(difference));
+            return gates_.inverted(is_negative(difference));
         case Relation::less_equal:
             return negative_or_zero();
         case Relation::greater:
-            return builder_.inverted(negative_or_zero());
+            return gates_.inverted(negative_or_zero());
     }
-    return builder_.low();
+    return gates_.low();
 }
 
 }  // namespace grafwire

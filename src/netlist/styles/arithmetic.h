@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "grafcet/expression.h"
-#include "netlist/styles/chart_netlist.h"
+#include "netlist/gate_maker.h"
 
 namespace grafwire {
 
@@ -19,8 +19,7 @@ using Word = std::vector<NetId>;
 /// clocked style.
 class Arithmetic {
   public:
-    /// Gates are named after `owner`.
-    Arithmetic(ChartNetlist& builder, std::string owner);
+    explicit Arithmetic(GateMaker gates) : gates_(std::move(gates)) {}
 
     NetId and_of(NetId a, NetId b);
     NetId or_of(NetId a, NetId b);
@@ -43,8 +42,7 @@ class Arithmetic {
   private:
     NetId gate(CellType type, NetId a, NetId b);
 
-    ChartNetlist& builder_;
-    std::string owner_;
+    GateMaker gates_;
     std::uint32_t next_ = 0;
 };
 

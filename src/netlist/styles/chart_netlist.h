@@ -1,76 +1,63 @@
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "grafcet/grafcet.h"
-#include "netlist/netlist_builder.h"
+#include "netlist/gate_maker.h"
 
 namespace grafwire {
 
-/// The netlist of a GRAFCET while it is being made: a builder that knows the declared names and
-/// what cells are made for.
+/// Where the variables of a GRAFCET are found, by their index.
+struct VariableNets {
+    std::vector<NetId> inputs;  ///< declared inputs, Init, AUdur, AUdoux (no_net without modes)
+    std::vector<NetId> steps;
+    std::vector<NetId> outputs;
+    std::vector<NetId> vars;
+
+    NetId control(const Grafcet& grafcet, ControlInput input) const {
+        return inputs[grafcet.inputs.size() + static_cast<std::size_t>(input)];
+    }
+};
+
+/// The netlist of a GRAFCET while it is being made: a builder that keeps declared names free, and
+/// what its cells are made for.
 class ChartNetlist {
   public:
     explicit ChartNetlist(const Grafcet& grafcet);
 
-    ModuleId add_module(std::string name, std::string comment = {}) {
-        return builder_.add_module(std::move(name), std::move(comment));
-    }
-    /// The module and origin that cells added from now on belong to.
-    void work_on(ModuleId module, std::uint32_t origin) { place_ = {module, origin}; }
-    ModuleId module() const { return place_.module; }
-    std::uint32_t origin() const { return place_.origin; }
-
-    std::uint32_t origin_of_step(StepId step);
-    std::uint32_t origin_of_transition(TransitionId transition);
-    std::uint32_t add_origin(Origin::Kind kind, std::string name, Location where) {
-        return builder_.add_origin(kind, std::move(name), where);
+    NetlistBuilder& builder() { return builder_; }
+    /// The gates of the module `inputs`, which is the first one.
+    GateMaker at_inputs() { return {builder_, {}, {}}; }
+    /// The gates of a further module, named after it.
+    GateMaker add_module(const std::string& name, std::uint32_t origin) {
+        return {builder_, {builder_.add_module(name), origin}, name};
     }
 
-    /// A net under exactly this name: for ports.
-    NetId add_port_net(std::string_view name) { return builder_.add_net(name); }
-    NetId add_net(std::string_view owner, std::string_view role) {
-        return builder_.add_inner_net(owner, role);
-    }
-    void add_input(const std::string& name, NetId net) { builder_.add_input(name, net); }
-    void add_output(const std::string& name, NetId net) { builder_.add_output(name, net); }
-    void add_var(Observed var) { builder_.add_var(std::move(var)); }
-    void add_counter(Observed counter) { builder_.add_counter(std::move(counter)); }
-    void set_initial(NetId net, bool value) { builder_.set_initial(net, value); }
+    std::uint32_t origin_of(StepId step);
+    std::uint32_t origin_of(TransitionId transition);
+    std::uint32_t origin_of(OutputId output);
+    std::uint32_t origin_of(VarId var);
+    std::uint32_t origin_of(CounterId counter);
+    std::uint32_t origin_of(GraphId graph);
+    /// Of an edge or a time condition, read at `where`.
+    std::uint32_t origin_of(const Expressions& pool, ExprId id, Location where);
 
-    void add_cell(CellType type, NetId output, std::span<const NetId> pins,
-                  const CellDetails& details) {
-        builder_.add_cell(place_, type, output, pins, details);
-    }
-    void add_cell(CellType type, NetId output, std::span<const NetId> pins) {
-        builder_.add_cell(place_, type, output, pins);
-    }
-    NetId gate(CellType type, std::span<const NetId> pins, std::string_view owner,
-               std::string_view role) {
-        return builder_.gate(place_, type, pins, owner, role);
-    }
-    void drive(NetId output, CellType type, std::span<const NetId> pins) {
-        builder_.drive(place_, output, type, pins);
-    }
-    NetId inverted(NetId net) { return builder_.inverted(place_, net); }
-    NetId delayed(NetId net, std::uint32_t levels) { return builder_.delayed(place_, net, levels); }
-    NetId low() { return builder_.constant(place_, false); }
-    NetId high() { return builder_.constant(place_, true); }
-    bool is_low(NetId net) const { return builder_.is_constant(net, false); }
-    bool is_high(NetId net) const { return builder_.is_constant(net, true); }
+    // Ports and observed nets under the names declared; each function is called once.
 
-    const Netlist& netlist() const { return builder_.netlist(); }
-    Netlist finish() { return builder_.finish(); }
+    std::vector<NetId> add_inputs(bool modes);
+    std::vector<NetId> add_steps();
+    std::vector<NetId> add_outputs();
+    std::vector<NetId> add_vars();
+
+    /// `clock`: no_net for an asynchronous netlist.
+    Netlist finish(bool modes, NetId clock);
 
   private:
     const Grafcet& grafcet_;
     NetlistBuilder builder_;
     std::vector<std::uint32_t> step_origins_;
     std::vector<std::uint32_t> transition_origins_;
-    Place place_;
 };
 
 }  // namespace grafwire

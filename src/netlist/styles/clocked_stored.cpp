@@ -1,60 +1,63 @@
 // Stored outputs, vars and counters of the clocked style: registers, and what is written to them.
+// The writes stand in the order of their execution, each choosing between its value and what was
+// there: the last one wins.
 
 #include <cstdlib>
 
-#include "netlist/styles/clocked_build.h"
+#include "netlist/styles/clocked.h"
 
 namespace grafwire {
 
-NetId ClockedBuild::trigger(const StoredWrite& write) {
+namespace {
+
+/// The net that is 1 when a write happens.
+NetId trigger_of(ClockedBuild& build, const StoredWrite& write, NumberedGates& at) {
+    const GateMaker& gates = at.gates;
     const std::size_t step = index_of(write.step);
-    const std::string role = "when" + next_role();
+    const std::string role = "when" + at.next_role();
     switch (write.cause) {
         case StoredWrite::Cause::deactivation:
-            return gate(CellType::and_gate,
-                        {now_.steps[step], builder_.inverted(writing_.steps[step])}, role);
+            return gates.gate(CellType::and_gate,
+                              {build.now.steps[step], gates.inverted(build.writing.steps[step])},
+                              role);
         case StoredWrite::Cause::activation:
-            return gate(CellType::and_gate,
-                        {builder_.inverted(now_.steps[step]), writing_.steps[step]}, role);
+            return gates.gate(CellType::and_gate,
+                              {gates.inverted(build.now.steps[step]), build.writing.steps[step]},
+                              role);
         case StoredWrite::Cause::clearing:
-            return clearing_[index_of(write.transition)];
+            return build.clearing[index_of(write.transition)];
         case StoredWrite::Cause::event: {
-            const NetId event = net(writing_, write.event);
-            return gate(CellType::and_gate, {writing_.steps[step], event}, role);
+            const NetId event = build.net(build.writing, write.event, at);
+            return gates.gate(CellType::and_gate, {build.writing.steps[step], event}, role);
         }
     }
-    return builder_.low();
+    return gates.low();
 }
 
-/// The writes in the order of their execution, each choosing between its value and what was there:
-/// the last one wins.
-void ClockedBuild::write_bit(const StoredEquation& stored) {
-    const bool is_output = stored.target.kind == VariableKind::output;
-    const std::uint32_t index = stored.target.index;
-    const NetId held = (is_output ? now_.outputs : now_.vars)[index];
-    Arithmetic arithmetic(builder_, owner_ + "$next");
+/// `held`: what the register holds; returns what it will hold.
+NetId make_bit(ClockedBuild& build, const StoredEquation& stored, NetId held, NumberedGates at) {
+    Arithmetic arithmetic(at.gates.named(at.gates.owner() + "$next"));
     NetId next = held;
     for (const StoredWrite& write : stored.writes) {
-        const NetId value = net(writing_, write.value);
-        const NetId when = trigger(write);
+        const NetId value = build.net(build.writing, write.value, at);
+        const NetId when = trigger_of(build, write, at);
         next = arithmetic.choose(when, value, next);
     }
-    (is_output ? after_.outputs : after_.vars)[index] = next;
-    flip_flop(held, next, false);
+    build.add_flip_flop(held, next, false, at.gates);
+    return next;
 }
 
-void ClockedBuild::write_counter(const StoredEquation& stored) {
-    const std::uint32_t index = stored.target.index;
-    const Counter& counter = grafcet_.counters[CounterId{index}];
-    const std::vector<NetId>& bits = builder_.netlist().counters[index].bits;
-    Arithmetic arithmetic(builder_, owner_ + "$next");
+/// Likewise for the register of a counter; returns the value it will have.
+Word make_counter(ClockedBuild& build, const StoredEquation& stored, const Counter& counter,
+                  const std::vector<NetId>& bits, NumberedGates at) {
+    Arithmetic arithmetic(at.gates.named(at.gates.owner() + "$next"));
     // All words hold the position above the low end.
     Word next = bits;
-    next.push_back(builder_.low());
+    next.push_back(at.gates.low());
     for (const StoredWrite& write : stored.writes) {
-        const NetId when = trigger(write);
+        const NetId when = trigger_of(build, write, at);
         const Word low = arithmetic.constant(counter.low, 65);
-        Word position = arithmetic.subtract(arithmetic.sum(*write.sum, writing_.counters), low);
+        Word position = arithmetic.subtract(arithmetic.sum(write.sum, build.writing.counters), low);
         const NetId below = arithmetic.is_negative(position);
         const Word top = arithmetic.constant(counter.high - counter.low, bits.size() + 1);
         const NetId above = arithmetic.compare(position, Relation::greater, top);
@@ -63,50 +66,48 @@ void ClockedBuild::write_counter(const StoredEquation& stored) {
         position = arithmetic.choose(below, arithmetic.constant(0, bits.size() + 1), position);
         next = arithmetic.choose(when, position, next);
     }
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) flip_flop(bits[bit], next[bit], false);
+    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
+        build.add_flip_flop(bits[bit], next[bit], false, at.gates);
+    }
     next.resize(bits.size());
-    next.push_back(builder_.low());
+    next.push_back(at.gates.low());
     const Sum offset{{counter.low < 0, SumTerm::no_counter, std::abs(counter.low)}, {false, 0, 0}};
-    after_.counters[index] = arithmetic.sum(offset, {next});
+    return arithmetic.sum(offset, {next});
 }
 
-void ClockedBuild::make_stored() {
-    std::vector<std::uint8_t> written(grafcet_.counters.size());
-    for (const StoredEquation& stored : equations_.stored) {
+}  // namespace
+
+void make_registers(ClockedBuild& build) {
+    const Grafcet& grafcet = build.grafcet;
+    const std::vector<Observed>& registers = build.chart.builder().netlist().counters;
+    std::vector<std::uint8_t> written(grafcet.counters.size());
+    for (const StoredEquation& stored : build.equations.stored) {
         const std::uint32_t index = stored.target.index;
-        role_ = 0;
-        switch (stored.target.kind) {
-            case VariableKind::output: {
-                const Output& output = grafcet_.outputs[OutputId{index}];
-                work_on(output.name,
-                        builder_.add_origin(Origin::Kind::output, output.name, output.where));
-                write_bit(stored);
-                break;
-            }
-            case VariableKind::var: {
-                const Var& var = grafcet_.vars[VarId{index}];
-                work_on(var.name, builder_.add_origin(Origin::Kind::var, var.name, var.where));
-                write_bit(stored);
-                break;
-            }
-            default: {
-                const Counter& counter = grafcet_.counters[CounterId{index}];
-                work_on(counter.name,
-                        builder_.add_origin(Origin::Kind::counter, counter.name, counter.where));
-                written[index] = 1;
-                write_counter(stored);
-                break;
-            }
+        if (stored.target.kind == VariableKind::output) {
+            const OutputId id{index};
+            build.after.outputs[index] =
+                make_bit(build, stored, build.now.outputs[index],
+                         build.add_module(grafcet.outputs[id].name, build.chart.origin_of(id)));
+        } else if (stored.target.kind == VariableKind::var) {
+            const VarId id{index};
+            build.after.vars[index] =
+                make_bit(build, stored, build.now.vars[index],
+                         build.add_module(grafcet.vars[id].name, build.chart.origin_of(id)));
+        } else {
+            const CounterId id{index};
+            const Counter& counter = grafcet.counters[id];
+            written[index] = 1;
+            build.after.counters[index] =
+                make_counter(build, stored, counter, registers[index].bits,
+                             build.add_module(counter.name, build.chart.origin_of(id)));
         }
     }
     for (std::size_t i = 0; i < written.size(); ++i) {
         if (written[i] != 0) continue;
-        const Counter& counter = grafcet_.counters[grafcet_.counters.id_at(i)];
-        work_on(counter.name,
-                builder_.add_origin(Origin::Kind::counter, counter.name, counter.where));
-        for (const NetId bit : builder_.netlist().counters[i].bits) {
-            builder_.add_cell(CellType::low, bit, {});
-        }
+        const CounterId id = grafcet.counters.id_at(i);
+        const GateMaker gates =
+            build.chart.add_module(grafcet.counters[id].name, build.chart.origin_of(id));
+        for (const NetId bit : registers[i].bits) gates.add_cell(CellType::low, bit, {});
     }
 }
 

@@ -9,7 +9,8 @@
 
 namespace grafwire {
 
-/// Turns expressions of the equations into gates, each expression once.
+/// Turns expressions of the equations into gates, each expression once. A gate stands in the module
+/// and has the owner of the GateMaker with which it was first asked for.
 ///
 /// Latency. Where several signals change in the same instant, a gate must see them together: an
 /// input that comes straight and one that comes through an inverter are one gate delay apart, and
@@ -33,58 +34,56 @@ class LogicBuilder {
         }
     };
 
-    LogicBuilder(const Equations& equations, ChartNetlist& builder);
-
-    /// Where the variables are found, by their index.
-    std::vector<NetId> inputs;  ///< declared inputs, Init, AUdur, AUdoux (no_net without modes: 0)
-    std::vector<NetId> steps;
-    std::vector<NetId> outputs;  ///< of stored outputs
-    std::vector<NetId> vars;
+    /// `pulse_width`: how long the output of a pulse cell stays 1. What it refers to must outlive
+    /// it; of the outputs the nets of stored ones are read.
+    LogicBuilder(const Grafcet& grafcet, const Equations& equations, ChartNetlist& chart,
+                 const VariableNets& nets, Time pulse_width);
 
     /// The gates from an X to the stored variable that it writes: pulse cell, AND, OR, latch. A
     /// variable counts as a signal that has come so far since an X, so that where a transition
     /// reads it the X before the transition is delayed until what that step writes can be seen.
     static constexpr int write_latency = 4;
 
-    /// How long the output of a pulse cell stays 1.
-    Time pulse_width = 0;
-    /// The owner in the names of the gates that are made next.
-    std::string owner;
-
-    Signal signal(ExprId id);
-    NetId net(ExprId id) { return signal(id).net; }
+    Signal signal(ExprId id, const GateMaker& gates);
+    NetId net(ExprId id, const GateMaker& gates) { return signal(id, gates).net; }
 
     /// The nets of the factors of a product, brought to one latency; a single net where the
     /// expression is no conjunction, none where it is the constant 1.
-    std::vector<NetId> factors(ExprId id);
+    std::vector<NetId> factors(ExprId id, const GateMaker& gates);
     /// The same for the clearing condition of a transition, in which the X of `slow` steps (one
-    /// byte per step) are seen late enough for their writes to be done, and the factor `late`
+    /// byte per step) are seen late enough for their writes to be done, and the factor `/frozen`
     /// (no_expr for none) stays as it was for as long.
     std::vector<NetId> clearing_factors(ExprId id, const std::vector<std::uint8_t>& slow,
-                                        ExprId late);
+                                        ExprId frozen, const GateMaker& gates);
     /// The gates an input has gone through where it enters that product; 0 where it reads none.
-    unsigned input_latency(ExprId product);
+    unsigned input_latency(ExprId product, const GateMaker& gates);
 
+    /// Where stored outputs and vars keep what they were while they are being written; no_net for
+    /// those of which nobody reads that.
+    struct HeldNets {
+        std::vector<NetId> outputs;
+        std::vector<NetId> vars;
+    };
     /// An expression for the right-hand side of a write, in which stored outputs and vars are read
-    /// at their `held` nets where these are not no_net. Edges and time conditions in it are the
-    /// shared ones.
-    Signal held_signal(ExprId id, const std::vector<NetId>& held_outputs,
-                       const std::vector<NetId>& held_vars);
+    /// at their held nets. Edges and time conditions in it are the shared ones.
+    Signal held_signal(ExprId id, const HeldNets& held, const GateMaker& gates);
 
   private:
-    Signal make(ExprId id);
-    Signal make_variable(Variable variable);
-    Signal make_gate(CellType type, std::vector<Signal> operands);
-    Signal make_edge(ExprId id);
-    Signal make_time_condition(ExprId id);
-    Signal align(std::vector<Signal>& operands);
-    std::vector<Signal> factor_signals(ExprId id);
-    std::vector<NetId> aligned_nets(std::vector<Signal> signals);
-    std::string next_role();
+    Signal make(ExprId id, const GateMaker& gates);
+    Signal make_variable(Variable variable, const GateMaker& gates);
+    Signal make_gate(CellType type, std::vector<Signal> operands, const GateMaker& gates);
+    Signal make_edge(ExprId id, const GateMaker& gates);
+    Signal make_time_condition(ExprId id, const GateMaker& gates);
+    GateMaker made_for(ExprId id, const GateMaker& gates);
+    static Signal align(std::vector<Signal>& operands, const GateMaker& gates);
+    static std::vector<NetId> aligned_nets(std::vector<Signal> signals, const GateMaker& gates);
+    std::vector<Signal> factor_signals(ExprId id, const GateMaker& gates);
 
-    const Equations& equations_;
+    const Grafcet& grafcet_;
     const Expressions& pool_;
-    ChartNetlist& builder_;
+    ChartNetlist& chart_;
+    const VariableNets& nets_;
+    Time pulse_width_;
     std::vector<Signal> made_;
     /// Per owner the gates numbered so far; an owner may be come back to.
     std::unordered_map<std::string, std::uint32_t> role_numbers_;

@@ -4,44 +4,50 @@
 
 #include <cassert>
 
-#include "netlist/styles/asynchronous.h"
+#include "netlist/styles/annotate.h"
+#include "netlist/styles/styles.h"
 
 namespace grafwire {
 
+// A new style is a file style_NAME.cpp, its maker in styles.h, and a row here.
+constexpr std::array<StyleRow, 4> style_table{{
+    {Style::gates, "gates", "phase modules of AND, OR and NOT gates", CdxForm::successor, false,
+     make_gates},
+    {Style::nand, "nand", "set-priority latches of NAND gates", CdxForm::successor, false,
+     make_nand},
+    {Style::nor, "nor", "reset-priority latches of NOR gates", CdxForm::successor, false, make_nor},
+    {Style::clocked, "clocked", "a D flip-flop per step on a common clock", CdxForm::transition,
+     true, make_clocked},
+}};
+
 namespace {
 
-void refuse_counters(const Grafcet& grafcet, Style style, Diagnostics& diagnostics) {
+constexpr bool stands_in_order() {
+    for (std::size_t i = 0; i < style_table.size(); ++i) {
+        if (static_cast<std::size_t>(style_table[i].style) != i) return false;
+    }
+    return true;
+}
+static_assert(stands_in_order());
+
+void refuse_counters(const Grafcet& grafcet, const StyleRow& row, Diagnostics& diagnostics) {
     for (const Counter& counter : grafcet.counters) {
         diagnostics.error(
             Code::unsupported_by_style, counter.where,
             fmt::format("the {} style has no registers for the counter '{}'; use --style clocked",
-                        style_table[static_cast<std::size_t>(style)].name, counter.name));
+                        row.name, counter.name));
     }
 }
 
 }  // namespace
 
-std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics,
-                                    const DelayModel& delays) {
-    if (style != Style::clocked) refuse_counters(*equations.grafcet, style, diagnostics);
+std::optional<Netlist> netlist_from(const Grafcet& grafcet, const Equations& equations, Style style,
+                                    Diagnostics& diagnostics, const DelayModel& delays) {
+    const StyleRow& row = style_table[static_cast<std::size_t>(style)];
+    if (!row.has_registers) refuse_counters(grafcet, row, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
-    const bool modes = equations.options.modes;
-    Netlist netlist;
-    switch (style) {
-        case Style::gates:
-            netlist =
-                make_asynchronous(equations, make_gates_phase, delays.of_chain(modes ? 3 : 2));
-            break;
-        case Style::nand:
-            netlist = make_asynchronous(equations, make_nand_phase, delays.of_chain(2));
-            break;
-        case Style::nor:
-            netlist = make_asynchronous(equations, make_nor_phase, delays.of_chain(3));
-            break;
-        case Style::clocked:
-            netlist = make_clocked(equations);
-            break;
-    }
+    Netlist netlist = row.make(grafcet, equations, delays);
+    annotate(netlist, grafcet, equations);
     assert(fault_of(netlist).empty());
     return netlist;
 }

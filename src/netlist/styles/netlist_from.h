@@ -13,7 +13,7 @@ namespace grafwire {
 
 /// How the equations become cells.
 enum class Style {
-    gates,    ///< a phase module of AND, OR and NOT gates with feedback per step
+    gates,    ///< a step module of AND, OR and NOT gates with feedback per step
     nand,     ///< a set-priority latch of NAND gates per step
     nor,      ///< the reset-priority latch of NOR gates that the course warns of
     clocked,  ///< a D flip-flop per step; transition form of CDX
@@ -24,21 +24,19 @@ struct StyleRow {
     std::string_view name;
     std::string_view description;
     CdxForm default_cdx;
+    bool has_registers;  ///< for counters
+    Netlist (*make)(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 };
 
-inline constexpr std::array<StyleRow, 4> style_table{{
-    {Style::gates, "gates", "phase modules of AND, OR and NOT gates", CdxForm::successor},
-    {Style::nand, "nand", "set-priority latches of NAND gates", CdxForm::successor},
-    {Style::nor, "nor", "reset-priority latches of NOR gates", CdxForm::successor},
-    {Style::clocked, "clocked", "a D flip-flop per step on a common clock", CdxForm::transition},
-}};
+/// In the order of Style.
+extern const std::array<StyleRow, 4> style_table;
 
 /// The netlist of a GRAFCET in a style. What the style cannot hold (counters in the asynchronous
 /// ones) is reported in `diagnostics`, and the result is empty then. The clocked style does not use
 /// CDX as such: it computes the situation after the scan from the transitions, whatever the form.
-/// Expressions for the comments on the modules are added to the equations' pool.
-/// `delays`: how long the gates will take; the clocked style does not depend on it.
-std::optional<Netlist> netlist_from(Equations& equations, Style style, Diagnostics& diagnostics,
-                                    const DelayModel& delays = {});
+/// Modules are annotated with their equations. `delays`: how long the gates will take; the clocked
+/// style does not depend on it.
+std::optional<Netlist> netlist_from(const Grafcet& grafcet, const Equations& equations, Style style,
+                                    Diagnostics& diagnostics, const DelayModel& delays = {});
 
 }  // namespace grafwire

@@ -16,93 +16,84 @@
 // it will be after this scan, from a cell that looks ahead. All flip-flops have initial values, as
 // those of an FPGA have.
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 
-#include "equations/equation_text.h"
-#include "netlist/styles/asynchronous.h"
-#include "netlist/styles/clocked_build.h"
+#include "netlist/styles/clocked.h"
+#include "netlist/styles/styles.h"
 
 namespace grafwire {
 
-void ClockedBuild::make_ports() {
-    const std::size_t controls = grafcet_.inputs.size();
-    for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {
-        if (i >= controls && !equations_.options.modes) {
-            inputs_.push_back(no_net);
-            continue;
-        }
-        const std::string name(input_name(grafcet_, i));
-        inputs_.push_back(builder_.add_port_net(name));
-        builder_.add_input(name, inputs_.back());
+ClockedBuild::ClockedBuild(const Grafcet& chart_of, const Equations& equations_of)
+    : grafcet(chart_of), equations(equations_of), chart(grafcet), pool_(equations.expressions) {
+    add_ports();
+}
+
+void ClockedBuild::add_ports() {
+    NetlistBuilder& builder = chart.builder();
+    inputs_ = chart.add_inputs(equations.options.modes);
+    clock = builder.add_net("clk");
+    builder.add_input("clk", clock);
+    init = inputs_[grafcet.inputs.size()];
+    if (init != no_net) {
+        not_init = chart.at_inputs().inverted(init);
+        not_au_dur = chart.at_inputs().inverted(inputs_[grafcet.inputs.size() + 1]);
     }
-    clock_ = builder_.add_port_net("clk");
-    builder_.add_input("clk", clock_);
-    if (inputs_[controls] != no_net) {
-        not_init_ = builder_.inverted(inputs_[controls]);
-        not_au_dur_ = builder_.inverted(inputs_[controls + 1]);
-    }
-    for (const Step& step : grafcet_.steps) {
-        const std::string name = "X" + step.name;
-        now_.steps.push_back(builder_.add_port_net(name));
-        builder_.add_output(name, now_.steps.back());
-    }
-    for (const Output& output : grafcet_.outputs) {
-        now_.outputs.push_back(builder_.add_port_net(output.name));
-        builder_.add_output(output.name, now_.outputs.back());
-    }
-    for (const Var& var : grafcet_.vars) {
-        now_.vars.push_back(builder_.add_port_net(var.name));
-        builder_.add_var({var.name, {now_.vars.back()}, 0});
-    }
-    make_counters();
+    now.steps = chart.add_steps();
+    now.outputs = chart.add_outputs();
+    now.vars = chart.add_vars();
+    add_counters();
     for (std::size_t i = 0; i < pool_.time_conditions().size(); ++i) {
-        times_.push_back(builder_.add_net("timer", std::to_string(i)));
+        times_.push_back(builder.add_inner_net("timer", std::to_string(i)));
     }
-    for (const Step& step : grafcet_.steps) {
-        writing_.steps.push_back(builder_.add_net("X" + step.name, "next"));
-    }
-    writing_.outputs = now_.outputs;
-    writing_.vars = now_.vars;
-    writing_.counters = now_.counters;
-    after_ = writing_;
-    after_.is_after = true;
+    writing = now;
+    for (NetId& step : writing.steps) step = builder.add_inner_net(step, "next");
+    after = writing;
+    after.is_after = true;
 }
 
 /// A register holds how far its counter stands above the low end.
-void ClockedBuild::make_counters() {
-    for (const Counter& counter : grafcet_.counters) {
+void ClockedBuild::add_counters() {
+    for (const Counter& counter : grafcet.counters) {
         std::size_t width = 0;
         while ((counter.high - counter.low) >> width != 0) ++width;
+        const GateMaker gates = chart.at_inputs().named(counter.name);
         Observed observed{counter.name, {}, counter.low};
         for (std::size_t bit = 0; bit < width; ++bit) {
-            observed.bits.push_back(builder_.add_net(counter.name, "q" + std::to_string(bit)));
+            observed.bits.push_back(gates.add_net("q" + std::to_string(bit)));
         }
         Word position = observed.bits;
-        position.push_back(builder_.low());
-        Arithmetic arithmetic(builder_, counter.name + "$value");
+        position.push_back(gates.low());
+        Arithmetic arithmetic(gates.named(counter.name + "$value"));
         const Sum offset{{counter.low < 0, SumTerm::no_counter, std::abs(counter.low)},
                          {false, 0, 0}};
-        now_.counters.push_back(arithmetic.sum(offset, {position}));
-        builder_.add_counter(std::move(observed));
+        now.counters.push_back(arithmetic.sum(offset, {position}));
+        chart.builder().add_counter(std::move(observed));
     }
 }
+
+namespace {
 
 /// Continuous outputs read everything as the flip-flops hold it once the scan is over.
-void ClockedBuild::make_outputs() {
-    for (const OutputEquation& equation : equations_.outputs) {
-        const Output& output = grafcet_.outputs[equation.output];
-        work_on(output.name, builder_.add_origin(Origin::Kind::output, output.name, output.where),
-                fmt::format("{} = {}", output.name, equation_text(equations_, equation.value)));
-        role_ = 0;
-        const NetId source = net(now_, equation.value);
-        builder_.add_cell(CellType::buffer, now_.outputs[index_of(equation.output)], {&source, 1});
+void make_outputs(ClockedBuild& build) {
+    for (const OutputEquation& equation : build.equations.outputs) {
+        NumberedGates at = build.add_module(build.grafcet.outputs[equation.output].name,
+                                            build.chart.origin_of(equation.output));
+        const NetId source = build.net(build.now, equation.value, at);
+        at.gates.add_cell(CellType::buffer, build.now.outputs[index_of(equation.output)],
+                          {&source, 1});
     }
 }
 
-Netlist make_clocked(Equations& equations) {
-    return ClockedBuild(equations).make();
+}  // namespace
+
+Netlist make_clocked(const Grafcet& grafcet, const Equations& equations, const DelayModel&) {
+    ClockedBuild build(grafcet, equations);
+    build.make_edges();
+    make_evolution(build);
+    make_registers(build);
+    build.make_time_conditions();
+    make_outputs(build);
+    return build.chart.finish(equations.options.modes, build.clock);
 }
 
 }  // namespace grafwire

@@ -9,95 +9,81 @@
 // loop of two steps one X is at once what sets and what resets). A step with one transition before
 // and one after it takes four NAND gates.
 
-#include "netlist/styles/asynchronous.h"
+#include "netlist/styles/latch_module.h"
+#include "netlist/styles/styles.h"
 
 namespace grafwire {
 
 namespace {
 
-class NandPhase {
+class NandModule : LatchModule {
   public:
-    NandPhase(AsynchronousBuild& build, const PhaseSignals& phase)
-        : builder_(build.builder), build_(build), phase_(phase), name_(build.step_name(phase.x)) {}
+    using LatchModule::LatchModule;
 
     void make() {
         make_sets();
         make_resets();
-        const NetId complement = builder_.add_net(name_, "q");
-        std::vector<NetId> pins = sets_;
-        pins.push_back(complement);
-        builder_.drive(phase_.x, CellType::nand_gate, pins);
-        resets_.push_back(phase_.x);
-        builder_.drive(complement, CellType::nand_gate, resets_);
-        if (phase_.init == no_net) {
-            builder_.set_initial(complement, !phase_.initial);
-        }
+        cross_couple(CellType::nand_gate, sets_, resets_);
     }
 
   private:
-    void add_set(std::vector<NetId> pins, const std::string& role) {
-        if (phase_.not_au_dur != no_net) pins.push_back(phase_.not_au_dur);
-        if (phase_.enclosing != no_net) pins.push_back(phase_.enclosing);
-        sets_.push_back(builder_.gate(CellType::nand_gate, pins, name_, role));
+    void add_set(std::vector<NetId> pins, std::string_view role) {
+        if (step_.not_au_dur != no_net) pins.push_back(step_.not_au_dur);
+        if (step_.enclosing != no_net) pins.push_back(step_.enclosing);
+        sets_.push_back(gates_.gate(CellType::nand_gate, pins, role));
     }
 
     void make_sets() {
-        const bool init_blocks = !phase_.initial && phase_.init != no_net;
-        for (const TransitionId into : phase_.into) {
-            std::vector<NetId> pins = build_.clearing_factors(into);
-            if (init_blocks) pins.push_back(phase_.not_init);
-            if (phase_.forced_off != no_net) pins.push_back(builder_.inverted(phase_.forced_off));
-            add_set(std::move(pins), "set" + build_.equations.grafcet->transitions[into].name);
+        const NetId off = step_.forced_off.net;
+        for (const TransitionId into : step_.into) {
+            std::vector<NetId> pins = build_.clearing_factors(into, gates_);
+            if (!step_.initial && has_modes()) pins.push_back(step_.not_init);
+            if (off != no_net) pins.push_back(gates_.inverted(off));
+            add_set(std::move(pins), set_role(into));
         }
-        if (phase_.initial && phase_.init != no_net) {
-            std::vector<NetId> pins{phase_.init};
-            if (phase_.forced_off != no_net) pins.push_back(builder_.inverted(phase_.forced_off));
+        if (step_.initial && has_modes()) {
+            std::vector<NetId> pins{step_.init};
+            if (off != no_net) pins.push_back(gates_.inverted(off));
             add_set(std::move(pins), "init");
         }
-        if (phase_.forced_on != no_net) {
-            add_set({phase_.forced_on}, "forced");
+        if (step_.forced_on.net != no_net) {
+            add_set({step_.forced_on.net}, "forced");
             forced_ = sets_.back();
         }
-        if (!phase_.link.empty()) add_set(phase_.link, "link");
+        if (!step_.link.empty()) add_set(step_.link, "link");
     }
 
     void make_resets() {
-        for (std::size_t i = 0; i < phase_.cdx.size(); ++i) {
-            std::vector<NetId> pins = phase_.cdx[i];
+        for (std::size_t i = 0; i < step_.cdx.size(); ++i) {
+            std::vector<NetId> pins = step_.cdx[i];
             pins.insert(pins.end(), sets_.begin(), sets_.end());
-            resets_.push_back(
-                builder_.gate(CellType::nand_gate, pins, name_, "reset" + std::to_string(i)));
+            resets_.push_back(gates_.gate(CellType::nand_gate, pins, "reset" + std::to_string(i)));
         }
-        add_reset(phase_.forced_off, "unforced");
-        if (!phase_.initial) add_reset(phase_.init, "clear");
-        if (phase_.enclosing != no_net) resets_.push_back(phase_.enclosing);
-        if (phase_.not_au_dur != no_net) resets_.push_back(phase_.not_au_dur);
+        add_reset(step_.forced_off.net, "unforced");
+        if (!step_.initial) add_reset(step_.init, "clear");
+        if (step_.enclosing != no_net) resets_.push_back(step_.enclosing);
+        if (step_.not_au_dur != no_net) resets_.push_back(step_.not_au_dur);
     }
 
     /// A reset that gives way only to an order that lists the step.
-    void add_reset(NetId cause, const std::string& role) {
+    void add_reset(NetId cause, std::string_view role) {
         if (cause == no_net) return;
-        if (forced_ == no_net) {
-            resets_.push_back(builder_.inverted(cause));
-            return;
-        }
-        const NetId pins[] = {cause, forced_};
-        resets_.push_back(builder_.gate(CellType::nand_gate, pins, name_, role));
+        resets_.push_back(forced_ == no_net
+                              ? gates_.inverted(cause)
+                              : gates_.gate(CellType::nand_gate, {cause, forced_}, role));
     }
 
-    ChartNetlist& builder_;
-    AsynchronousBuild& build_;
-    const PhaseSignals& phase_;
-    std::string name_;
-    std::vector<NetId> sets_;
-    std::vector<NetId> resets_;
     NetId forced_ = no_net;  ///< 0 while an order lists the step
 };
 
+void make_nand_step(AsynchronousBuild& build, const StepSignals& step, const GateMaker& gates) {
+    NandModule(build, step, gates).make();
+}
+
 }  // namespace
 
-void make_nand_phase(AsynchronousBuild& build, const PhaseSignals& phase) {
-    NandPhase(build, phase).make();
+Netlist make_nand(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays) {
+    return make_asynchronous(grafcet, equations, {make_nand_step, 2}, delays);
 }
 
 }  // namespace grafwire

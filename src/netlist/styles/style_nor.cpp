@@ -9,85 +9,71 @@
 // reset. Without that both halves of the latch would be 0 while S = R = 1, and race when S and R
 // end together.
 
-#include "netlist/styles/asynchronous.h"
+#include "netlist/styles/latch_module.h"
+#include "netlist/styles/styles.h"
 
 namespace grafwire {
 
 namespace {
 
-class NorPhase {
+class NorModule : LatchModule {
   public:
-    NorPhase(AsynchronousBuild& build, const PhaseSignals& phase)
-        : builder_(build.builder), build_(build), phase_(phase), name_(build.step_name(phase.x)) {}
+    using LatchModule::LatchModule;
 
     void make() {
         make_resets();
         make_sets();
-        const NetId complement = builder_.add_net(name_, "q");
-        resets_.push_back(complement);
-        builder_.drive(phase_.x, CellType::nor_gate, resets_);
-        sets_.push_back(phase_.x);
-        builder_.drive(complement, CellType::nor_gate, sets_);
-        if (phase_.init == no_net) {
-            builder_.set_initial(complement, !phase_.initial);
-        }
+        cross_couple(CellType::nor_gate, resets_, sets_);
     }
 
   private:
-    void add_set(std::vector<NetId> pins, const std::string& role) {
-        for (const NetId reset : resets_) pins.push_back(builder_.inverted(reset));
-        sets_.push_back(builder_.gate(CellType::and_gate, pins, name_, role));
+    void add_set(std::vector<NetId> pins, std::string_view role) {
+        for (const NetId reset : resets_) pins.push_back(gates_.inverted(reset));
+        sets_.push_back(gates_.gate(CellType::and_gate, pins, role));
     }
 
     void make_sets() {
-        for (const TransitionId into : phase_.into) {
-            add_set(build_.clearing_factors(into),
-                    "set" + build_.equations.grafcet->transitions[into].name);
+        for (const TransitionId into : step_.into) {
+            add_set(build_.clearing_factors(into, gates_), set_role(into));
         }
-        if (phase_.initial && phase_.init != no_net) add_set({phase_.init}, "init");
-        if (phase_.forced_on != no_net) {
+        if (step_.initial && has_modes()) add_set({step_.init}, "init");
+        if (step_.forced_on.net != no_net) {
             // Only what an order does not outweigh blocks it: the resets of add_reset give way.
-            std::vector<NetId> pins{phase_.forced_on};
-            if (phase_.enclosing != no_net) pins.push_back(phase_.enclosing);
-            if (phase_.not_au_dur != no_net) pins.push_back(phase_.not_au_dur);
-            sets_.push_back(pins.size() == 1
-                                ? pins[0]
-                                : builder_.gate(CellType::and_gate, pins, name_, "forced"));
+            std::vector<NetId> pins{step_.forced_on.net};
+            if (step_.enclosing != no_net) pins.push_back(step_.enclosing);
+            if (step_.not_au_dur != no_net) pins.push_back(step_.not_au_dur);
+            sets_.push_back(gates_.joined(CellType::and_gate, pins, "forced"));
         }
-        if (!phase_.link.empty()) add_set(phase_.link, "link");
+        if (!step_.link.empty()) add_set(step_.link, "link");
     }
 
     void make_resets() {
-        for (std::size_t i = 0; i < phase_.cdx.size(); ++i) {
-            std::vector<NetId> pins = phase_.cdx[i];
-            if (phase_.initial && phase_.init != no_net) pins.push_back(phase_.not_init);
+        for (std::size_t i = 0; i < step_.cdx.size(); ++i) {
+            std::vector<NetId> pins = step_.cdx[i];
+            if (step_.initial && has_modes()) pins.push_back(step_.not_init);
             add_reset(std::move(pins), "reset" + std::to_string(i));
         }
-        if (phase_.forced_off != no_net) add_reset({phase_.forced_off}, "unforced");
-        if (!phase_.initial && phase_.init != no_net) add_reset({phase_.init}, "clear");
-        if (phase_.enclosing != no_net) resets_.push_back(builder_.inverted(phase_.enclosing));
-        if (phase_.not_au_dur != no_net) resets_.push_back(builder_.inverted(phase_.not_au_dur));
+        if (step_.forced_off.net != no_net) add_reset({step_.forced_off.net}, "unforced");
+        if (!step_.initial && has_modes()) add_reset({step_.init}, "clear");
+        if (step_.enclosing != no_net) resets_.push_back(gates_.inverted(step_.enclosing));
+        if (step_.not_au_dur != no_net) resets_.push_back(gates_.inverted(step_.not_au_dur));
     }
 
     /// A reset that gives way to an order that lists the step.
-    void add_reset(std::vector<NetId> pins, const std::string& role) {
-        if (phase_.forced_on != no_net) pins.push_back(builder_.inverted(phase_.forced_on));
-        resets_.push_back(pins.size() == 1 ? pins[0]
-                                           : builder_.gate(CellType::and_gate, pins, name_, role));
+    void add_reset(std::vector<NetId> pins, std::string_view role) {
+        if (step_.forced_on.net != no_net) pins.push_back(gates_.inverted(step_.forced_on.net));
+        resets_.push_back(gates_.joined(CellType::and_gate, pins, role));
     }
-
-    ChartNetlist& builder_;
-    AsynchronousBuild& build_;
-    const PhaseSignals& phase_;
-    std::string name_;
-    std::vector<NetId> sets_;
-    std::vector<NetId> resets_;
 };
+
+void make_nor_step(AsynchronousBuild& build, const StepSignals& step, const GateMaker& gates) {
+    NorModule(build, step, gates).make();
+}
 
 }  // namespace
 
-void make_nor_phase(AsynchronousBuild& build, const PhaseSignals& phase) {
-    NorPhase(build, phase).make();
+Netlist make_nor(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays) {
+    return make_asynchronous(grafcet, equations, {make_nor_step, 3}, delays);
 }
 
 }  // namespace grafwire

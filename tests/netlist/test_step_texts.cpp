@@ -2,12 +2,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "equations/parsed.h"
-#include "equations/step_texts.h"
+#include "grafcet/write_grafcet.h"
+#include "netlist/styles/step_texts.h"
+#include "support/small_netlists.h"
 
 namespace grafwire::testing {
 
-TEST_CASE("the text of a step is that of its whole expression, and leaves the equations alone") {
+TEST_CASE("the text of a step is that of its whole expression, whatever was written before") {
     int charts = 0;
     for (const auto& file : std::filesystem::directory_iterator(GRAFWIRE_ROOT "/examples")) {
         if (file.path().extension() != ".grafcet") continue;
@@ -15,20 +16,19 @@ TEST_CASE("the text of a step is that of its whole expression, and leaves the eq
         CAPTURE(file.path().string());
         std::stringstream text;
         text << std::ifstream(file.path()).rdbuf();
-        const Grafcet grafcet = parsed(text.str());
+        const Grafcet grafcet = grafcet_of(text.str());
         for (const CdxForm cdx : {CdxForm::successor, CdxForm::transition}) {
             for (const bool modes : {true, false}) {
                 const Equations equations = equations_from(grafcet, {cdx, modes});
-                const std::size_t size = equations.expressions.size();
-                Equations growing = equations;
-                StepTexts texts(equations);
+                Expressions pool = equations.expressions;
+                StepTexts texts(grafcet, equations, StepTexts::any_length);
                 for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
                     const StepId step = grafcet.steps.id_at(i);
                     CHECK(texts.equation(step) ==
                           "X" + grafcet.steps[step].name + " = " +
-                              equation_text(growing, step_expression(growing, step)));
+                              write_expression(grafcet, pool,
+                                               step_expression(equations, step, pool)));
                 }
-                CHECK(equations.expressions.size() == size);
             }
         }
     }
@@ -42,10 +42,10 @@ TEST_CASE("an equation too long to be read has no text, and the next one has") {
         steps += "step " + std::to_string(i) + " ";
         names += (i == 1 ? "" : ", ") + std::to_string(i);
     }
-    const Grafcet grafcet = parsed("input a graph G { " + steps + "step 301 " + names +
-                                   " -> 301 : a  0 -> " + names + " : a  301 -> 0 : 1 }");
-    const Equations equations = equations_from(grafcet, without_modes);
-    StepTexts texts(equations);
+    const Grafcet grafcet = grafcet_of("input a graph G { " + steps + "step 301 " + names +
+                                       " -> 301 : a  0 -> " + names + " : a  301 -> 0 : 1 }");
+    const Equations equations = equations_from(grafcet, {CdxForm::successor, false});
+    StepTexts texts(grafcet, equations, 256);
     CHECK(texts.equation(StepId{301}).empty());
     CHECK(texts.equation(StepId{1}) == "X1 = X0.a + /X301.X1");
     CHECK(texts.equation(StepId{0}).empty());

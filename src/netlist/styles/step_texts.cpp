@@ -1,13 +1,12 @@
-#include "equations/step_texts.h"
+#include "netlist/styles/step_texts.h"
 
-#include "equations/derivation.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
-// Recursive: expressions are nested a few hundred levels deep at most.
+/// Recursive: expressions are nested a few hundred levels deep at most.
 ExprId StepTexts::copy(ExprId id) {
-    if (id == no_expr || operands_ > longest) return no_expr;
+    if (id == no_expr || operands_ > most_operands_) return no_expr;
     const Expressions& pool = equations_.expressions;
     switch (pool.kind(id)) {
         case ExprKind::constant:
@@ -25,7 +24,7 @@ ExprId StepTexts::copy(ExprId id) {
             break;
     }
     operands_ += pool.operands(id).size();
-    if (operands_ > longest) return no_expr;
+    if (operands_ > most_operands_) return no_expr;
     std::vector<ExprId> operands;
     operands.reserve(pool.operands(id).size());
     for (const ExprId operand : pool.operands(id)) operands.push_back(copy(operand));
@@ -50,13 +49,12 @@ std::string StepTexts::equation(StepId step) {
     operands_ = 0;
     StepEquation parts = equations_.steps[step];
     for (ExprId* part : {&parts.cax, &parts.cdx, &parts.forced_off, &parts.forced_on,
-                         &parts.enclosing, &parts.link})
+                         &parts.enclosing, &parts.link}) {
         *part = copy(*part);
-    if (operands_ > longest) return {};
-    const ExprId x = combined(pool_, parts, step, equations_.grafcet->steps[step].initial,
-                              equations_.options.modes);
-    return "X" + equations_.grafcet->steps[step].name + " = " +
-           write_expression(*equations_.grafcet, pool_, x);
+    }
+    if (operands_ > most_operands_) return {};
+    const ExprId x = combined(pool_, parts, step, equations_.options.modes);
+    return "X" + grafcet_.steps[step].name + " = " + write_expression(grafcet_, pool_, x);
 }
 
 }  // namespace grafwire
