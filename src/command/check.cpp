@@ -65,9 +65,9 @@ unsigned facts_of(const Request& request) {
                (request.netlist.options().style == Style::clocked ? fact::clocked
                                                                   : fact::asynchronous);
     }
-    const AgainstRow* row = against_of_path(request.against);
-    if (row != nullptr && row->kind == Against::listing) return fact::listing;
-    if (row != nullptr && row->kind == Against::ladder) return fact::ladder;
+    const std::optional<Against> against = against_of(request.against);
+    if (against == Against::listing) return fact::listing;
+    if (against == Against::ladder) return fact::ladder;
     return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
 }
 

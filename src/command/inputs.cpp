@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace grafwire {
 
 namespace {
@@ -45,21 +43,15 @@ bool share_standard_input(const std::string& path, const std::string& stimuli) {
     return true;
 }
 
-const AgainstRow* against_of_path(const std::string& path) {
-    return against_of(std::filesystem::path(path).extension().string());
-}
-
 std::optional<Netlist> load_netlist(const std::string& path) {
-    const AgainstRow* row = against_of_path(path);
-    if (row == nullptr || !row->is_netlist) {
+    const NetlistFormat* format = readable_format_of(path);
+    if (format == nullptr) {
         complain(
             fmt::format("{}: a netlist to compare with is a .blif or a .json (Yosys) file", path));
         return std::nullopt;
     }
     SourceFile source;
-    return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
-        return read_netlist(text, row->kind, diagnostics);
-    });
+    return load(path, source, format->read);
 }
 
 std::optional<LoadedAssignment> load_assignment(const std::string& path) {

@@ -30,10 +30,7 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
 /// Whether both are to come from standard input, which can be read only once; shows it if so.
 bool share_standard_input(const std::string& path, const std::string& stimuli);
 
-/// What the extension of a file says that it is, if it is anything to compare with.
-const AgainstRow* against_of_path(const std::string& path);
-
-/// A netlist from a `.blif` or `.json` file.
+/// A netlist from a file whose extension is that of a format with a reader.
 std::optional<Netlist> load_netlist(const std::string& path);
 
 /// A table of assignment, with the text that it was read from; an S7-200 listing for a controller.

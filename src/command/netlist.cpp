@@ -21,12 +21,12 @@ struct Request {
 };
 
 /// What is known of the request before anything is read.
-unsigned facts_of(const Request& request, const Exporter& exporter) {
+unsigned facts_of(const Request& request, const NetlistFormat& format) {
     unsigned facts =
         request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous;
     if (!request.stimuli.empty()) facts |= fact::stimuli;
     // A deck is a bench itself: it needs no asking, and no file beside it.
-    const bool has_own_bench = exporter.write_bench != nullptr;
+    const bool has_own_bench = format.write_bench != nullptr;
     if (request.bench || !has_own_bench) facts |= fact::bench;
     if (!has_own_bench || (!request.output.empty() && request.output != "-")) {
         facts |= fact::output;
@@ -41,7 +41,7 @@ std::string bench_path(const std::string& output) {
         .string();
 }
 
-ExitStatus write(const Request& request, const Exporter& exporter, Time period) {
+ExitStatus write(const Request& request, const NetlistFormat& format, Time period) {
     // Read the GRAFCET and make the netlist.
     const auto chart = load_chart(request.path);
     if (!chart) return ExitStatus::bad_request;
@@ -53,11 +53,8 @@ ExitStatus write(const Request& request, const Exporter& exporter, Time period) 
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
-    Diagnostics messages;
     WrittenNetlist written =
-        write_netlist(*chart, *netlist, exporter, stimuli ? &*stimuli : nullptr, period, messages);
-    show_messages(messages);
-    if (messages.has_errors()) return ExitStatus::bad_request;
+        write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr, period);
     OutputFiles files({request.path, request.stimuli});
     files.add(request.output, std::move(written.text));
     if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));
@@ -71,7 +68,7 @@ Task declare_netlist(const CommandLine& line, const Language&) {
     line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
     request->netlist.declare(line, true);
     line.add("--to", request->format,
-             fmt::format("output format: {}", fmt::join(exporter_names(), ", ")))
+             fmt::format("output format: {}", fmt::join(netlist_format_names(), ", ")))
         .required();
     line.add("--stim", request->stimuli,
              "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)");
@@ -81,17 +78,17 @@ Task declare_netlist(const CommandLine& line, const Language&) {
     line.add("--scan", request->scan, "scan period that clocked timers count with").shows_default();
     line.add("-o", request->output, "output file (default: standard output)");
     return [request, line] {
-        const Exporter* exporter = format_named(exporters(), request->format);
-        if (exporter == nullptr) return ExitStatus::bad_request;
-        const ChosenFormat format = chosen_format(exporters(), *exporter);
-        if (refuse_idle_options(line, "netlist", facts_of(*request, *exporter), &format)) {
+        const NetlistFormat* format = format_named(netlist_formats(), request->format);
+        if (format == nullptr) return ExitStatus::bad_request;
+        const ChosenFormat chosen = chosen_format(netlist_formats(), *format);
+        if (refuse_idle_options(line, "netlist", facts_of(*request, *format), &chosen)) {
             return ExitStatus::bad_request;
         }
         const Period period = parse_period(request->scan);
         if (!period.value || share_standard_input(request->path, request->stimuli)) {
             return ExitStatus::bad_request;
         }
-        return write(*request, *exporter, *period.value);
+        return write(*request, *format, *period.value);
     };
 }
 

@@ -33,12 +33,12 @@ Result<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options) 
 
 Result<Netlist> read_netlist(const Chart& chart, std::string text, std::string_view format,
                              std::string name, bool starts_initially) {
-    const AgainstRow* row = against_of("." + std::string(format));
-    if (row == nullptr || !row->is_netlist) {
+    const NetlistFormat* row = netlist_format_named(format);
+    if (row == nullptr || row->read == nullptr) {
         return {std::nullopt, {error(fmt::format("'{}' is no format to read", format))}};
     }
     Diagnostics diagnostics;
-    auto netlist = grafwire::read_netlist({name, std::move(text)}, row->kind, diagnostics);
+    auto netlist = row->read({name, std::move(text)}, diagnostics);
     Result<Netlist> result{std::nullopt, messages_from(diagnostics)};
     if (!netlist) return result;
     const PortComparison ports = fit_netlist(chart.parts().chart, *netlist, starts_initially);

@@ -33,7 +33,7 @@ std::string equations(const Chart& chart, EquationForm form, const EquationOptio
 }
 
 std::vector<std::string> netlist_formats() {
-    return strings(exporter_names());
+    return strings(netlist_format_names());
 }
 
 std::vector<std::string> program_formats() {
@@ -51,17 +51,14 @@ Message no_format(std::string_view name, const std::vector<std::string_view>& na
 
 Result<std::string> write_netlist(const Netlist& netlist, std::string_view format,
                                   std::chrono::nanoseconds period) {
-    const Exporter* row = exporter_named(format);
-    if (row == nullptr) return {std::nullopt, {no_format(format, exporter_names())}};
+    const NetlistFormat* row = netlist_format_named(format);
+    if (row == nullptr) return {std::nullopt, {no_format(format, netlist_format_names())}};
     const CheckedPeriod checked = period_from(period);
     if (checked.is_wrong) return {std::nullopt, {wrong_period()}};
     const Netlist::Parts& parts = netlist.parts();
-    Diagnostics diagnostics;
     WrittenNetlist written = grafwire::write_netlist(parts.chart.parts().chart, parts.netlist, *row,
-                                                     nullptr, *checked.value, diagnostics);
-    Result<std::string> result{std::nullopt, messages_from(diagnostics)};
-    if (!diagnostics.has_errors()) result.value = std::move(written.text);
-    return result;
+                                                     nullptr, *checked.value);
+    return {std::move(written.text), {}};
 }
 
 Result<std::string> write_program(const Chart& chart, std::string_view format, bool modes) {

@@ -20,6 +20,7 @@ class NetlistGraph {
         all,
         at_once,  ///< none from cells with a memory, whose outputs do not follow their inputs at
                   ///< once
+        between_clocks,  ///< none to flip-flops, whose outputs change at the clock only
     };
     explicit NetlistGraph(const Netlist& netlist, Edges edges = Edges::all);
 

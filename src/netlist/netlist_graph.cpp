@@ -10,18 +10,22 @@ NetlistGraph::NetlistGraph(const Netlist& netlist, Edges edges)
             if (row_of(cell.type).has_memory) drivers[cell.output] = no_cell;
         }
     }
-    for (const Cell& cell : netlist.cells) {
+    const auto edges_to = [&](const Cell& cell, const auto& visit) {
+        const CellTypeRow& row = row_of(cell.type);
+        if (edges == Edges::between_clocks && row.is_clocked && row.has_memory) return;
         for (const NetId pin : netlist.pins_of(cell)) {
-            if (drivers[pin] != no_cell) ++first_reader_[index_of(drivers[pin]) + 1];
+            if (drivers[pin] != no_cell) visit(index_of(drivers[pin]));
         }
+    };
+    for (const Cell& cell : netlist.cells) {
+        edges_to(cell, [&](std::size_t driver) { ++first_reader_[driver + 1]; });
     }
     for (std::size_t i = 1; i < first_reader_.size(); ++i) first_reader_[i] += first_reader_[i - 1];
     readers_.resize(first_reader_.back());
     std::vector<std::uint32_t> next(first_reader_.begin(), first_reader_.end() - 1);
     for (std::uint32_t i = 0; i < netlist.cells.size(); ++i) {
-        for (const NetId pin : netlist.pins_of(netlist.cells[netlist.cells.id_at(i)])) {
-            if (drivers[pin] != no_cell) readers_[next[index_of(drivers[pin])]++] = i;
-        }
+        edges_to(netlist.cells.items()[i],
+                 [&](std::size_t driver) { readers_[next[driver]++] = i; });
     }
 }
 

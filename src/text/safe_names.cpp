@@ -71,22 +71,24 @@ std::string SafeNames::folded(std::string name) const {
     return name;
 }
 
-bool SafeNames::is_free(const std::string& name) const {
+bool SafeNames::keep(const std::string& name) {
     const std::string compared = folded(name);
-    return taken_.count(compared) == 0 && !is_reserved_(compared);
+    return !is_reserved_(compared) && taken_.try_emplace(compared, 1).second;
 }
 
-bool SafeNames::keep(const std::string& name) {
-    return is_free(name) && taken_.insert(folded(name)).second;
+std::string SafeNames::claim_word(std::string word) {
+    if (keep(word)) return word;
+    // A reference into the table stays good while names are added.
+    std::uint32_t& number = taken_.try_emplace(folded(word), 1).first->second;
+    std::string name;
+    do {
+        name = fmt::format("{}_{}", word, ++number);
+    } while (!keep(name));
+    return name;
 }
 
 std::string SafeNames::claim(std::string_view wanted) {
-    const std::string word = ascii_word(wanted);
-    std::string name = word;
-    for (std::size_t number = 2; !is_free(name); ++number)
-        name = fmt::format("{}_{}", word, number);
-    taken_.insert(folded(name));
-    return name;
+    return claim_word(ascii_word(wanted));
 }
 
 }  // namespace grafwire

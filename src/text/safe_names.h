@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace grafwire {
 
@@ -23,17 +24,20 @@ class SafeNames {
         : case_matters_(case_matters), is_reserved_(std::move(is_reserved)) {}
 
     std::string claim(std::string_view wanted);
+    /// The same for what is a word of the language already.
+    std::string claim_word(std::string word);
     /// Takes a name, which must be a word of the language, as it is; false where it is reserved or
     /// somebody has it.
     bool keep(const std::string& name);
 
   private:
-    bool is_free(const std::string& name) const;
     std::string folded(std::string name) const;
 
     bool case_matters_;
     std::function<bool(std::string_view)> is_reserved_;
-    std::set<std::string> taken_;
+    /// The names given, as they are compared, each with the number tried last to tell it from
+    /// others.
+    std::unordered_map<std::string, std::uint32_t> taken_;
 };
 
 }  // namespace grafwire

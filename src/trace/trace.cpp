@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "text/csv.h"
 #include "trace/vcd_writer.h"
 
 namespace grafwire {
@@ -21,19 +22,6 @@ std::uint32_t width_of(const Counter& counter) {
     };
     while (width < 63 && !(fits(counter.low) && fits(counter.high))) ++width;
     return width < 63 ? width : 64;
-}
-
-void append_field(std::string& out, std::string_view field) {
-    if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
-        out += field;
-        return;
-    }
-    out += '"';
-    for (const char c : field) {
-        if (c == '"') out += '"';
-        out += c;
-    }
-    out += '"';
 }
 
 /// The coarsest timescale in which every time in the trace is a whole number.
@@ -67,7 +55,7 @@ std::string write_csv(const Trace& trace) {
     std::string out = "time_ms";
     for (const Trace::Column& column : trace.columns) {
         out += ',';
-        append_field(out, column.name);
+        append_csv_field(out, column.name);
     }
     out += '\n';
     const std::int64_t* value = trace.values.data();

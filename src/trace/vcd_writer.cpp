@@ -49,31 +49,17 @@ std::string VcdWriter::identifier(std::uint32_t signal) {
     return id;
 }
 
-std::string VcdWriter::unused_name(std::string_view wanted) {
-    const std::string word = one_word(wanted);
-    const auto [place, is_new] = names_.emplace(word, 1);
-    if (is_new) return word;
-    std::uint32_t number = place->second;
-    std::string numbered;
-    do {
-        numbered = fmt::format("{}_{}", word, ++number);
-    } while (!names_.emplace(numbered, 1).second);
-    names_[word] = number;
-    return numbered;
-}
-
 std::uint32_t VcdWriter::add_signal(std::string_view name, std::uint32_t width) {
     assert(now_ < 0 && width >= 1);
     const auto signal = static_cast<std::uint32_t>(widths_.size());
     widths_.push_back(width);
     fmt::format_to(std::back_inserter(text_), "$var wire {} {} {} $end\n", width,
-                   identifier(signal), unused_name(name));
+                   identifier(signal), names_.claim_word(one_word(name)));
     return signal;
 }
 
 void VcdWriter::begin() {
     text_ += "$upscope $end\n$enddefinitions $end\n";
-    names_.clear();
 }
 
 void VcdWriter::move_to(Time at) {

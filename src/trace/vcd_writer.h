@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "text/safe_names.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -34,14 +34,12 @@ class VcdWriter {
   private:
     void move_to(Time at);
     static std::string identifier(std::uint32_t signal);
-    std::string unused_name(std::string_view wanted);
 
     std::string text_;
     Time tick_;
     Time now_ = -1;
     std::vector<std::uint32_t> widths_;
-    /// The names given out, each with the number tried last to tell it from others.
-    std::unordered_map<std::string, std::uint32_t> names_;
+    SafeNames names_{true, [](std::string_view) { return false; }};
 };
 
 }  // namespace grafwire

@@ -3,8 +3,6 @@
 #include <unordered_map>
 
 #include "evolution/run.h"
-#include "formats/blif/read_blif.h"
-#include "formats/yosys/read_yosys_json.h"
 
 namespace grafwire {
 
@@ -34,17 +32,11 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& op
     return netlist_from(chart.grafcet, equations, options.style, diagnostics);
 }
 
-const AgainstRow* against_of(std::string_view extension) {
-    for (const AgainstRow& row : against_table) {
-        if (row.extension == extension) return &row;
-    }
-    return nullptr;
-}
-
-std::optional<Netlist> read_netlist(const SourceFile& source, Against kind,
-                                    Diagnostics& diagnostics) {
-    return kind == Against::blif ? read_blif(source, diagnostics)
-                                 : read_yosys_json(source, diagnostics);
+std::optional<Against> against_of(std::string_view path) {
+    if (readable_format_of(path) != nullptr) return Against::netlist;
+    if (path.ends_with(".awl")) return Against::listing;
+    if (path.ends_with(".xml")) return Against::ladder;
+    return std::nullopt;
 }
 
 PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_initially) {
@@ -96,17 +88,17 @@ Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& s
 
 }  // namespace
 
-WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist, const Exporter& exporter,
-                             const Stimuli* stimuli, Time scan_period, Diagnostics& diagnostics) {
+WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
+                             const NetlistFormat& format, const Stimuli* stimuli,
+                             Time scan_period) {
     WrittenNetlist written;
-    ExportOptions options{scan_period, nullptr};
-    Bench bench;
+    WriteOptions options;
+    options.scan_period = scan_period;
     if (stimuli != nullptr) {
-        bench = bench_for(chart.grafcet, netlist, *stimuli, scan_period);
-        options.bench = &bench;
-        if (exporter.write_bench != nullptr) written.bench = exporter.write_bench(netlist, options);
+        options.bench = bench_for(chart.grafcet, netlist, *stimuli, scan_period);
+        if (format.write_bench != nullptr) written.bench = format.write_bench(netlist, options);
     }
-    written.text = exporter.write(netlist, options, diagnostics);
+    written.text = write_netlist(format, netlist, options);
     return written;
 }
 

@@ -6,7 +6,7 @@
 
 #include "check/compare_ports.h"
 #include "equations/equations.h"
-#include "formats/exporters.h"
+#include "formats/netlist_formats.h"
 #include "netlist/netlist.h"
 #include "netlist/styles/netlist_from.h"
 #include "text/diagnostics.h"
@@ -37,25 +37,11 @@ std::string conflict_in(const NetlistOptions& options);
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options,
                                     Diagnostics& diagnostics);
 
-/// What can be compared with a chart, by the extension of its file.
-enum class Against { blif, yosys_json, listing, ladder };
-struct AgainstRow {
-    std::string_view extension;
-    Against kind;
-    bool is_netlist;
-};
-inline constexpr AgainstRow against_table[] = {
-    {".blif", Against::blif, true},
-    {".json", Against::yosys_json, true},
-    {".awl", Against::listing, false},
-    {".xml", Against::ladder, false},
-};
-/// The row of an extension; nullptr where there is none.
-const AgainstRow* against_of(std::string_view extension);
+/// What can be compared with a chart: a netlist in a format that has a reader, or a program.
+enum class Against { netlist, listing, ladder };
 
-/// Reads a netlist, a BLIF or Yosys JSON text; empty after an error.
-std::optional<Netlist> read_netlist(const SourceFile& source, Against kind,
-                                    Diagnostics& diagnostics);
+/// What a file holds, by its extension; empty where it is none of these.
+std::optional<Against> against_of(std::string_view path);
 
 /// Gives the ports of a netlist from elsewhere the order of the chart, and settles whether its
 /// steps start in the initial situation where nothing sets them. Nothing is changed where an X or
@@ -69,8 +55,8 @@ struct WrittenNetlist {
 };
 
 /// Writes the netlist of a chart. `stimuli`: what a deck or a test bench applies, or none;
-/// `scan_period`: what clocked timers count with. Errors go into `diagnostics`.
-WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist, const Exporter& exporter,
-                             const Stimuli* stimuli, Time scan_period, Diagnostics& diagnostics);
+/// `scan_period`: what clocked timers count with.
+WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
+                             const NetlistFormat& format, const Stimuli* stimuli, Time scan_period);
 
 }  // namespace grafwire

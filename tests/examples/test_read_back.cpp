@@ -8,22 +8,17 @@
 #include "check/check_equivalence.h"
 #include "check/compare_ports.h"
 #include "examples/example.h"
-#include "formats/blif/read_blif.h"
-#include "formats/exporters.h"
-#include "formats/yosys/read_yosys_json.h"
+#include "formats/netlist_formats.h"
 #include "simulate/simulator.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-std::optional<Netlist> read_back(std::string_view format, const Netlist& netlist) {
+std::optional<Netlist> read_back(const NetlistFormat& format, const Netlist& netlist) {
     Diagnostics diagnostics;
-    const Exporter* exporter = exporter_named(format);
-    REQUIRE(exporter != nullptr);
-    const SourceFile source{"netlist", exporter->write(netlist, {}, diagnostics)};
-    auto result =
-        format == "blif" ? read_blif(source, diagnostics) : read_yosys_json(source, diagnostics);
+    const SourceFile source{"netlist", write_netlist(format, netlist)};
+    auto result = format.read(source, diagnostics);
     INFO("messages: " << format_diagnostics(diagnostics, source));
     CHECK(diagnostics.items().empty());
     return result;
@@ -44,9 +39,10 @@ TEST_CASE("netlists of the examples, read back, get the same verdict for the sam
             const auto netlist = netlist_of(example.grafcet, row);
             if (!netlist) continue;
             const CheckResult expected = check(example.grafcet, *netlist);
-            for (const std::string_view format : {"blif", "json"}) {
+            for (const NetlistFormat& format : netlist_formats()) {
+                if (format.read == nullptr) continue;
                 INFO("example: " << example.name << ", style: " << row.name
-                                 << ", format: " << format);
+                                 << ", format: " << format.name);
                 auto copy = read_back(format, *netlist);
                 REQUIRE(copy.has_value());
                 CHECK(fault_of(*copy) == "");

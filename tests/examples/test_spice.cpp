@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "examples/example.h"
+#include "formats/netlist_formats.h"
 #include "formats/shared/bench.h"
-#include "formats/spice/write_spice.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
@@ -77,7 +77,8 @@ void check_in_ngspice(const AgreeingNetlist& item) {
                             ? run_scans(example.grafcet, example.stimuli, period).trace
                             : example.reference.trace;
     const Bench bench = bench_from(item.netlist, item.example->stimuli, trace.times);
-    const std::string deck = write_spice(item.netlist, bench, period);
+    const std::string deck = write_netlist(*netlist_format_named("spice"), item.netlist,
+                                           {.scan_period = period, .bench = bench});
     const ScratchFolder folder;
     const Ran ran = run_program({"ngspice", "-b", folder.file("deck.cir", deck)});
     INFO("standard error: " << ran.err);

@@ -16,7 +16,7 @@ namespace {
 std::vector<CsvRow> icarus_rows(const AgreeingNetlist& item, const Bench& bench) {
     const ScratchFolder folder;
     const std::string bench_file =
-        folder.file("bench.v", write_verilog_testbench(item.netlist, bench, scan_period));
+        folder.file("bench.v", write_verilog_bench(item.netlist, bench, scan_period));
     const std::string netlist_file = folder.file("netlist.v", write_verilog(item.netlist));
     const std::string program = folder.path("run");
     const Ran compiled = run_program(

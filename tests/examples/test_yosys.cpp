@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "examples/example.h"
-#include "formats/exporters.h"
+#include "formats/netlist_formats.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
@@ -13,18 +13,16 @@ namespace {
 /// All examples in a style, each read by the commands that `script` gives for its file.
 template <typename Script>
 void read_all(const StyleRow& row, std::string_view format, Script script) {
-    const Exporter* exporter = exporter_named(format);
-    REQUIRE(exporter != nullptr);
+    const NetlistFormat* written = netlist_format_named(format);
+    REQUIRE(written != nullptr);
     const ScratchFolder folder;
     std::string commands;
     std::size_t count = 0;
     for (const Example& example : examples()) {
         const auto netlist = netlist_of(example.grafcet, row);
         if (!netlist) continue;
-        Diagnostics diagnostics;
-        const std::string text = exporter->write(*netlist, {}, diagnostics);
-        CHECK(!diagnostics.has_errors());
-        const std::string file = example.name + std::string(exporter->extension);
+        const std::string text = write_netlist(*written, *netlist);
+        const std::string file = example.name + std::string(written->extension);
         commands += "log ### " + file + "\n" + script(folder.file(file, text)) + "tee -a " +
                     folder.path("log") + " log read\ndesign -reset\n";
         ++count;

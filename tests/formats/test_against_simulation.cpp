@@ -94,7 +94,7 @@ std::string outputs_of(const Trace& trace, const Grafcet& grafcet, const Netlist
 std::string in_icarus(const Netlist& netlist, const Bench& bench, Time scan) {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(netlist));
-    tools.write("bench.v", write_verilog_testbench(netlist, bench, scan));
+    tools.write("bench.v", write_verilog_bench(netlist, bench, scan));
     REQUIRE(tools.run("iverilog -o run bench.v netlist.v").status == 0);
     const auto result = tools.run("vvp -n run");
     CHECK(result.status == 0);

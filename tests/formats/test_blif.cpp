@@ -116,7 +116,7 @@ TEST_CASE("comments, joined lines and carriage returns") {
     CHECK(
         read("# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
              ".names a \\\n b y\n11 1 # the row\n.end\nwhat comes after .end is of no interest") ==
-        "x.blif:12:1: error: 'what' is no BLIF command\n"
+        "x.blif:12:1: error: 'what' is not a BLIF command\n"
         "what comes after .end is of no interest\n^\n");
     CHECK(read("# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
                ".names a \\\n b y\n11 1 # the row\n.end") ==
@@ -226,7 +226,7 @@ TEST_CASE("refusals name the place and the cause") {
           "x.blif:4:1: error: a connection of this set-priority latch is missing\n"
           ".subckt grafwire_latch s=a q=y\n^\n");
     CHECK(error_of(".subckt grafwire_latch s=a r=b q=y z=a\n.names a y\n1 1") ==
-          "x.blif:4:36: error: 'z=a' is no connection of a set-priority latch\n"
+          "x.blif:4:36: error: 'z=a' is not a connection of a set-priority latch\n"
           ".subckt grafwire_latch s=a r=b q=y z=a\n                                   ^\n");
     CHECK(error_of(".subckt grafwire_timer a=a q=y\n.attr RISE \"soon\"") ==
           "x.blif:5:1: error: the value of RISE does not fit; INIT is 0 or 1, RISE and FALL are "
@@ -239,7 +239,7 @@ TEST_CASE("refusals name the place and the cause") {
           "x.blif:4:1: error: '.exdc' is not supported\n.exdc\n^\n");
     CHECK(error_of(".names a y\n1 1\n.outputs y") ==
           "x.blif:6:10: error: output 'y' is listed twice\n.outputs y\n         ^\n");
-    CHECK(error_of("hello") == "x.blif:4:1: error: 'hello' is no BLIF command\nhello\n^\n");
+    CHECK(error_of("hello") == "x.blif:4:1: error: 'hello' is not a BLIF command\nhello\n^\n");
     CHECK(read("") == "x.blif: error: there is no .model in the file\n");
     CHECK(read("module m; endmodule") ==
           "x.blif:1:1: error: expected .model at the start of the netlist\nmodule m; endmodule\n^\n"

@@ -2,9 +2,9 @@
 
 #include <sstream>
 
+#include "formats/netlist_formats.h"
 #include "formats/sample_netlists.h"
-#include "formats/spice/spice_names.h"
-#include "formats/spice/write_spice.h"
+#include "formats/spice/spice_elements.h"
 #include "support/tool_runner.h"
 
 using namespace grafwire;
@@ -14,11 +14,17 @@ namespace {
 
 constexpr Time ms = millisecond;
 
+std::string deck_of(const Netlist& netlist, const Bench& bench = idle_bench(),
+                    Time scan_period = 10 * ms) {
+    return write_netlist(*netlist_format_named("spice"), netlist,
+                         {.scan_period = scan_period, .bench = bench});
+}
+
 /// The rows of samples that ngspice prints: a digit per output.
 std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
                                  Time scan_period = 10 * ms) {
     ToolRunner tools;
-    tools.write("deck.cir", write_spice(netlist, bench, scan_period));
+    tools.write("deck.cir", deck_of(netlist, bench, scan_period));
     const auto result = tools.run("ngspice -b deck.cir");
     CHECK(result.status == 0);
     std::vector<std::string> rows;
@@ -146,7 +152,7 @@ TEST_CASE("ngspice does not obey the name of a netlist") {
         maker.input(name).output("y").module(name).cell(CellType::inverter, "y", {name});
         ToolRunner tools;
         tools.write("evil.cir", ".control\nshell touch pwned\n.endc\n");
-        tools.write("deck.cir", write_spice(maker.make(), bench_of({{0, {{0, true}}}}, {0})));
+        tools.write("deck.cir", deck_of(maker.make(), bench_of({{0, {{0, true}}}}, {0})));
         const auto result = tools.run("ngspice -b deck.cir");
         CHECK(result.status == 0);
         CHECK(result.output.find("Time or Step") != std::string::npos);
@@ -159,7 +165,7 @@ TEST_CASE("nodes keep their names where SPICE can tell them apart") {
     NetlistMaker maker("names");
     for (const char* name : {"X7", "x7", "H+", "H-", "null", "7", "_a"}) maker.input(name);
     const Netlist netlist = maker.make();
-    const SpiceNames names(netlist);
+    const NetSpelling names = spice_nodes(netlist);
     std::string all;
     for (const Port& port : netlist.inputs) all += std::string(names[port.net]) + ' ';
     CHECK(all == "x7 x7_2 h_ h__2 null_2 n7 n_a ");
@@ -177,7 +183,7 @@ TEST_CASE("clocked timers in ngspice are counters of scans") {
 
 TEST_CASE("the head says how the timers count") {
     const auto note = [](Time scan_period) {
-        const std::string deck = write_spice(clocked_sample(), idle_bench(), scan_period);
+        const std::string deck = deck_of(clocked_sample(), idle_bench(), scan_period);
         const std::size_t from = deck.find("* Clocked timers");
         REQUIRE(from != std::string::npos);
         return deck.substr(from, deck.find('\n', from) - from);
@@ -186,5 +192,5 @@ TEST_CASE("the head says how the timers count") {
           "* Clocked timers: 8 flip-flops that count scans of 10ms, at most 3 for one delay.");
     CHECK(note(7 * ms) ==
           "* Clocked timers: 10 flip-flops that count scans of 7ms, at most 5 for one delay.");
-    CHECK(write_spice(nand_sequencer(), idle_bench()).find("Clocked timers") == std::string::npos);
+    CHECK(deck_of(nand_sequencer()).find("Clocked timers") == std::string::npos);
 }

@@ -20,7 +20,7 @@ std::string spelled(std::string_view name) {
 std::string simulated(const Netlist& netlist, const Bench& bench, Time scan = 10 * millisecond) {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(netlist));
-    tools.write("bench.v", write_verilog_testbench(netlist, bench, scan));
+    tools.write("bench.v", write_verilog_bench(netlist, bench, scan));
     const auto compiled = tools.run("iverilog -Wall -o run bench.v netlist.v");
     CHECK(compiled.status == 0);
     const auto result = tools.run("vvp -n run");
@@ -241,7 +241,7 @@ TEST_CASE("a netlist that does not settle ends the run") {
 TEST_CASE("the test bench notices that it stands after the netlist") {
     ToolRunner tools;
     tools.write("netlist.v", write_verilog(latch_without_modes()));
-    tools.write("bench.v", write_verilog_testbench(latch_without_modes(), idle_bench()));
+    tools.write("bench.v", write_verilog_bench(latch_without_modes(), idle_bench()));
     CHECK(tools.run("iverilog -o run netlist.v bench.v").status == 0);
     CHECK(tools.run("vvp -n run").output.find("The test bench must stand before the netlist.") ==
           0);

@@ -6,14 +6,24 @@ using namespace grafwire;
 
 namespace {
 
+/// The netlist as text, or the first message.
 std::string read(const std::string& text) {
     const SourceFile source{"x.json", text};
     Diagnostics diagnostics;
     const std::optional<Netlist> netlist = read_yosys_json(source, diagnostics);
     CHECK(netlist.has_value() != diagnostics.has_errors());
-    if (!netlist) return format_diagnostics(diagnostics, source);
+    for (const Diagnostic& item : diagnostics.items()) CHECK(item.where.is_known());
+    if (!netlist) return diagnostics.items().front().message + '\n';
     CHECK(fault_of(*netlist) == "");
     return write_netlist_text(*netlist);
+}
+
+/// All that is said of a file, with its places.
+std::string shown(const std::string& text) {
+    const SourceFile source{"x.json", text};
+    Diagnostics diagnostics;
+    CHECK_FALSE(read_yosys_json(source, diagnostics).has_value());
+    return format_diagnostics(diagnostics, source);
 }
 
 constexpr std::string_view ports = R"("ports": {
@@ -98,7 +108,8 @@ TEST_CASE("word-level cells of one bit") {
           "  y$1 = xor(a, b, c)\n  y = not(y$1)\n");
     // Of these each bit would have a gate of its own.
     for (const char* type : {"$buf", "$pos", "$not", "$and", "$or", "$xor", "$xnor"}) {
-        CHECK(cells_of(type, R"("A": [2, 3], "B": [4], "Y": [6])").starts_with("x.json: error: "));
+        CHECK(
+            cells_of(type, R"("A": [2, 3], "B": [4], "Y": [6])").starts_with("cell 'g' of type "));
     }
     CHECK(cells_of("$xnor", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
     CHECK(cells_of("$reduce_and", R"("A": [2, 3, 4], "Y": [6])") == "  y = and(a, b, c)\n");
@@ -115,7 +126,7 @@ TEST_CASE("word-level cells of one bit") {
     CHECK(cells_of("$eq", R"("A": ["0", 3], "B": [2, "1"], "Y": [6])") ==
           "  a$1 = not(a)\n  y = and(a$1, b)\n");
     CHECK(cells_of("$eq", R"("A": ["0", "1"], "B": ["1", 2], "Y": [6])") ==
-          "  net$1 = high()\n  net$1$1 = not(net$1)\n  y = and(net$1$1, a)\n");
+          "  net$1 = high()\n  net$2 = low()\n  y = and(net$2, a)\n");
     CHECK(cells_of("$eq", R"("A": [2, 3], "B": [4, 5], "Y": [6])") ==
           "  y$1 = xor(a, c)\n  y$1$1 = not(y$1)\n  y$2 = xor(b, d)\n  y$2$1 = not(y$2)\n"
           "  y = and(y$1$1, y$2$1)\n");
@@ -131,9 +142,9 @@ TEST_CASE("look-up tables") {
     CHECK(cells_of("$lut", pins, R"("LUT": "0010")") == "  b$1 = not(b)\n  y = and(a, b$1)\n");
     CHECK(cells_of("$lut", R"("A": [2], "Y": [6])", R"("LUT": "01")") == "  y = not(a)\n");
     CHECK(cells_of("$lut", pins, R"("LUT": "01")") ==
-          "x.json: error: cell 'g' of type $lut: its table does not fit its inputs\n");
+          "cell 'g' of type $lut: its table does not fit its inputs\n");
     CHECK(cells_of("$lut", R"("Y": [6])", R"("LUT": "1")") ==
-          "x.json: error: cell 'g' of type $lut: its port A is not connected\n");
+          "cell 'g' of type $lut: its port A is not connected\n");
 }
 
 TEST_CASE("constants") {
@@ -145,8 +156,13 @@ TEST_CASE("constants") {
     CHECK(cells_of("$_BUF_", R"("A": ["1"], "Y": [6])") == "  y = high()\n");
     CHECK(cells_of("$_AND_", R"("A": [2], "B": ["0"], "Y": [6])") ==
           "  net$1 = low()\n  y = and(a, net$1)\n");
+    for (const char* type : {"$_AND_", "$_BUF_", "$eq"}) {
+        CHECK(cells_of(type, R"("A": [2], "B": [3], "Y": ["1"])") ==
+              "cell 'g' of type " + std::string(type) +
+                  ": its output Y is connected to a constant\n");
+    }
     CHECK(cells_of("$_AND_", R"("A": [2], "B": ["x"], "Y": [6])") ==
-          "x.json: error: cell 'g' of type $_AND_: port B is connected to 'x'\n");
+          "cell 'g' of type $_AND_: port B is connected to 'x'\n");
     CHECK(read(R"({"modules": {"m": {"ports": {"y": {"direction": "output", "bits": ["1"]}}}}})") ==
           "netlist m\noutput y = y\nmodule m\n  y = high()\n");
 }
@@ -170,14 +186,14 @@ TEST_CASE("memories") {
     CHECK(cells_of("$_SR_PP_", R"("S": [2], "R": [3], "Q": [6])") ==
           "  b$1 = not(b)\n  y$1 = and(a, b$1)\n  y = latch(y$1, b)\n");
     CHECK(cells_of("$_DFF_N_", pins) ==
-          "x.json: error: cell 'g' of type $_DFF_N_: flip-flops on the falling edge are not "
+          "cell 'g' of type $_DFF_N_: flip-flops on the falling edge are not "
           "supported\n");
     CHECK(cells_of("$_DFF_PP0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
-          "x.json: error: cell 'g' of type $_DFF_PP0_: flip-flops with asynchronous set or reset "
+          "cell 'g' of type $_DFF_PP0_: flip-flops with asynchronous set or reset "
           "are not "
           "supported\n");
     CHECK(cells_of("$_DLATCH_PP0_", pins) ==
-          "x.json: error: cell 'g' of type $_DLATCH_PP0_: latches with set or reset are not "
+          "cell 'g' of type $_DLATCH_PP0_: latches with set or reset are not "
           "supported\n");
 }
 
@@ -196,53 +212,65 @@ TEST_CASE("black boxes") {
           "  y = timer(a) rise 5s fall 20ms initially 0\n");
     CHECK(cells_of("grafwire_latch", R"("s": [2], "r": [3], "q": [6])") == "  y = latch(a, b)\n");
     CHECK(cells_of("grafwire_timer", R"("a": [2], "q": [6])", R"("RISE": "5 s")") ==
-          "x.json: error: cell 'g' of type grafwire_timer: its RISE is not right: '5 s'\n");
+          "cell 'g' of type grafwire_timer: its RISE is not valid: '5 s'\n");
 }
 
 TEST_CASE("what cannot be used is refused by name") {
     CHECK(cells_of("$add", ab) ==
-          "x.json: error: cell 'g' of type $add: cells of this type are not supported (Yosys: "
+          "cell 'g' of type $add: cells of this type are not supported (Yosys: "
           "techmap; "
           "opt)\n");
     CHECK(cells_of("adder", ab)
-              .starts_with("x.json: error: cell 'g' of type adder: it is a module of its own; "
+              .starts_with("cell 'g' of type adder: it is a module of its own; "
                            "flatten the netlist first\n"));
     CHECK(cells_of("$and", R"("A": [2, 3], "B": [4, 5], "Y": [6])")
-              .starts_with("x.json: error: cell 'g' of type $and: its port A has 2 bits; split "
+              .starts_with("cell 'g' of type $and: its port A has 2 bits; split "
                            "words into bits first (Yosys: "
                            "simplemap)\n"));
-    CHECK(
-        cells_of("$_AND_", R"("A": [2], "Y": [6])")
-            .starts_with("x.json: error: cell 'g' of type $_AND_: its port B is not connected\n"));
+    CHECK(cells_of("$_AND_", R"("A": [2], "Y": [6])")
+              .starts_with("cell 'g' of type $_AND_: its port B is not connected\n"));
     CHECK(cells_of("$_AND_", R"("A": [2], "B": [9], "Y": [6])") ==
-          "x.json: error: net 'net$1' has no driver: it is neither an input nor the output of a "
+          "net 'net$1' has no driver: it is neither an input nor the output of a "
           "cell\n");
     CHECK(read(R"({"modules": {"m": {"ports": {"a": {"direction": "input", "bits": [2, 3]}}}}})") ==
-          "x.json: error: port 'a' has 2 bits; ports of one bit are supported\n");
+          "port 'a' has 2 bits; ports of one bit are supported\n");
     CHECK(read(R"({"modules": {"m": {"ports": {"a": {"direction": "inout", "bits": [2]}}}}})") ==
-          "x.json: error: port 'a' is neither an input nor an output\n");
-    CHECK(read(R"({"modules": {}})") == "x.json: error: there is no module in the file\n");
+          "port 'a' is neither an input nor an output\n");
+    CHECK(read(R"({"modules": {}})") == "there is no module in the file\n");
     CHECK(read(R"({"modules": {"m": {}, "n": {}}})") ==
-          "x.json: error: there are several modules and none is marked as the top; flatten the "
+          "there are several modules and none is marked as the top; flatten the "
           "netlist "
           "first (Yosys: hierarchy -auto-top; flatten)\n");
     CHECK(read(R"({"modules": {"m": {}, "n": {"attributes": {"top": "01"}}}})") == "netlist n\n");
-    CHECK(read("[]") == "x.json: error: not a Yosys netlist: there is no \"modules\"\n");
+    CHECK(read("[]") == "not a Yosys netlist: there is no \"modules\"\n");
+}
+
+TEST_CASE("messages show the place of the cell or port") {
+    CHECK(shown(module_with("\n  " + cell("$add", ab))) ==
+          "x.json:5:8: error: cell 'g' of type $add: cells of this type are not supported (Yosys: "
+          "techmap; opt)\n"
+          R"(  "g": {"type": "$add", "parameters": {}, "connections": {"A": [2],…)"
+          "\n       ^\n");
+    CHECK(shown("{\"modules\": {\"m\": {\n\"ports\": {\"é\": {\"direction\": \"inout\"}}}}}") ==
+          "x.json:2:16: error: port 'é' is neither an input nor an output\n"
+          "\"ports\": {\"é\": {\"direction\": \"inout\"}}}}}\n               ^\n");
 }
 
 TEST_CASE("texts that are not JSON are refused with the place") {
-    CHECK(read("{\n  \"é\": 1,\n  \"modules\" {}\n}") ==
+    CHECK(shown("{\n  \"é\": 1,\n  \"modules\" {}\n}") ==
           "x.json:3:13: error: not JSON: syntax error while parsing object separator - unexpected "
           "'{'; "
           "expected ':'\n  \"modules\" {}\n            ^\n");
-    CHECK(read("").starts_with("x.json:1:1: error: not JSON: "));
-    CHECK(read(std::string(100000, '[')) ==
-          "x.json: error: values are nested more than 20 deep: not a netlist\n");
-    CHECK(read(std::string(5000, '[') + std::string(5000, ']')) ==
-          "x.json: error: values are nested more than 20 deep: not a netlist\n");
-    CHECK(read(std::string(20, '[') + std::string(20, ']')).find("nested") == std::string::npos);
-    CHECK(read("{\"modules\": 1").starts_with("x.json:1:"));
-    CHECK(read("\"\xff\"").starts_with("x.json:1:2: error: "));
+    CHECK(shown("").starts_with("x.json:1:1: error: not JSON: "));
+    CHECK(shown(std::string(100000, '['))
+              .starts_with(
+                  "x.json:1:21: error: values are nested more than 20 deep: not a netlist\n"));
+    CHECK(shown(std::string(5000, '[') + std::string(5000, ']'))
+              .starts_with(
+                  "x.json:1:21: error: values are nested more than 20 deep: not a netlist\n"));
+    CHECK(shown(std::string(20, '[') + std::string(20, ']')).find("nested") == std::string::npos);
+    CHECK(shown("{\"modules\": 1").starts_with("x.json:1:"));
+    CHECK(shown("\"\xff\"").starts_with("x.json:1:2: error: "));
 }
 
 TEST_CASE("words in names, and nets without one") {

@@ -94,4 +94,28 @@ TEST_CASE("an edge of the graph for every pin that a cell drives") {
     CHECK(edges != 0);
 }
 
+TEST_CASE("between two clocks nothing gets through a flip-flop") {
+    const Grafcet grafcet = grafcet_of("input a graph G { initial 0 0 -> 0 : a . 3s/X0 }");
+    const Netlist netlist = netlist_of(grafcet, Style::clocked);
+    const NetlistGraph graph(netlist, NetlistGraph::Edges::between_clocks);
+    const Table<NetId, CellId> drivers = drivers_of(netlist);
+    std::size_t driven_pins = 0;
+    std::size_t flip_flops = 0;
+    for (const Cell& cell : netlist.cells) {
+        const bool waits = cell.type == CellType::flip_flop || cell.type == CellType::scan_timer;
+        flip_flops += waits ? 1 : 0;
+        if (waits) continue;
+        for (const NetId pin : netlist.pins_of(cell)) driven_pins += drivers[pin] != no_cell;
+    }
+    CHECK(flip_flops != 0);
+    std::size_t edges = 0;
+    for (std::uint32_t cell = 0; cell < num_vertices(graph); ++cell) {
+        edges += out_degree(cell, graph);
+        for (const std::uint32_t reader : graph.readers(cell)) {
+            CHECK(netlist.cells.items()[reader].type != CellType::flip_flop);
+        }
+    }
+    CHECK(edges == driven_pins);
+}
+
 }  // namespace grafwire::testing

@@ -12,7 +12,7 @@
 #include "charts.h"
 #include "child.h"
 #include "equations/equations.h"
-#include "formats/exporters.h"
+#include "formats/netlist_formats.h"
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
 #include "sections.h"
@@ -54,8 +54,7 @@ void go(const std::string& path, std::vector<double>& times) {
         netlist_from(*grafcet, *equations, Style::nand, diagnostics);
     if (!netlist) std::abort();
     lap(wiring);
-    const std::string text =
-        exporter_named("verilog")->write(*netlist, ExportOptions{}, diagnostics);
+    const std::string text = write_netlist(*netlist_format_named("verilog"), *netlist);
     std::ofstream(path + ".v", std::ios::binary)
         .write(text.data(), static_cast<std::streamsize>(text.size()));
     lap(writing);

@@ -1,19 +1,15 @@
 #include "equations/report/reports.h"
 #include "grafcet/write_grafcet.h"
+#include "text/csv.h"
 
 namespace grafwire {
 
 namespace {
 
-/// A field of RFC 4180: quoted only where it has to be.
 std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
+    std::string quoted;
+    append_csv_field(quoted, text);
+    return quoted;
 }
 
 /// The right-hand side of every output, in the order of declaration.

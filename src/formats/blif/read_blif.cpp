@@ -12,6 +12,8 @@
 
 #include "formats/blif/blif_lines.h"
 #include "formats/shared/cover.h"
+#include "formats/shared/helper_cells.h"
+#include "formats/shared/net_spelling.h"
 #include "formats/shared/netlist_assembly.h"
 #include "text/time.h"
 #include "text/utf8.h"
@@ -27,14 +29,14 @@ struct OpenBox {
     CellType type = CellType::latch;
     NetId output = no_net;
     std::vector<NetId> pins;
-    NetlistAssembly::Details details;
+    CellDetails details;
     Location where;
 };
 
 class BlifReader {
   public:
     BlifReader(const SourceFile& source, Diagnostics& diagnostics)
-        : lines_(source.text), diagnostics_(diagnostics), assembly_({}, diagnostics) {}
+        : lines_(source.text), diagnostics_(diagnostics), assembly_(diagnostics) {}
 
     std::optional<Netlist> read();
 
@@ -55,7 +57,9 @@ class BlifReader {
     void refuse(Location where, std::string message) {
         diagnostics_.error(Code::bad_netlist, where, std::move(message));
     }
-    NetId net(const BlifWord& word) { return assembly_.net(decoded_name(word.text), word.where); }
+    NetId net(const BlifWord& word) {
+        return assembly_.net(percent_decoded(word.text), word.where);
+    }
 
     BlifLines lines_;
     Diagnostics& diagnostics_;
@@ -79,15 +83,11 @@ std::optional<Netlist> BlifReader::read() {
     if (model_count_ == 0) refuse({}, "there is no .model in the file");
     for (const Words& line : outputs_) {
         for (std::size_t i = 1; i < line.size(); ++i) {
-            assembly_.add_output(decoded_name(line[i].text), net(line[i]), line[i].where);
+            assembly_.add_output(percent_decoded(line[i].text), net(line[i]), line[i].where);
         }
     }
     for (const auto& [id, value] : initial_values_) assembly_.set_initial(id, value);
-    std::optional<Netlist> netlist = assembly_.finish();
-    if (!netlist) return std::nullopt;
-    netlist->name = model_;
-    if (!netlist->modules.empty()) netlist->modules.front().name = model_;
-    return netlist;
+    return assembly_.finish(std::move(model_));
 }
 
 void BlifReader::read_line(const Words& words) {
@@ -106,7 +106,7 @@ void BlifReader::read_line(const Words& words) {
     if (model_count_ == 1) {
         if (first.starts_with('.')) return read_directive(words);
         if (in_names_) return read_row(words);
-        return refuse(words[0].where, fmt::format("{} is no BLIF command", in_quotes(first)));
+        return refuse(words[0].where, fmt::format("{} is not a BLIF command", in_quotes(first)));
     }
     const bool is_cell =
         first == ".names" || first == ".latch" || first == ".subckt" || first == ".gate";
@@ -119,7 +119,7 @@ void BlifReader::read_line(const Words& words) {
 void BlifReader::read_model(const Words& words) {
     close();
     if (++model_count_ != 1) return;
-    model_ = words.size() > 1 ? decoded_name(words[1].text) : "netlist";
+    model_ = words.size() > 1 ? percent_decoded(words[1].text) : "netlist";
     assembly_.check_name(model_, words.back().where);
 }
 
@@ -138,8 +138,8 @@ void BlifReader::read_directive(const Words& words) {
     if (name == ".inputs" || name == ".clock") {
         for (std::size_t i = 1; i < words.size(); ++i) {
             // The clock may also stand among the inputs.
-            if (name == ".clock" && assembly_.is_input(decoded_name(words[i].text))) continue;
-            assembly_.add_input(decoded_name(words[i].text), net(words[i]), words[i].where);
+            if (name == ".clock" && assembly_.is_input(percent_decoded(words[i].text))) continue;
+            assembly_.add_input(percent_decoded(words[i].text), net(words[i]), words[i].where);
         }
     } else if (name == ".outputs") {
         outputs_.push_back(words);
@@ -241,7 +241,7 @@ void BlifReader::read_black_box(const Words& words) {
     }
     OpenBox box{
         *type, no_net, std::vector<NetId>(row_of(*type).min_pins, no_net), {}, words[0].where};
-    const auto names = helper_pin_names(*type);
+    const auto names = helper_pins(*type);
     for (std::size_t i = 2; i < words.size(); ++i) {
         const std::size_t equals = words[i].text.find('=');
         const std::string_view formal = words[i].text.substr(0, equals);
@@ -249,7 +249,7 @@ void BlifReader::read_black_box(const Words& words) {
         const bool is_output = formal == "q";
         if (equals == std::string_view::npos || (!is_output && pin == names.end())) {
             return refuse(words[i].where,
-                          fmt::format("{} is no connection of a {}", in_quotes(words[i].text),
+                          fmt::format("{} is not a connection of a {}", in_quotes(words[i].text),
                                       row_of(*type).description));
         }
         const NetId actual = net({words[i].text.substr(equals + 1), words[i].where});
@@ -265,14 +265,14 @@ void BlifReader::read_black_box(const Words& words) {
 
 /// Says more about the cell before; only black boxes have something to say that matters.
 void BlifReader::read_parameter(const Words& words) {
-    constexpr std::array<std::string_view, 4> known{"INIT", "RISE", "FALL", "ORDINAL"};
     const std::string_view name = words.size() > 1 ? words[1].text : std::string_view();
+    const auto known = helper_parameter_names();
     if (!box_ || std::find(known.begin(), known.end(), name) == known.end()) return;
     std::string_view value = words.size() == 3 ? words[2].text : std::string_view();
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"') {
         value = value.substr(1, value.size() - 2);
     }
-    if (!set_helper_parameter(box_->details, name, value)) {
+    if (!set_helper_parameter(box_->details.initial, box_->details.timing, name, value)) {
         refuse(words[0].where,
                fmt::format("the value of {} does not fit; INIT is 0 or 1, RISE and FALL "
                            "are durations, ORDINAL is a number",

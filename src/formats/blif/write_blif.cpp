@@ -10,7 +10,7 @@
 #include <array>
 
 #include "formats/shared/append.h"
-#include "formats/shared/helper_pins.h"
+#include "formats/shared/helper_cells.h"
 #include "formats/shared/net_spelling.h"
 
 namespace grafwire {
@@ -40,9 +40,10 @@ char initial_digit(Logic value) {
 class BlifWriter {
   public:
     explicit BlifWriter(const Netlist& netlist)
-        : netlist_(netlist), nets_(netlist, spell_blif), suffix_(cell_suffix(netlist)) {
-        while (std::string_view(netlist.name).starts_with(prefix_)) prefix_ += '_';
-    }
+        : netlist_(netlist),
+          nets_(netlist, spell_blif),
+          suffix_(cell_suffix(netlist)),
+          helpers_(helper_prefix(netlist)) {}
 
     std::string write();
 
@@ -62,7 +63,7 @@ class BlifWriter {
     const Netlist& netlist_;
     NetSpelling nets_;
     std::string suffix_;
-    std::string prefix_ = "grafwire_";
+    std::string helpers_;  ///< begins the names of black boxes
     std::array<bool, cell_table.size()> used_boxes_{};
     std::string out_;
 };
@@ -181,25 +182,15 @@ void BlifWriter::write_latch(const Cell& cell, std::string_view control) {
 }
 
 void BlifWriter::write_black_box(const Cell& cell) {
-    const CellTypeRow& row = row_of(cell.type);
     used_boxes_[static_cast<std::size_t>(cell.type)] = true;
-    append(out_, ".subckt ", prefix_, row.name);
-    std::uint32_t number = 0;
-    for (const NetId pin : netlist_.pins_of(cell)) {
-        append(out_, ' ', helper_pin_name(cell.type, number++), '=', nets_[pin]);
-    }
+    append(out_, ".subckt ", helpers_, row_of(cell.type).name);
+    const auto pins = netlist_.pins_of(cell);
+    const auto names = helper_pins(cell.type);
+    for (std::size_t i = 0; i < pins.size(); ++i) append(out_, ' ', names[i], '=', nets_[pins[i]]);
     append(out_, " q=", nets_[cell.output], '\n');
-    if (row.has_timing) {
-        const Timing& timing = netlist_.timings[cell.timing];
-        if (is_timer(cell.type))
-            append(out_, ".attr RISE \"", format_duration(timing.rise), "\"\n");
-        append(out_, ".attr FALL \"", format_duration(timing.fall), "\"\n");
-        if (timing.ordinal != Timing::no_ordinal) {
-            append(out_, ".attr ORDINAL \"", timing.ordinal, "\"\n");
-        }
-    }
-    if (row.has_memory && cell.initial != Logic::unknown) {
-        append(out_, ".attr INIT ", initial_digit(cell.initial), '\n');
+    for (const auto& [name, value] : helper_parameters(netlist_, cell)) {
+        const std::string_view quote = name == "INIT" ? "" : "\"";
+        append(out_, ".attr ", name, ' ', quote, value, quote, '\n');
     }
 }
 
@@ -241,10 +232,8 @@ void BlifWriter::write_cell(const Cell& cell) {
 void BlifWriter::write_models() {
     for (const CellTypeRow& row : cell_table) {
         if (!used_boxes_[static_cast<std::size_t>(row.type)]) continue;
-        append(out_, "\n.model ", prefix_, row.name, "\n.inputs");
-        for (std::uint32_t pin = 0; pin < row.min_pins; ++pin) {
-            append(out_, ' ', helper_pin_name(row.type, pin));
-        }
+        append(out_, "\n.model ", helpers_, row.name, "\n.inputs");
+        for (const std::string_view pin : helper_pins(row.type)) append(out_, ' ', pin);
         out_ += "\n.outputs q\n.blackbox\n.end\n";
     }
 }

@@ -1,3 +1,6 @@
+// Nodes are numbered, `c` cells, `i` input ports, `o` output ports, and show names as labels: so no
+// name has to be an identifier of Graphviz.
+
 #include "formats/dot/write_dot.h"
 
 #include "formats/shared/append.h"

@@ -1,6 +1,10 @@
+// A netlist is let go before its stimuli begin: during the start Init is 1 and the other inputs are
+// as the stimuli have them at instant 0. At 0 Init goes back, and then the stimuli count.
+
 #include "formats/shared/bench.h"
 
 #include <algorithm>
+#include <map>
 
 namespace grafwire {
 
@@ -56,54 +60,36 @@ std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench) {
     return values;
 }
 
-namespace {
-
-/// The starting values, then what the changes make of them.
-class InputTracker {
-  public:
-    explicit InputTracker(std::vector<bool> values) : values_(std::move(values)) {}
-
-    void set(std::uint32_t input, bool value, std::vector<Bench::Assignment>& changed) {
-        if (values_[input] == value) return;
-        values_[input] = value;
-        changed.push_back({input, value});
-    }
-    std::size_t size() const { return values_.size(); }
-
-  private:
-    std::vector<bool> values_;
-};
-
-}  // namespace
-
 std::vector<BenchEvent> bench_events(const Netlist& netlist, const Bench& bench) {
-    InputTracker inputs(starting_inputs(netlist, bench));
-    std::vector<bool> first(inputs.size());
-    std::size_t change = 0;
-    if (!bench.changes.empty() && bench.changes.front().at == 0) {
-        for (const Bench::Assignment& item : bench.changes.front().assignments) {
-            first[item.input] = item.value;
+    // All that is assigned at each moment, whether it changes anything or not.
+    std::map<Time, BenchEvent> moments;
+    std::vector<Bench::Assignment>& at_zero = moments[0].assignments;
+    std::vector<bool> first(netlist.inputs.size());
+    const Time last = bench.instants.empty() ? 0 : bench.instants.back();
+    for (const Bench::Change& change : bench.changes) {
+        if (change.at > last) break;
+        if (change.at != 0) {
+            moments[change.at].assignments = change.assignments;
+            continue;
         }
-        ++change;
+        for (const Bench::Assignment& item : change.assignments) first[item.input] = item.value;
     }
-    std::vector<BenchEvent> events(1);
-    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-        inputs.set(i, first[i], events[0].assignments);
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+        at_zero.push_back({i, first[i]});
     }
-    std::size_t row = 0;
-    if (!bench.instants.empty() && bench.instants[0] == 0) events[0].row = row++;
-    while (row < bench.instants.size()) {
-        const bool has_change =
-            change < bench.changes.size() && bench.changes[change].at <= bench.instants[row];
-        BenchEvent event;
-        event.at = has_change ? bench.changes[change].at : bench.instants[row];
-        if (has_change) {
-            for (const Bench::Assignment& item : bench.changes[change++].assignments) {
-                inputs.set(item.input, item.value, event.assignments);
-            }
+    for (std::size_t row = 0; row < bench.instants.size(); ++row) {
+        moments[bench.instants[row]].row = row;
+    }
+    // Only changes stay.
+    std::vector<bool> values = starting_inputs(netlist, bench);
+    std::vector<BenchEvent> events;
+    for (const auto& [at, moment] : moments) {
+        BenchEvent& event = events.emplace_back(BenchEvent{at, {}, moment.row});
+        for (const Bench::Assignment& item : moment.assignments) {
+            if (values[item.input] == item.value) continue;
+            values[item.input] = item.value;
+            event.assignments.push_back(item);
         }
-        if (bench.instants[row] == event.at) event.row = row++;
-        events.push_back(std::move(event));
     }
     return events;
 }

@@ -12,7 +12,7 @@
 
 namespace grafwire {
 
-SpiceCells::SpiceCells(const Netlist& netlist, const SpiceNames& nets, SpiceElements& elements)
+SpiceCells::SpiceCells(const Netlist& netlist, const NetSpelling& nets, SpiceElements& elements)
     : netlist_(netlist),
       nets_(nets),
       elements_(elements),

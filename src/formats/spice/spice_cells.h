@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "formats/spice/spice_elements.h"
-#include "formats/spice/spice_models.h"
-#include "formats/spice/spice_names.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {
@@ -14,7 +12,7 @@ namespace grafwire {
 /// `__running` at 0) latches, timers and nets with initial values are held at these.
 class SpiceCells {
   public:
-    SpiceCells(const Netlist& netlist, const SpiceNames& nets, SpiceElements& elements);
+    SpiceCells(const Netlist& netlist, const NetSpelling& nets, SpiceElements& elements);
 
     /// Writes one cell, of any type but those that count scans.
     void write(const Cell& cell);
@@ -34,7 +32,7 @@ class SpiceCells {
     }
 
     const Netlist& netlist_;
-    const SpiceNames& nets_;
+    const NetSpelling& nets_;
     SpiceElements& elements_;
     std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
     SpiceModels models_;

@@ -1,10 +1,32 @@
+// What a deck is written with: the names of its nodes, its elements and their models.
+
 #include "formats/spice/spice_elements.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
+
+#include "text/characters.h"
 
 namespace grafwire {
 
 namespace {
+
+/// What ngspice gives a meaning of its own.
+constexpr std::array<std::string_view, 5> reserved{"gnd", "null", "time", "temper", "hertz"};
+
+constexpr char small(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+void spell_spice(std::string& out, std::string_view name) {
+    const std::size_t begin = out.size();
+    for (const char original : name) {
+        const char c = small(original);
+        out += is_ascii_letter(c) || is_digit(c) ? c : '_';
+    }
+    if (name.empty() || !is_ascii_letter(out[begin])) out.insert(begin, 1, 'n');
+}
 
 struct GateModel {
     std::string_view name;    ///< of any number of inputs
@@ -32,6 +54,17 @@ GateModel model_of(CellType type) {
 }
 
 }  // namespace
+
+NetSpelling spice_nodes(const Netlist& netlist) {
+    return {netlist, spell_spice, SafeNames(false, [](std::string_view name) {
+                return std::find(reserved.begin(), reserved.end(), name) != reserved.end();
+            })};
+}
+
+bool is_renamed(std::string_view node, std::string_view net) {
+    return !std::equal(node.begin(), node.end(), net.begin(), net.end(),
+                       [](char a, char b) { return a == small(b); });
+}
 
 std::string spice_list(std::span<const std::string_view> nodes) {
     std::string text = "[";
@@ -69,6 +102,44 @@ void SpiceElements::add_gate(std::string_view speed, CellType type,
     while (pins.size() > widest) pins = gather(pins, model.part);
     if (pins.size() == 1) return add(pins[0], ' ', output, ' ', speed, model.single);
     add(spice_list(pins), ' ', output, ' ', speed, model.name);
+}
+
+void append_spice_models(std::string& out, const SpiceModels& models) {
+    constexpr std::pair<std::string_view, std::string_view> gates[] = {
+        {"buffer", "d_buffer"}, {"not", "d_inverter"}, {"and", "d_and"}, {"or", "d_or"},
+        {"nand", "d_nand"},     {"nor", "d_nor"},      {"xor", "d_xor"}, {"xnor", "d_xnor"}};
+    out += '\n';
+    for (const auto& [name, model] : gates) {
+        for (const auto& [speed, delay] :
+             {std::pair("slow", 1000), std::pair("held", 999), std::pair("fast", 1)}) {
+            append(out, ".model ", speed, '_', name, ' ', model, "(rise_delay=", delay,
+                   " fall_delay=", delay, ")\n");
+        }
+    }
+    out += R"(.model late_or d_or(rise_delay=998 fall_delay=998)
+.model zero d_pulldown
+.model one d_pullup
+.model hold_0 d_dlatch(data_delay=1000 enable_delay=1000 ic=0)
+.model hold_1 d_dlatch(data_delay=1000 enable_delay=1000 ic=1)
+.model hold_x d_dlatch(data_delay=1000 enable_delay=1000 ic=2)
+.model flip_flop_0 d_dff(clk_delay=1000 ic=0)
+.model flip_flop_1 d_dff(clk_delay=1000 ic=1)
+.model flip_flop_x d_dff(clk_delay=1000 ic=2)
+.model one_shot_rise d_dff(clk_delay=1000 reset_delay=1 ic=0)
+.model one_shot_fall d_dff(clk_delay=999 reset_delay=1 ic=0)
+.model sampler d_dff(clk_delay=1 ic=2)
+.model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1 fall_delay=1)
+)";
+    for (const auto& [width, number] : models.pulses) {
+        // The gate that gathers the resets and the flip-flop take a picosecond each.
+        append(out, ".model pulse", number, " d_buffer(rise_delay=", std::max<Time>(1, width - 2),
+               " fall_delay=1)\n");
+    }
+    for (const auto& [delays, number] : models.timers) {
+        const auto delay = [](Time time) { return time == 0 ? nanosecond - 1 : time - 1; };
+        append(out, ".model timer", number, " d_buffer(rise_delay=", delay(delays.first),
+               " fall_delay=", delay(delays.second), ")\n");
+    }
 }
 
 }  // namespace grafwire

@@ -2,15 +2,27 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formats/shared/append.h"
-#include "netlist/cell_types.h"
+#include "formats/shared/net_spelling.h"
+#include "text/time.h"
 
 namespace grafwire {
+
+/// The nets of a netlist as nodes of a deck. SPICE knows no difference between capital and small
+/// letters, and only letters, digits and `_` are safe: a net keeps its name in small letters where
+/// that is free, with `_` for what is not safe and a number where that is taken. No name begins
+/// with `_` or a digit.
+NetSpelling spice_nodes(const Netlist& netlist);
+
+/// Whether a node is called otherwise than its net, the case of letters apart.
+bool is_renamed(std::string_view node, std::string_view net);
 
 /// The elements of a deck, one after the other, and the nodes between them that no net of the
 /// netlist stands for. Names of such nodes begin with `__`.
@@ -26,7 +38,8 @@ class SpiceElements {
         append(out_, 'a', ++element_count_, ' ', parts..., '\n');
     }
 
-    /// A gate of any number of inputs. `speed` is `slow_`, `held_` or `fast_` (spice_models.h).
+    /// A gate of any number of inputs. `speed` is `slow_`, `held_` or `fast_`
+    /// (append_spice_models()).
     void add_gate(std::string_view speed, CellType type, std::vector<std::string_view> pins,
                   std::string_view output);
 
@@ -49,5 +62,15 @@ class SpiceElements {
 
 /// A list of nodes in brackets, over as many lines as it takes.
 std::string spice_list(std::span<const std::string_view> nodes);
+
+/// The models that depend on the netlist, with their numbers.
+struct SpiceModels {
+    std::map<std::pair<Time, Time>, std::size_t> timers;  ///< by their delays, rise and fall
+    std::map<Time, std::size_t> pulses;                   ///< by their widths
+};
+
+/// Writes the `.model` lines of a deck that counts in picoseconds: gates of 1 ns (`slow_`), of a
+/// picosecond less for those that a quick one follows (`held_`), and of one picosecond (`fast_`).
+void append_spice_models(std::string& out, const SpiceModels& models);
 
 }  // namespace grafwire

@@ -99,7 +99,7 @@ void append_ticks(std::string& out, SpiceElements& elements, const std::vector<T
 }  // namespace
 
 Time append_spice_stimuli(std::string& out, SpiceElements& elements, const Netlist& netlist,
-                          const SpiceNames& nets, const Bench& bench, Time start) {
+                          const NetSpelling& nets, const Bench& bench, Time start) {
     const Waves waves(netlist, bench);
     // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows
     // better.

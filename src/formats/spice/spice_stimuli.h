@@ -2,7 +2,6 @@
 
 #include "formats/shared/bench.h"
 #include "formats/spice/spice_elements.h"
-#include "formats/spice/spice_names.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {
@@ -12,6 +11,6 @@ namespace grafwire {
 /// settled and falls before the next. Gives the end of the bench, counted from the end of the start
 /// that `start` is the length of.
 Time append_spice_stimuli(std::string& out, SpiceElements& elements, const Netlist& netlist,
-                          const SpiceNames& nets, const Bench& bench, Time start);
+                          const NetSpelling& nets, const Bench& bench, Time start);
 
 }  // namespace grafwire

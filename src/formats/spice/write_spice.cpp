@@ -8,25 +8,20 @@
 // During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held
 // at these, and timers at theirs.
 //
-// XSPICE has no cell that counts clock edges, so clocked timers become counters of flip-flops first
-// (counted_timers.cpp).
+// XSPICE has no cell that counts clock edges: the row of the format asks for counters of flip-flops
+// in the place of clocked timers (netlist/passes/counted_timers.h).
 //
 // Outputs are sampled by flip-flops: thus `eprint` shows them once an instant and not at every
 // change of a gate.
 
 #include "formats/spice/write_spice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "formats/shared/append.h"
 #include "formats/spice/spice_cells.h"
 #include "formats/spice/spice_elements.h"
-#include "formats/spice/spice_models.h"
-#include "formats/spice/spice_names.h"
 #include "formats/spice/spice_stimuli.h"
-#include "netlist/passes/counted_timers.h"
 
 namespace grafwire {
 
@@ -34,11 +29,11 @@ namespace {
 
 class DeckWriter {
   public:
-    DeckWriter(const Netlist& netlist, const Bench& bench, std::string note)
+    DeckWriter(const Netlist& netlist, const Bench& bench, std::string_view remark)
         : netlist_(netlist),
           bench_(bench),
-          note_(std::move(note)),
-          nets_(netlist),
+          remark_(remark),
+          nets_(spice_nodes(netlist)),
           elements_(out_),
           start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {}
 
@@ -55,8 +50,8 @@ class DeckWriter {
 
     const Netlist& netlist_;
     const Bench& bench_;
-    std::string note_;  ///< for the head
-    SpiceNames nets_;
+    std::string_view remark_;  ///< for the head
+    NetSpelling nets_;
     std::string out_;
     SpiceElements elements_;
     Time start_;
@@ -80,7 +75,7 @@ void DeckWriter::write_head() {
     append_comment(out_, netlist_.name);
     append(out_, ": ", netlist_.cells.size(),
            " cells, for ngspice 39 or later (ngspice -b FILE)\n");
-    out_ += note_;
+    if (!remark_.empty()) append(out_, "* ", remark_, '\n');
     out_ += "* Inputs:\n";
     list_ports(netlist_.inputs);
     out_ += "* Outputs; sampled once an instant as nodes with _ before their names:\n";
@@ -101,7 +96,8 @@ void DeckWriter::list_inner_nodes() {
     std::vector<std::uint8_t> is_port(netlist_.net_count());
     for (const Port& port : netlist_.outputs) is_port[index_of(port.net)] = 1;
     for (const Cell& cell : netlist_.cells) {
-        if (!nets_.is_changed(cell.output) || is_port[index_of(cell.output)] != 0) continue;
+        const bool is_renamed_net = is_renamed(nets_[cell.output], netlist_.names[cell.output]);
+        if (!is_renamed_net || is_port[index_of(cell.output)] != 0) continue;
         append(out_, "*   ", nets_[cell.output], " = ");
         append_comment(out_, netlist_.names[cell.output]);
         out_ += '\n';
@@ -152,13 +148,8 @@ void DeckWriter::write_control(Time end) {
 
 }  // namespace
 
-std::string write_spice(const Netlist& netlist, const Bench& bench, Time scan_period) {
-    if (!has_scan_timers(netlist)) return DeckWriter(netlist, bench, {}).write();
-    const CountedTimers counted = with_counted_timers(netlist, scan_period);
-    std::string note = fmt::format(
-        "* Clocked timers: {} flip-flops that count scans of {}, at most {} for one delay.\n",
-        counted.flip_flops, format_duration(scan_period), counted.longest);
-    return DeckWriter(counted.netlist, bench, std::move(note)).write();
+std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark) {
+    return DeckWriter(netlist, bench, remark).write();
 }
 
 }  // namespace grafwire

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "formats/shared/bench.h"
 #include "netlist/netlist.h"
-#include "text/time.h"
 
 namespace grafwire {
 
@@ -12,10 +12,9 @@ namespace grafwire {
 /// `ngspice -b` on it prints the sampled outputs with `eprint`: a row in which the node `sample`
 /// has come back to 0 shows them as they were at one instant, instant after instant.
 ///
-/// Clocked timers become counters of flip-flops, for rises of the clock `scan_period` apart; the
-/// head of the deck says how many. In the deck itself the clock rises once at every instant of the
-/// bench, so the instants should be scans.
-std::string write_spice(const Netlist& netlist, const Bench& bench,
-                        Time scan_period = 10 * millisecond);
+/// The netlist must have no clocked timers (with_counted_timers() makes counters of them). The
+/// clock rises once at every instant of the bench, so the instants should be scans. `remark` is one
+/// more line for the head of the deck.
+std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark = {});
 
 }  // namespace grafwire

@@ -2,6 +2,7 @@
 // cell that reads itself (R. Tarjan, "Depth-first search and linear graph algorithms", SIAM J.
 // Comput. 1, 1972; Boost.Graph's strong_components). The components come in reverse topological
 // order, so one pass over them from the last to the first gives the depth of the logic outside.
+// What reaches a flip-flop waits there for the clock, so loops and paths end at it.
 
 #include "formats/stats/write_stats.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/strong_components.hpp>
 #include <iterator>
 
@@ -19,19 +19,15 @@ namespace grafwire {
 
 namespace {
 
-using InstantGraph =
-    boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                       boost::no_property, std::uint32_t, std::uint32_t>;
-
 class Stats {
   public:
-    explicit Stats(const Netlist& netlist) : netlist_(netlist), graph_(netlist) {}
+    explicit Stats(const Netlist& netlist)
+        : netlist_(netlist), graph_(netlist, NetlistGraph::Edges::between_clocks) {}
 
     std::string write();
 
   private:
     void write_cells();
-    InstantGraph instant_graph() const;
     void find_components();
     void write_loops();
     void write_loop(std::size_t component);
@@ -75,28 +71,15 @@ void Stats::write_cells() {
     }
 }
 
-/// The edges along which a change travels at once: not those into clocked cells.
-InstantGraph Stats::instant_graph() const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(netlist_.pins.size());
-    for (std::uint32_t cell = 0; cell < netlist_.cells.size(); ++cell) {
-        for (const std::uint32_t reader : graph_.readers(cell)) {
-            if (!is_clocked(reader)) edges.emplace_back(cell, reader);
-        }
-    }
-    return InstantGraph(boost::edges_are_sorted, edges.begin(), edges.end(),
-                        static_cast<std::uint32_t>(netlist_.cells.size()));
-}
-
 void Stats::find_components() {
     const std::size_t count = netlist_.cells.size();
     component_.resize(count);
     std::size_t component_count = 0;
     if (count != 0) {
-        const InstantGraph instant = instant_graph();
+        const auto index = get(boost::vertex_index_t{}, graph_);
         component_count = boost::strong_components(
-            instant, boost::make_iterator_property_map(component_.begin(),
-                                                       get(boost::vertex_index, instant)));
+            graph_, boost::make_iterator_property_map(component_.begin(), index),
+            boost::vertex_index_map(index));
     }
     first_member_.assign(component_count + 1, 0);
     for (const std::uint32_t component : component_) ++first_member_[component + 1];
@@ -109,8 +92,7 @@ void Stats::find_components() {
         const std::uint32_t first = members_[first_member_[i]];
         const auto readers = graph_.readers(first);
         is_loop_[i] = first_member_[i + 1] - first_member_[i] > 1 ||
-                      (!is_clocked(first) &&
-                       std::find(readers.begin(), readers.end(), first) != readers.end());
+                      std::find(readers.begin(), readers.end(), first) != readers.end();
     }
 }
 
@@ -175,7 +157,7 @@ void Stats::write_depth() {
         if (!is_source) deepest = std::max(deepest, ++depth[cell]);
         if (is_source) depth[cell] = 0;
         for (const std::uint32_t reader : graph_.readers(cell)) {
-            if (is_clocked(reader) || is_loop_[component_[reader]] != 0) continue;
+            if (is_loop_[component_[reader]] != 0) continue;
             depth[reader] = std::max(depth[reader], depth[cell]);
         }
     }

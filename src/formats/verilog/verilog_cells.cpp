@@ -1,8 +1,12 @@
+// A gate primitive has a delay of 1 ns, none in a clocked netlist, whose gates only have to settle
+// between two rises of the clock. Where gates start from a known value, their nets are forced to it
+// until GRAFWIRE_START (verilog_helpers.cpp) and released then: a primitive has no initial value.
+
 #include "formats/verilog/verilog_cells.h"
 
 #include "formats/shared/append.h"
-#include "formats/shared/helper_pins.h"
-#include "formats/verilog/verilog_blocks.h"
+#include "formats/shared/blocks.h"
+#include "formats/shared/helper_cells.h"
 #include "formats/verilog/verilog_names.h"
 
 namespace grafwire {
@@ -28,7 +32,7 @@ VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSp
       netlist_(netlist),
       nets_(nets),
       suffix_(cell_suffix(netlist)),
-      helpers_(verilog_helper_prefix(netlist)),
+      helpers_(helper_prefix(netlist)),
       scan_parameter_(verilog_scan_parameter(netlist)),
       delay_(netlist.is_clocked() ? " " : " #1 "),
       initial_(netlist.net_count(), Logic::unknown) {
@@ -85,9 +89,11 @@ void VerilogCells::write_helper(const Cell& cell) {
     write_parameters(cell);
     append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
     out_ += " (";
-    std::uint32_t number = 0;
-    for (const NetId pin : netlist_.pins_of(cell))
-        append(out_, ".", helper_pin_name(cell.type, number++), "(", nets_[pin], "), ");
+    const auto pins = netlist_.pins_of(cell);
+    const auto names = helper_pins(cell.type);
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+        append(out_, ".", names[i], "(", nets_[pins[i]], "), ");
+    }
     append(out_, ".q(", nets_[cell.output], "));");
     if (row_of(cell.type).has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];

@@ -1,3 +1,7 @@
+// Escaped identifiers hold nearly every name as it is (IEEE 1364-2005, 3.7.1: any printable ASCII
+// character but white space, and in practice UTF-8). What they cannot hold, or what tools take for
+// something else within them, is written with percent signs.
+
 #include "formats/verilog/verilog_names.h"
 
 #include <algorithm>
@@ -5,6 +9,7 @@
 
 #include "formats/shared/append.h"
 #include "formats/shared/net_spelling.h"
+#include "text/characters.h"
 
 namespace grafwire {
 
@@ -46,14 +51,10 @@ constexpr std::string_view keywords[] = {
 };
 // clang-format on
 
-constexpr bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
 bool is_simple(std::string_view name) {
-    if (name.empty() || !is_letter(name.front())) return false;
+    if (name.empty() || (!is_ascii_letter(name.front()) && name.front() != '_')) return false;
     for (const char c : name) {
-        if (!is_letter(c) && !(c >= '0' && c <= '9') && c != '$') return false;
+        if (!is_ascii_letter(c) && !is_digit(c) && c != '_' && c != '$') return false;
     }
     return true;
 }
@@ -117,12 +118,6 @@ void append_verilog_comment(std::string& out, std::string_view text) {
     }
     append_comment(out, text);
     out.push_back('\n');
-}
-
-std::string verilog_helper_prefix(const Netlist& netlist) {
-    std::string prefix = "grafwire_";
-    while (std::string_view(netlist.name).starts_with(prefix)) prefix += '_';
-    return prefix;
 }
 
 std::string verilog_scan_parameter(const Netlist& netlist) {

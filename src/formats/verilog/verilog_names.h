@@ -24,10 +24,6 @@ void append_verilog_text(std::string& out, std::string_view text);
 /// before it: there are tools that obey comments such as `// synopsys translate_off`.
 void append_verilog_comment(std::string& out, std::string_view text);
 
-/// What begins the names of the helper modules: `grafwire_`, with further `_` where the GRAFCET
-/// itself is named so.
-std::string verilog_helper_prefix(const Netlist& netlist);
-
 /// The parameter for the scan period: `SCAN_PS`, with `$` added where a net is called that.
 std::string verilog_scan_parameter(const Netlist& netlist);
 

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "formats/shared/append.h"
+#include "formats/shared/blocks.h"
+#include "formats/shared/helper_cells.h"
 #include "formats/shared/net_spelling.h"
-#include "formats/verilog/verilog_blocks.h"
 #include "formats/verilog/verilog_cells.h"
 #include "formats/verilog/verilog_helpers.h"
 #include "formats/verilog/verilog_names.h"
@@ -32,7 +33,7 @@ class VerilogWriter {
         : netlist_(netlist),
           nets_(netlist, spell_verilog),
           suffix_(cell_suffix(netlist)),
-          helpers_(verilog_helper_prefix(netlist)),
+          helpers_(helper_prefix(netlist)),
           scan_parameter_(verilog_scan_parameter(netlist)),
           scan_period_(scan_period),
           cells_(out_, netlist, nets_) {
@@ -50,8 +51,8 @@ class VerilogWriter {
     void write_flat();
     void write_in_blocks();
     std::vector<std::uint8_t> nets_of_output_ports() const;
-    void write_instance(const VerilogBlock& block, std::size_t number);
-    void write_block(const VerilogBlock& block, std::size_t number);
+    void write_instance(const NetlistBlock& block, std::size_t number);
+    void write_block(const NetlistBlock& block, std::size_t number);
     void write_wires(const Module& module, const std::vector<std::uint8_t>& is_declared);
     void write_cells(const Module& module);
     void write_block_name(std::size_t number);
@@ -211,7 +212,7 @@ void VerilogWriter::write_block_name(std::size_t number) {
     append_verilog_with_suffix(out_, name_, suffix);
 }
 
-void VerilogWriter::write_instance(const VerilogBlock& block, std::size_t number) {
+void VerilogWriter::write_instance(const NetlistBlock& block, std::size_t number) {
     out_ += "  ";
     write_block_name(number);
     if (block.has_scan_timer) append(out_, " #(.", scan_parameter_, "(", scan_parameter_, "))");
@@ -226,7 +227,7 @@ void VerilogWriter::write_instance(const VerilogBlock& block, std::size_t number
     out_ += ");\n";
 }
 
-void VerilogWriter::write_block(const VerilogBlock& block, std::size_t number) {
+void VerilogWriter::write_block(const NetlistBlock& block, std::size_t number) {
     out_ += "\nmodule ";
     write_block_name(number);
     if (block.has_scan_timer) write_scan_parameter(false);
@@ -250,10 +251,10 @@ void VerilogWriter::write_block(const VerilogBlock& block, std::size_t number) {
 
 void VerilogWriter::write_in_blocks() {
     declared_.resize(netlist_.net_count());
-    const std::vector<VerilogBlock> blocks = cut_into_blocks(netlist_, modules_per_block);
+    const std::vector<NetlistBlock> blocks = cut_into_blocks(netlist_, modules_per_block);
     write_port_list();
     const std::vector<std::uint8_t> is_port = nets_of_output_ports();
-    for (const VerilogBlock& block : blocks) {
+    for (const NetlistBlock& block : blocks) {
         for (const NetId net : block.outputs) {
             if (is_port[index_of(net)] == 0) append(out_, "  wire ", nets_[net], ";\n");
         }

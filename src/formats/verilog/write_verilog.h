@@ -17,7 +17,7 @@ std::string write_verilog(const Netlist& netlist, Time scan_period = 10 * millis
 /// command line, which lets the delays count from the moments of the stimuli. Its module is called
 /// `grafwire_bench`. Where the bench says what is expected, the last line printed is PASS, or the
 /// first difference, and the simulator ends with the status 1.
-std::string write_verilog_testbench(const Netlist& netlist, const Bench& bench,
-                                    Time scan_period = 10 * millisecond);
+std::string write_verilog_bench(const Netlist& netlist, const Bench& bench,
+                                Time scan_period = 10 * millisecond);
 
 }  // namespace grafwire

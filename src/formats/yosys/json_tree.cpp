@@ -15,9 +15,15 @@ namespace {
 
 constexpr std::size_t deepest = 20;
 
-/// Walks through a text and counts its lines. The parser reads one character after the other and
-/// looks ahead by none where an object begins, so the line is that of its brace.
-class LineCounter {
+/// Whether a byte of UTF-8 goes on with a character that has begun.
+bool continues_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
+/// Walks through a text and keeps the place of the last character read. The parser reads one
+/// character after the other and looks ahead by none where an object begins, so the place is that
+/// of its bracket.
+class PlaceCounter {
   public:
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
@@ -25,18 +31,24 @@ class LineCounter {
     using pointer = const char*;
     using reference = const char&;
 
-    LineCounter(const char* place, std::uint32_t& line) : place_(place), line_(&line) {}
-    const char& operator*() const { return *place_; }
-    LineCounter& operator++() {
-        if (*place_++ == '\n') ++*line_;
+    PlaceCounter(const char* next, Location& last) : next_(next), last_(&last) {}
+    const char& operator*() const { return *next_; }
+    PlaceCounter& operator++() {
+        if (*next_ == '\n') {
+            ++last_->line;
+            last_->column = 0;
+        } else if (!continues_character(*next_)) {
+            ++last_->column;
+        }
+        ++next_;
         return *this;
     }
-    bool operator==(const LineCounter& other) const { return place_ == other.place_; }
-    bool operator!=(const LineCounter& other) const { return place_ != other.place_; }
+    bool operator==(const PlaceCounter& other) const { return next_ == other.next_; }
+    bool operator!=(const PlaceCounter& other) const { return next_ != other.next_; }
 
   private:
-    const char* place_;
-    std::uint32_t* line_;
+    const char* next_;
+    Location* last_;
 };
 
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
@@ -45,7 +57,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool too_deep = false;
     std::size_t error_position = 0;
     std::string error_message;
-    std::uint32_t line = 1;  ///< that the parser is in
+    Location where{1, 0};  ///< the last character read
 
     bool null() override { return add(JsonValue::Kind::null, {}); }
     bool boolean(bool value) override {
@@ -100,7 +112,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         }
         JsonValue& value = place();
         value.kind = kind;
-        value.line = line;
+        value.where = where;
         // A parent gets no further members while its child is open, so the pointer stays good.
         open_.push_back(&value);
         return true;
@@ -123,8 +135,7 @@ Location location_of(std::string_view text, std::size_t position) {
         if (byte == '\n') {
             ++where.line;
             where.column = 1;
-        } else if (i + 1 == text.size() ||
-                   (static_cast<unsigned char>(text[i + 1]) & 0xc0U) != 0x80U) {
+        } else if (i + 1 == text.size() || !continues_character(text[i + 1])) {
             ++where.column;
         }
     }
@@ -153,12 +164,12 @@ const JsonValue* JsonValue::find(std::string_view name) const {
 std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnostics) {
     if (!check_utf8(text, diagnostics)) return std::nullopt;
     TreeBuilder builder;
-    const LineCounter begin(text.data(), builder.line);
-    const LineCounter end(text.data() + text.size(), builder.line);
+    const PlaceCounter begin(text.data(), builder.where);
+    const PlaceCounter end(text.data() + text.size(), builder.where);
     if (nlohmann::json::sax_parse(begin, end, &builder)) return std::move(builder.root);
     if (builder.too_deep) {
         diagnostics.error(
-            Code::nested_too_deep, {},
+            Code::nested_too_deep, builder.where,
             fmt::format("values are nested more than {} deep: not a netlist", deepest));
     } else {
         diagnostics.error(Code::bad_netlist, location_of(text, builder.error_position),

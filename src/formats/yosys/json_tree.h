@@ -18,7 +18,7 @@ struct JsonValue {
     Kind kind = Kind::null;
     /// string: its text; number: as written; boolean: `true` or `false`.
     std::string text;
-    std::uint32_t line = 0;           ///< of an object or array: where it begins
+    Location where;                   ///< of an object or array: its bracket
     std::vector<JsonMember> members;  ///< of an object
     std::vector<JsonValue> items;     ///< of an array
 

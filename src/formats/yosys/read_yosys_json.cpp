@@ -8,9 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "formats/shared/net_spelling.h"
 #include "formats/shared/netlist_assembly.h"
 #include "formats/yosys/json_tree.h"
-#include "formats/yosys/yosys_cells.h"
+#include "formats/yosys/read_yosys_cell.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -23,14 +24,10 @@ bool is_set(const JsonValue* attribute) {
     return attribute != nullptr && attribute->text.find('1') != std::string::npos;
 }
 
-std::string description(const YosysCell& cell) {
-    return fmt::format("cell {} of type {}", in_quotes(cell.name), cell.type);
-}
-
 class YosysReader {
   public:
     explicit YosysReader(Diagnostics& diagnostics)
-        : diagnostics_(diagnostics), assembly_({}, diagnostics) {}
+        : diagnostics_(diagnostics), assembly_(diagnostics) {}
 
     std::optional<Netlist> read(const JsonValue& root);
 
@@ -42,12 +39,12 @@ class YosysReader {
     void read_port(const std::string& name, const JsonValue& port);
     void read_cells(const JsonValue& cells);
     bool read_connections(const JsonValue& connections, YosysCell& cell);
-    void add_cell(const YosysCell& cell, const JsonValue& connections);
+    void add_cell(YosysCell cell, const JsonValue& connections);
     void set_initial_values();
-    NetId net_of(const JsonValue& bit);
+    NetId net_of(const JsonValue& bit, Location where);
     void name_bit(const JsonValue& bit, const std::string& name);
-    void refuse(std::string message) {
-        diagnostics_.error(Code::bad_netlist, {}, std::move(message));
+    void refuse(Location where, std::string message) {
+        diagnostics_.error(Code::bad_netlist, where, std::move(message));
     }
 
     Diagnostics& diagnostics_;
@@ -74,7 +71,8 @@ const JsonMember* YosysReader::choose_module(const JsonValue& modules) {
         ++count;
     }
     if (count == 1) return chosen;
-    refuse(count == 0
+    refuse(modules.where,
+           count == 0
                ? "there is no module in the file"
                : "there are several modules and none is marked as the top; flatten the netlist "
                  "first (Yosys: hierarchy -auto-top; flatten)");
@@ -85,13 +83,14 @@ void YosysReader::name_bit(const JsonValue& bit, const std::string& name) {
     if (bit.kind == Kind::number && !name.empty()) names_.try_emplace(bit.text, name);
 }
 
-/// The net of a bit, made when it is first needed: words often have bits that nothing uses.
-NetId YosysReader::net_of(const JsonValue& bit) {
+/// The net of a bit, made when it is first needed, at `where`: words often have bits that nothing
+/// uses.
+NetId YosysReader::net_of(const JsonValue& bit, Location where) {
     const auto found = nets_.find(bit.text);
     if (found != nets_.end()) return found->second;
     const auto name = names_.find(bit.text);
-    const NetId net = name != names_.end() ? assembly_.net(decoded_name(name->second), {})
-                                           : assembly_.inner_net(no_net);
+    const NetId net = name != names_.end() ? assembly_.net(percent_decoded(name->second), where)
+                                           : assembly_.inner_net(no_net, where);
     nets_.emplace(bit.text, net);
     return net;
 }
@@ -129,24 +128,25 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
     const JsonValue* bits = port.find("bits");
     const std::string& direction = port.find("direction")->text;
     if (bits == nullptr || bits->items.size() != 1) {
-        return refuse(fmt::format("port {} has {} bits; ports of one bit are supported",
+        return refuse(port.where,
+                      fmt::format("port {} has {} bits; ports of one bit are supported",
                                   in_quotes(name), bits == nullptr ? 0 : bits->items.size()));
     }
     const JsonValue& bit = bits->items[0];
-    const std::string port_name = decoded_name(name);
+    const std::string port_name = percent_decoded(name);
     if (bit.kind == Kind::number) {
         name_bit(bit, name);
-        const NetId net = net_of(bit);
-        if (direction == "input") return assembly_.add_input(port_name, net, {});
-        return assembly_.add_output(port_name, net, {});
+        const NetId net = net_of(bit, port.where);
+        if (direction == "input") return assembly_.add_input(port_name, net, port.where);
+        return assembly_.add_output(port_name, net, port.where);
     }
     if (direction == "input" || (bit.text != "0" && bit.text != "1")) {
-        return refuse(
-            fmt::format("port {} is connected to {}", in_quotes(name), in_quotes(bit.text)));
+        return refuse(port.where, fmt::format("port {} is connected to {}", in_quotes(name),
+                                              in_quotes(bit.text)));
     }
-    const NetId net = assembly_.net(port_name, {});
-    assembly_.add_cell(bit.text == "1" ? CellType::high : CellType::low, net, {}, {});
-    assembly_.add_output(port_name, net, {});
+    const NetId net = assembly_.net(port_name, port.where);
+    assembly_.add_cell(bit.text == "1" ? CellType::high : CellType::low, net, {}, port.where);
+    assembly_.add_output(port_name, net, port.where);
 }
 
 void YosysReader::read_ports(const JsonValue& ports, std::string_view direction) {
@@ -156,7 +156,8 @@ void YosysReader::read_ports(const JsonValue& ports, std::string_view direction)
             actual != nullptr && (actual->text == "input" || actual->text == "output");
         if (name.empty() || !is_known) {
             if (direction == "input") {
-                refuse(fmt::format("port {} is neither an input nor an output", in_quotes(name)));
+                refuse(port.where,
+                       fmt::format("port {} is neither an input nor an output", in_quotes(name)));
             }
         } else if (actual->text == direction) {
             read_port(name, port);
@@ -169,14 +170,15 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
         YosysCell::Connection connection{port, {}, {}};
         for (const JsonValue& bit : bits.items) {
             if (bit.kind == Kind::number) {
-                connection.bits.push_back(net_of(bit));
+                connection.bits.push_back(net_of(bit, cell.where));
                 connection.constants += '-';
             } else if (bit.text == "0" || bit.text == "1") {
                 connection.bits.push_back(no_net);
                 connection.constants += bit.text;
             } else {
-                refuse(fmt::format("{}: port {} is connected to {}", description(cell), port,
-                                   in_quotes(bit.text)));
+                refuse_yosys_cell(
+                    cell, fmt::format("port {} is connected to {}", port, in_quotes(bit.text)),
+                    diagnostics_);
                 return false;
             }
         }
@@ -185,20 +187,7 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
     return true;
 }
 
-/// Gives constant bits nets of their own, but where the cell itself is asked for the constant.
-void give_nets_to_constants(NetlistAssembly& assembly, YosysCell& cell) {
-    const bool takes_constants = cell.type == "$eq" || cell.type == "$ne" ||
-                                 cell.type == "$_BUF_" || cell.type == "$buf" ||
-                                 cell.type == "$pos";
-    for (YosysCell::Connection& connection : cell.connections) {
-        for (std::size_t i = 0; i < connection.bits.size(); ++i) {
-            if (connection.constants[i] == '-' || takes_constants) continue;
-            connection.bits[i] = assembly.constant(connection.constants[i] == '1', cell.where);
-        }
-    }
-}
-
-void YosysReader::add_cell(const YosysCell& cell, const JsonValue& connections) {
+void YosysReader::add_cell(YosysCell cell, const JsonValue& connections) {
     Logic initial = Logic::unknown;
     const JsonValue* output = is_yosys_memory(cell.type) ? connections.find("Q") : nullptr;
     if (output != nullptr && output->items.size() == 1) {
@@ -208,8 +197,7 @@ void YosysReader::add_cell(const YosysCell& cell, const JsonValue& connections) 
             initial_.erase(found);
         }
     }
-    const std::string fault = add_yosys_cell(assembly_, cell, initial);
-    if (!fault.empty()) refuse(fmt::format("{}: {}", description(cell), fault));
+    add_yosys_cell(assembly_, std::move(cell), initial, diagnostics_);
 }
 
 /// What is left of the initial values belongs to nets that gates drive.
@@ -227,7 +215,7 @@ void YosysReader::read_cells(const JsonValue& cells) {
     for (const auto& [name, value] : cells.members) {
         YosysCell cell;
         cell.name = name;
-        cell.where = {value.line, 1};
+        cell.where = value.where;
         if (const JsonValue* type = value.find("type")) cell.type = type->text;
         // What the black boxes say stands among the attributes.
         for (const std::string_view part : {"parameters", "attributes"}) {
@@ -239,19 +227,18 @@ void YosysReader::read_cells(const JsonValue& cells) {
         }
         const JsonValue* connections = value.find("connections");
         if (connections == nullptr) {
-            refuse(fmt::format("cell {} has no connections", in_quotes(name)));
+            refuse(value.where, fmt::format("cell {} has no connections", in_quotes(name)));
             continue;
         }
         if (!read_connections(*connections, cell)) continue;
-        give_nets_to_constants(assembly_, cell);
-        add_cell(cell, *connections);
+        add_cell(std::move(cell), *connections);
     }
 }
 
 std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     const JsonValue* modules = root.find("modules");
     if (modules == nullptr) {
-        refuse("not a Yosys netlist: there is no \"modules\"");
+        refuse(root.where, "not a Yosys netlist: there is no \"modules\"");
         return std::nullopt;
     }
     const auto* module = choose_module(*modules);
@@ -268,13 +255,9 @@ std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     read_initial_values(part("netnames"));
     read_cells(part("cells"));
     set_initial_values();
-    const std::string name = decoded_name(module->name);
-    assembly_.check_name(name, {});
-    std::optional<Netlist> netlist = assembly_.finish();
-    if (!netlist) return std::nullopt;
-    netlist->name = name;
-    if (!netlist->modules.empty()) netlist->modules.front().name = netlist->name;
-    return netlist;
+    std::string name = percent_decoded(module->name);
+    assembly_.check_name(name, module->value.where);
+    return assembly_.finish(std::move(name));
 }
 
 }  // namespace

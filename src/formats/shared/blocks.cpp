@@ -1,18 +1,18 @@
-#include "formats/verilog/verilog_blocks.h"
+#include "formats/shared/blocks.h"
 
 #include <algorithm>
 
 namespace grafwire {
 
-std::vector<VerilogBlock> cut_into_blocks(const Netlist& netlist, std::size_t modules_per_block) {
+std::vector<NetlistBlock> cut_into_blocks(const Netlist& netlist, std::size_t modules_per_block) {
     constexpr std::uint32_t no_block = 0xffffffffU;
-    std::vector<VerilogBlock> blocks;
+    std::vector<NetlistBlock> blocks;
     std::vector<std::uint32_t> driver(netlist.net_count(), no_block);
     const std::span<const Module> all = netlist.modules;
     for (std::size_t first = 0; first < all.size(); first += modules_per_block) {
         const std::size_t count = std::min(modules_per_block, all.size() - first);
         const auto number = static_cast<std::uint32_t>(blocks.size());
-        VerilogBlock block{all.subspan(first, count), {}, {}, false};
+        NetlistBlock block{all.subspan(first, count), {}, {}, false};
         for_each_cell(netlist, block.modules, [&](const Cell& cell) {
             driver[index_of(cell.output)] = number;
             block.has_scan_timer |= counts_scans(cell.type);
@@ -35,7 +35,7 @@ std::vector<VerilogBlock> cut_into_blocks(const Netlist& netlist, std::size_t mo
         });
     }
     for (const Port& port : netlist.outputs) leaves[index_of(port.net)] = 1;
-    for (VerilogBlock& block : blocks) {
+    for (NetlistBlock& block : blocks) {
         for_each_cell(netlist, block.modules, [&](const Cell& cell) {
             if (leaves[index_of(cell.output)] != 0) block.outputs.push_back(cell.output);
         });

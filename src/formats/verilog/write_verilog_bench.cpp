@@ -8,10 +8,12 @@
 #include <algorithm>
 
 #include "formats/shared/append.h"
+#include "formats/shared/helper_cells.h"
 #include "formats/verilog/verilog_helpers.h"
 #include "formats/verilog/verilog_names.h"
 #include "formats/verilog/write_verilog.h"
 #include "netlist/passes/counted_timers.h"
+#include "text/csv.h"
 
 namespace grafwire {
 
@@ -23,7 +25,7 @@ class BenchWriter {
         : netlist_(netlist),
           bench_(bench),
           scan_period_(scan_period),
-          module_(verilog_helper_prefix(netlist) + "bench"),
+          module_(helper_prefix(netlist) + "bench"),
           start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {
         for (std::size_t i = 0; i < netlist.inputs.size(); ++i) {
             if (netlist.inputs[i].net == netlist.clock) clock_ = i;
@@ -169,12 +171,8 @@ void BenchWriter::write_header_row() {
     }
     out_ += "    $write(\"time_ms\");\n";
     for (const Port& port : netlist_.outputs) {
-        std::string name = port.name;
-        if (name.find_first_of(",\"\r\n") != std::string::npos) {
-            std::string quoted = "\"";
-            for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
-            name = quoted + '"';
-        }
+        std::string name;
+        append_csv_field(name, port.name);
         out_ += "    $write(\",";
         append_verilog_text(out_, name);
         out_ += "\");\n";
@@ -212,7 +210,7 @@ void BenchWriter::write_event(const BenchEvent& event) {
 
 }  // namespace
 
-std::string write_verilog_testbench(const Netlist& netlist, const Bench& bench, Time scan_period) {
+std::string write_verilog_bench(const Netlist& netlist, const Bench& bench, Time scan_period) {
     return BenchWriter(netlist, bench, scan_period).write();
 }
 
