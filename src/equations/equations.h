@@ -22,7 +22,7 @@ struct EquationOptions {
 };
 
 /// The equation of a step, in parts (step_expression puts them together). Absent parts are no_expr.
-/// None is constant but where said.
+/// None is constant unless said so.
 ///
 ///   core = CAX + /CDX.X                    (+ Init for an initial step, ./Init for another)
 ///   X    = (((core . /forced_off) + forced_on) . enclosing + link) . /AUdur
@@ -98,10 +98,10 @@ struct Equations {
     /// Per graph: OR of the X that freeze it, or no_expr.
     Table<GraphId, ExprId> frozen;
     Table<StepId, StepEquation> steps;
-    std::vector<OutputEquation>
-        outputs;  ///< continuous and undriven outputs, in the order declared
-    std::vector<StoredEquation>
-        stored;  ///< stored outputs, then all vars, then counters that are written
+    /// Continuous and undriven outputs, in the order declared.
+    std::vector<OutputEquation> outputs;
+    /// Stored outputs, then all vars, then counters that are written.
+    std::vector<StoredEquation> stored;
 };
 
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);

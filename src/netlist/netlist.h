@@ -67,7 +67,7 @@ struct Port {
     NetId net = no_net;
 };
 
-/// A run of cells that belong together: the phase module of a step, the logic of an output, … A
+/// A run of cells that belong together: the module of a step, the logic of an output, … A
 /// netlist is cut into modules without gaps.
 struct Module {
     std::string name;     ///< `X7`, `V+`, `inputs`, … unique

@@ -47,7 +47,7 @@ class NetlistBuilder {
     /// adds them again or puts others in their place. Names are found by_unused_role.
     static NetlistBuilder without_cells_of(const Netlist& netlist);
 
-    /// Makes room for so many cells of some 4 pins and 24 characters.
+    /// Makes room for a number of cells, each of some 4 pins and 24 characters.
     void reserve(std::size_t cells);
     /// Keeps a name from being given to an inner net.
     void reserve_name(std::string_view name);
@@ -95,7 +95,7 @@ class NetlistBuilder {
 
     /// The complement of a net, made once; a constant for a constant.
     NetId inverted(Place place, NetId net);
-    /// The net through so many buffers, each made once.
+    /// The net behind `levels` buffers, each made once.
     NetId delayed(Place place, NetId net, std::uint32_t levels);
     /// The net that is always 0 or 1, made once.
     NetId constant(Place place, bool value);

@@ -58,8 +58,8 @@ class LogicBuilder {
     /// The gates an input has gone through where it enters that product; 0 where it reads none.
     unsigned input_latency(ExprId product, const GateMaker& gates);
 
-    /// Where stored outputs and vars keep what they were while they are being written; no_net for
-    /// those of which nobody reads that.
+    /// Where stored outputs and vars keep what they were while they are being written; no_net where
+    /// that is not read.
     struct HeldNets {
         std::vector<NetId> outputs;
         std::vector<NetId> vars;
