@@ -1,31 +1,39 @@
 // The verdict on a netlist, from one exploration or several (exploration.cpp).
 //
-// Lengths of delays count only where ignoring them leads to a difference that they exclude. Where
-// one change at a time is asked for and makes no difference, many at once are looked at as well,
-// since nothing on a bench keeps two contacts from closing within a few nanoseconds.
+// The cheapest question comes first. Lengths of delays count only where ignoring them leads to a
+// difference that they exclude; single scan periods are tried only where none is found for all;
+// values at power-up are gone through only where three values do not tell. Where one change at a
+// time is asked for and makes no difference, many at once are looked at as well (many_changes.cpp),
+// since nothing on a bench keeps two contacts from closing within a few nanoseconds. Last comes
+// what no X and no output depends on (unobserved_oscillation.cpp).
 
 #include "check/check_equivalence.h"
 
 #include <algorithm>
 
-#include "check/beside.h"
 #include "check/exploration.h"
+#include "check/netlist_case.h"
 #include "check/netlist_witness.h"
-#include "check/smallest_witness.h"
-#include "check/together.h"
 
 namespace grafwire {
 
 namespace {
 
 constexpr std::uint64_t most_cases_of_a_period = 200'000;
-constexpr std::size_t most_open_memories = 8;
+constexpr std::size_t most_uninitialised_memories = 8;
 
 /// What is left of the bounds after some cases.
 CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
     CheckOptions rest = options;
     if (rest.max_cases != 0) rest.max_cases -= std::min(rest.max_cases - 1, cases);
     return rest;
+}
+
+ExplorationResult explore_netlist(const Grafcet& grafcet, const Netlist& netlist,
+                                  const CellDelays& delays, const CheckOptions& options,
+                                  const ExplorationPlan& plan) {
+    NetlistCases cases(grafcet, netlist, delays, options.keep_going);
+    return explore(grafcet, cases, options, plan);
 }
 
 /// How time passes where the lengths of delays count.
@@ -42,19 +50,19 @@ std::vector<Time> telling_periods(const Grafcet& grafcet, const Netlist& netlist
         const TimeCondition& condition = grafcet.expressions.time_condition_of(id);
         longest = std::max({longest, condition.on_delay, condition.off_delay});
     }
-    const Time grain = common_grain(grafcet, netlist, 0);
+    const Time quantum = common_quantum(grafcet, timer_lengths(netlist), 0);
     std::vector<Time> periods;
-    for (Time period = longest / 10; period > grain && periods.size() < 4; period /= 10) {
+    for (Time period = longest / 10; period > quantum && periods.size() < 4; period /= 10) {
         periods.push_back(period);
     }
-    for (const Time period : {grain, grain / 2}) {
+    for (const Time period : {quantum, quantum / 2}) {
         if (period > longest / 100'000) periods.push_back(period);
     }
     return periods;
 }
 
 /// Where no verdict was found for every period, one of them may show a difference all the same. The
-/// exploration knows that a delay ends at some scan, not how many scans that takes, and a way that
+/// exploration knows that a delay ends at some scan, not how many scans that takes, and a path that
 /// needs many scans is not looked for once there is a shorter one.
 std::optional<Witness> difference_with_some_period(const Grafcet& grafcet, const Netlist& netlist,
                                                    const CellDelays& delays,
@@ -64,8 +72,8 @@ std::optional<Witness> difference_with_some_period(const Grafcet& grafcet, const
         if (some.max_cases == 0 || some.max_cases > most_cases_of_a_period) {
             some.max_cases = most_cases_of_a_period;
         }
-        ExplorationResult explored = explore(grafcet, netlist, delays, some,
-                                             {options.changes, Passing::by_a_period, period});
+        ExplorationResult explored = explore_netlist(
+            grafcet, netlist, delays, some, {options.changes, Passing::by_a_period, period});
         if (explored.result.witness) return std::move(explored.result.witness);
     }
     return std::nullopt;
@@ -84,7 +92,7 @@ void add(Coverage& all, const Coverage& more) {
 void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                           const CheckOptions& options, CheckResult& result) {
     std::vector<Netlist::InitialValue> power_up = power_up_values(netlist, 0);
-    if (power_up.empty() || power_up.size() > most_open_memories) return;
+    if (power_up.empty() || power_up.size() > most_uninitialised_memories) return;
     for (std::uint32_t number = 0; number < 1U << power_up.size(); ++number) {
         for (std::size_t i = 0; i < power_up.size(); ++i) {
             power_up[i].value = (number >> i & 1U) != 0;
@@ -115,11 +123,11 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
         plan.passing = Passing::by_a_period;
         plan.period = *options.scan_period;
     }
-    ExplorationResult explored = explore(grafcet, netlist, delays, options, plan);
+    ExplorationResult explored = explore_netlist(grafcet, netlist, delays, options, plan);
     if (explored.needs_lengths) {
         plan.passing = passing_with_lengths(netlist);
-        explored = explore(grafcet, netlist, delays,
-                           rest_of(options, explored.result.coverage.cases), plan);
+        explored = explore_netlist(grafcet, netlist, delays,
+                                   rest_of(options, explored.result.coverage.cases), plan);
     }
     CheckResult& result = explored.result;
     if (result.depends_on_period) {
@@ -127,9 +135,10 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
                                                      rest_of(options, result.coverage.cases));
         if (result.witness) result.verdict = Verdict::different;
     }
-    const bool is_open =
-        result.verdict == Verdict::equivalent ? result.has_open_memory : result.is_unexplained;
-    if (is_open && !result.witness) {
+    const bool is_unsettled = result.verdict == Verdict::equivalent
+                                  ? result.has_uninitialised_memory
+                                  : result.is_unexplained;
+    if (is_unsettled && !result.witness) {
         go_through_power_ups(grafcet, netlist, delays, options, result);
     }
     if (result.witness && result.witness->power_up.empty()) {
@@ -142,14 +151,14 @@ CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const CheckOptions& options) {
     CheckResult result = check_changes(grafcet, netlist, delays, options);
     if (result.verdict == Verdict::equivalent) {
-        result.witness =
-            oscillation_beside(grafcet, netlist, delays, options, result.has_open_memory);
+        result.witness = find_unobserved_oscillation(grafcet, netlist, delays, options,
+                                                     result.has_uninitialised_memory);
         if (result.witness) result.verdict = Verdict::different;
     }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&
         result.verdict == Verdict::equivalent) {
-        result.together = look_at_many(grafcet, netlist, delays,
-                                       rest_of(options, result.coverage.cases), result.never);
+        result.together = check_many_changes(grafcet, netlist, delays,
+                                             rest_of(options, result.coverage.cases), result.never);
     }
     return result;
 }

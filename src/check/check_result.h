@@ -4,12 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
-#include "check/exercised.h"
+#include "check/coverage.h"
 #include "check/witness.h"
-#include "evolution/bit_table.h"
+#include "text/keep_going.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -23,14 +22,6 @@ enum class Changes {
     many,  ///< any, and delays end in the same instant
 };
 
-/// How much of the exploration is done.
-struct Coverage {
-    std::uint64_t situations = 0;  ///< distinct situations reached
-    std::uint64_t cases = 0;       ///< changes of the inputs, or scans, that were compared
-    std::uint64_t unstable = 0;    ///< cases in which the reference finds no stable situation
-    std::uint64_t waiting = 0;     ///< states reached but not yet left
-};
-
 struct CheckOptions {
     Changes changes = Changes::one;
     /// Asynchronous netlists, where they are equivalent under Changes::one: whether to look at
@@ -39,12 +30,16 @@ struct CheckOptions {
     /// Clocked netlists: the only time from one scan to the next for which the verdict is to hold;
     /// none: it holds for every one.
     std::optional<Time> scan_period;
-    std::uint64_t max_cases = 0;  ///< stop undecided after so many; 0: no bound
-    /// Asked many times a second; the exploration stops undecided when it says no.
-    std::function<bool(const Coverage&)> keep_going;
+    std::uint64_t max_cases = 0;  ///< stop undecided after this many; 0: no bound
+    /// Called many times a second with how far the present exploration is; a check may take
+    /// several. None by default.
+    std::function<void(const Coverage&)> progress;
+    /// Asked as often, also within a case; the check stops undecided once it says no. That is how a
+    /// caller bounds time and memory, and cancels.
+    KeepGoing keep_going;
 };
 
-/// What `many` inputs at once make of a netlist that is equivalent when `one` changes at a time.
+/// What becomes of a netlist that is equivalent under Changes::one under Changes::many.
 struct Together {
     Verdict verdict = Verdict::undecided;
     /// different: the shortest way to it, and what must not change within the settling time there.
@@ -77,29 +72,18 @@ struct CheckResult {
     bool is_unexplained = false;
     /// Some state was reached in which a memory has never been given a value. Every X and output is
     /// right all the same; whether everything comes to rest three values cannot tell.
-    bool has_open_memory = false;
-};
-
-/// Counts the cases of an exploration and keeps it within its bounds.
-class CaseCounter {
-  public:
-    CaseCounter(const CheckOptions& options, Coverage& coverage)
-        : options_(options), coverage_(coverage) {}
-
-    /// One more case; false where the exploration has to end with it.
-    bool count(bool is_stable, std::size_t waiting);
-    /// Whether there is time left; for work within a case.
-    bool goes_on() const { return !options_.keep_going || options_.keep_going(coverage_); }
-    /// The situation of a state that was reached.
-    void note(const BitTable& situation);
-
-  private:
-    const CheckOptions& options_;
-    Coverage& coverage_;
-    std::unordered_set<std::string> situations_;
+    bool has_uninitialised_memory = false;
 };
 
 /// Sets what follows from how an exploration ended: verdict, completeness, states left waiting.
-void conclude(CheckResult& result, bool is_complete, std::size_t waiting);
+inline void conclude(CheckResult& result, bool is_complete, std::size_t waiting) {
+    result.complete = is_complete;
+    result.coverage.waiting = waiting;
+    if (result.witness) {
+        result.verdict = Verdict::different;
+    } else if (is_complete && result.coverage.cases != 0) {
+        result.verdict = Verdict::equivalent;
+    }
+}
 
 }  // namespace grafwire

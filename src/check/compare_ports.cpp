@@ -1,3 +1,7 @@
+// The ports of a netlist from elsewhere, by name: inputs of the GRAFCET, X of every step, outputs.
+// What is missing among X and outputs makes a comparison impossible; an input that is missing is
+// one that the netlist does not react to, and what is extra is only reported.
+
 #include "check/compare_ports.h"
 
 #include <fmt/format.h>

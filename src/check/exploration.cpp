@@ -1,14 +1,17 @@
-// Equivalence by exploration, breadth first, of the pairs (reference, netlist).
+// Equivalence by exploration, breadth first, of the product of reference and netlist.
 //
 // A node is a state of the reference together with the settled state of the netlist that came with
-// it. Leaving it, a case changes inputs (control inputs included) and lets running delays of time
-// conditions end. The netlist goes on from its own state, so that what it remembers beyond the X is
-// explored too. If situation and outputs agree, the pair reached is a new node unless it has been
-// seen. If they do not, the way there is turned into stimuli with real moments and replayed from
-// power-up; only a difference that shows there is reported.
+// it. An edge from it is an instant or scan at which inputs change (control inputs included) and
+// running delays of time conditions end. The netlist goes on from its own state, so that what it
+// remembers beyond the X is explored too. It may have several outcomes in a case (where its delays
+// are not known exactly); each one is compared, and each one that agrees is a successor. Where
+// situation and outputs agree, the product state is a new node unless it has been visited. Where
+// they do not, the path there is turned into stimuli with real times and replayed from power-up;
+// only a difference that shows there is reported.
 //
 // Asynchronous netlists go from instant to instant, and are compared in stable situations. With
 // Changes::one an instant brings the change of one input or the end of delays (fundamental mode:
+// D. A. Huffman, "The synthesis of sequential switching circuits", J. Franklin Inst. 257, 1954;
 // S. H. Unger, "Asynchronous Sequential Switching Circuits", 1969), with Changes::many any of both.
 // Clocked netlists go from scan to scan, a clock cycle each, and are compared after every scan:
 // inputs change between any two, also where the evolution is not stable yet, and all delays that
@@ -16,35 +19,34 @@
 //
 // At first the lengths of delays are ignored: a running delay can end at any time. That takes the
 // fewest nodes, and what agrees then agrees whatever the lengths are. But a difference found that
-// way may need delays to end in an order which their real lengths exclude. Then the whole begins
-// anew with the lengths: a node also has a zone, all that can remain of its running delays, and
-// those end of which the zone says that they can. A node is new unless it has been seen with a zone
-// that includes its own. So every way explored is possible, and every possible one is explored
-// (zone.h). For scans that holds as long as the time between them may vary; a difference that no
-// constant period shows leaves the check without a verdict for every period, unless another shows.
+// way may need delays to end in an order which their real lengths exclude. Then the exploration is
+// repeated with the lengths: a node also has a zone, all that can remain of its running delays, and
+// those end of which the zone says that they can. A node is new unless it has been visited with a
+// zone that includes its own. So every path explored is possible, and every possible one is
+// explored (zone.h). For scans that holds as long as the time between them may vary; a difference
+// that no constant period shows leaves the check without a verdict for every period, unless another
+// shows.
 //
-// An input that nobody reads in the state reached is forgotten there: it is left open, as it could
-// be changed now without any effect. So states that differ only in such inputs are one node. Nobody
-// reads it if a further scan of the reference does not consult it, and if the netlist, with the
-// input unknown, keeps the value of everything it remembers. Where the way to a difference needs
-// the other value after all, the change without effect is put in as instants of its own.
+// An input that nothing reads in the state reached is abstracted away there: it is left unassigned,
+// as it could be changed now without any effect. So states that differ only in such inputs are one
+// node. Nothing reads it if a further scan of the reference does not consult it, and if the
+// netlist, with the input unknown, keeps the value of everything it remembers. Where the path to a
+// difference needs the other value after all, the change without effect is put in as instants of
+// its own.
 //
-// Breadth first, because the shortest way to a difference is the easiest to read.
+// Breadth first, because the shortest path to a difference is the easiest to read.
 //
 // Which inputs are varied, and why that is enough: see reference_case.cpp.
 
 #include "check/exploration.h"
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 
-#include "check/change_sets.h"
-#include "check/netlist_case.h"
-#include "check/netlist_witness.h"
-#include "check/pair_state.h"
-#include "check/reference_case.h"
-#include "check/relevance.h"
-#include "check/ways.h"
+#include "check/partial_inputs.h"
+#include "check/state_encoding.h"
+#include "check/state_space.h"
 #include "evolution/evolution.h"
 
 namespace grafwire {
@@ -52,57 +54,56 @@ namespace grafwire {
 namespace {
 
 struct Node {
-    PairState pair;
-    std::uint32_t way = Ways::start;
+    ProductState state;
+    std::uint32_t step = PredecessorTree::root;  ///< that led to it
 };
 
 /// An instant or scan that comes to a node (none: the first).
-struct Departure {
-    const Node* node = nullptr;
+struct Edge {
+    const Node* source = nullptr;
     RunningDelays::Ending ending;
 
-    std::uint32_t way() const { return node == nullptr ? Ways::start : node->way; }
+    std::uint32_t predecessor() const {
+        return source == nullptr ? PredecessorTree::root : source->step;
+    }
     const EvolutionState* reference() const {
-        return node == nullptr ? nullptr : &node->pair.reference;
+        return source == nullptr ? nullptr : &source->state.reference;
     }
     const SimulatorState* netlist() const {
-        return node == nullptr ? nullptr : &node->pair.netlist;
+        return source == nullptr ? nullptr : &source->state.netlist;
     }
 };
 
 class Exploration {
   public:
-    Exploration(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                const CheckOptions& options, const ExplorationPlan& plan)
+    Exploration(const Grafcet& grafcet, ExploredNetlist& netlist, const CheckOptions& options,
+                const ExplorationPlan& plan)
         : grafcet_(grafcet),
           netlist_(netlist),
-          delays_(delays),
           plan_(plan),
-          counter_(options, explored_.result.coverage),
           evolution_(grafcet),
-          reference_(evolution_, [this] { return counter_.goes_on(); }),
-          gates_(grafcet, netlist, delays, [this] { return counter_.goes_on(); }),
+          reference_(evolution_, [this] { return coverage_.goes_on(); }),
           relevance_(grafcet),
           assumptions_(grafcet),
-          exercised_(grafcet, assumptions_, netlist.has_modes),
-          ways_(assumptions_, !is_one_at_a_time()) {
+          coverage_(grafcet, assumptions_, netlist.has_modes(), options, explored_.result.coverage),
+          predecessors_(assumptions_, !is_one_at_a_time()) {
         facts_.passing = plan.passing;
         facts_.period = plan.period;
-        facts_.grain = common_grain(grafcet, netlist, plan.period);
-        facts_.condition_of_timer = gates_.conditions_of_timers();
+        facts_.quantum = common_quantum(grafcet, netlist.delays(), plan.period);
+        facts_.condition_of_timer = netlist.conditions_of_timers();
         facts_.is_relevant_condition = relevance_.time_conditions();
-        facts_.is_relevant_timer = gates_.relevant_timers();
+        facts_.is_relevant_timer = netlist.relevant_timers();
     }
 
     ExplorationResult run() {
-        explore_cases({}, open_inputs(grafcet_, netlist_.has_modes));
+        explore_edge({}, unassigned_inputs(grafcet_, netlist_.has_modes()));
         while (!done_ && !waiting_.empty()) {
             const Node node = std::move(waiting_.front());
             waiting_.pop_front();
-            if (!seen_.is_covered(node.pair)) leave(node);
+            if (!visited_.is_covered(node.state)) expand(node);
         }
         CheckResult& result = explored_.result;
-        result.never = exercised_.never();
+        result.never = coverage_.never_exercised();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
         const bool is_complete =
             waiting_.empty() && !done_ && !explored_.result.is_unexplained && !no_period_shows_it_;
@@ -115,251 +116,257 @@ class Exploration {
         return !netlist_.is_clocked() && plan_.changes == Changes::one;
     }
 
-    void leave(const Node& node);
-    void explore_cases(const Departure& departure, const PartialInputs& inputs);
-    ReferenceOutcome run_reference(const Departure& departure, const PartialInputs& inputs);
-    std::optional<PathStep> step_to(const Departure& departure, const PartialInputs& inputs) const;
-    void close(const PathStep& step, const NetlistOutcome& outcome, std::vector<PathStep>& steps);
-    void compare(const Departure& departure, const ReferenceOutcome& expected);
-    void arrive(const Departure& departure, const PathStep& step, const ReferenceOutcome& expected,
-                SimulatorState&& netlist_state);
-    void forget_unread_inputs(PairState& pair);
-    void write_key(PairState& pair) const;
-    bool show_difference(const Departure& departure, const PathStep& step);
-    std::vector<PathStep> path_of_instants(const Departure& departure, const PathStep& step) const;
+    void expand(const Node& node);
+    void explore_edge(const Edge& edge, const PartialInputs& inputs);
+    ReferenceOutcome run_reference(const Edge& edge, const PartialInputs& inputs);
+    std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
+    void compare(const Edge& edge, const ReferenceOutcome& expected);
+    void follow(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
+                NetlistOutcomes& outcomes);
+    void split_case(const PathStep& step, const UnknownCause& cause,
+                    std::vector<PathStep>& remaining) const;
+    void add_successor(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
+                       SimulatorState&& netlist_state);
+    void abstract_unread_inputs(ProductState& state);
+    void encode(ProductState& state) const;
+    bool show_difference(const Edge& edge, const PathStep& step);
+    std::vector<PathStep> path_of_instants(const Edge& edge, const PathStep& step) const;
     bool show_after_instants(const std::vector<PathStep>& path);
     bool show_after_scans(const std::vector<PathStep>& path);
-    void count(const ReferenceOutcome& expected);
-    void note_unstable(const Departure& departure, const PathStep& step,
-                       const ReferenceOutcome& expected);
+    void record_case(const ReferenceOutcome& expected, const PathStep& step);
+    void note_unstable(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected);
 
     const Grafcet& grafcet_;
-    const Netlist& netlist_;
-    const CellDelays& delays_;
+    ExploredNetlist& netlist_;
     ExplorationPlan plan_;
     ExplorationResult explored_;
-    CaseCounter counter_;
     Evolution evolution_;
     ReferenceCases reference_;
-    NetlistCases gates_;
     Relevance relevance_;
     DelayFacts facts_;
     Assumptions assumptions_;
-    Exercised exercised_;
+    CoverageRecorder coverage_;
     std::deque<Node> waiting_;
-    SeenPairs seen_;
-    Ways ways_;
+    VisitedStates visited_;
+    PredecessorTree predecessors_;
     bool done_ = false;
     bool no_period_shows_it_ = false;
 };
 
-void Exploration::leave(const Node& node) {
-    const PartialInputs& inputs = node.pair.inputs;
-    node.pair.delays.for_each_ending([&](const RunningDelays::Ending& ending) {
-        const Departure departure{&node, ending};
+void Exploration::expand(const Node& node) {
+    const PartialInputs& inputs = node.state.inputs;
+    node.state.delays.for_each_ending([&](const RunningDelays::Ending& ending) {
+        const Edge edge{&node, ending};
         if (!is_one_at_a_time()) {
-            explore_cases(departure, open_inputs(grafcet_, netlist_.has_modes));
+            explore_edge(edge, unassigned_inputs(grafcet_, netlist_.has_modes()));
             return !done_;
         }
-        // Delays end, or no input changes that anybody remembers: what the open ones do is seen.
-        explore_cases(departure, inputs);
+        // Delays end, or no assigned input changes: what the unassigned ones do is seen.
+        explore_edge(edge, inputs);
         if (!ending.ended.none()) return !done_;
         for (const PartialInputs& changed :
-             single_changes(assumptions_, inputs, netlist_.has_modes)) {
-            if (!done_) explore_cases(departure, changed);
+             single_changes(assumptions_, inputs, netlist_.has_modes())) {
+            if (!done_) explore_edge(edge, changed);
         }
         return !done_;
     });
 }
 
-ReferenceOutcome Exploration::run_reference(const Departure& departure,
-                                            const PartialInputs& inputs) {
-    const std::vector<std::uint32_t>& due = departure.ending.ended.conditions;
-    return netlist_.is_clocked() ? reference_.scan_after(departure.reference(), due, inputs)
-                                 : reference_.instant(departure.reference(), due, inputs);
+ReferenceOutcome Exploration::run_reference(const Edge& edge, const PartialInputs& inputs) {
+    const std::vector<std::uint32_t>& due = edge.ending.ended.conditions;
+    return netlist_.is_clocked() ? reference_.scan_after(edge.reference(), due, inputs)
+                                 : reference_.instant(edge.reference(), due, inputs);
 }
 
-/// All cases of one instant or scan under inputs that are partly open.
-void Exploration::explore_cases(const Departure& departure, const PartialInputs& inputs) {
+/// All cases of one instant or scan under partial inputs.
+void Exploration::explore_edge(const Edge& edge, const PartialInputs& inputs) {
     for_each_case(
-        assumptions_, inputs,
-        [&](const PartialInputs& some) { return run_reference(departure, some); },
+        assumptions_, inputs, [&](const PartialInputs& some) { return run_reference(edge, some); },
         [&](const ReferenceOutcome& expected) {
             if (expected.broken_off) {
                 done_ = true;
             } else {
-                compare(departure, expected);
+                compare(edge, expected);
             }
             return !done_;
         });
 }
 
-void Exploration::count(const ReferenceOutcome& expected) {
-    if (!counter_.count(expected.stable, waiting_.size())) done_ = true;
+void Exploration::record_case(const ReferenceOutcome& expected, const PathStep& step) {
+    if (!coverage_.record_case(expected, step.inputs, waiting_.size())) done_ = true;
 }
 
 /// The step from a node to inputs of a case; nothing where it takes more changes at once than the
 /// plan has.
-std::optional<PathStep> Exploration::step_to(const Departure& departure,
-                                             const PartialInputs& inputs) const {
-    PathStep step{inputs, inputs, departure.ending.ended, departure.ending.running};
-    if (departure.node == nullptr) return step;
-    step.before = departure.node->pair.inputs;
+std::optional<PathStep> Exploration::step_to(const Edge& edge, const PartialInputs& inputs) const {
+    PathStep step{inputs, inputs, edge.ending.ended, edge.ending.running};
+    if (edge.source == nullptr) return step;
+    step.before = edge.source->state.inputs;
     if (!is_one_at_a_time()) return step;
-    auto before = inputs_before(assumptions_, departure.node->pair.inputs, inputs);
+    auto before = inputs_before(assumptions_, edge.source->state.inputs, inputs);
     if (!before) return std::nullopt;
     step.before = std::move(*before);
     return step;
 }
 
-/// The steps in which the open input is closed that the netlist turns out to react to.
-void Exploration::close(const PathStep& step, const NetlistOutcome& outcome,
-                        std::vector<PathStep>& steps) {
-    for (const Logic value : {Logic::one, Logic::zero}) {
-        PathStep closed = step;
-        if (!outcome.split_before) closed.inputs[outcome.split] = value;
-        if (outcome.split_before || is_one_at_a_time()) closed.before[outcome.split] = value;
-        if (is_one_at_a_time() && assumptions_.can_hold(closed.inputs) &&
-            !assumptions_.can_hold(closed.before)) {
+/// The two halves of a case, by the unassigned input that the netlist turns out to react to.
+void Exploration::split_case(const PathStep& step, const UnknownCause& cause,
+                             std::vector<PathStep>& remaining) const {
+    const bool is_before = cause.kind == UnknownCause::Kind::unassigned_before;
+    for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
+        PathStep half = step;
+        if (!is_before) half.inputs[cause.input] = value;
+        if (is_before || is_one_at_a_time()) half.before[cause.input] = value;
+        if (is_one_at_a_time() && assumptions_.can_hold(half.inputs) &&
+            !assumptions_.can_hold(half.before)) {
             // It cannot have been so before, together with the inputs that change: it changes too.
-            closed.before[outcome.split] = ~value;
+            half.before[cause.input] = opposite(value);
         }
-        steps.push_back(std::move(closed));
+        remaining.push_back(std::move(half));
     }
 }
 
-/// Compares the netlist in a case of the reference, closing the open inputs it turns out to react
-/// to.
-void Exploration::compare(const Departure& departure, const ReferenceOutcome& expected) {
-    const Node* node = departure.node;
-    const PartialInputs& left = node == nullptr ? expected.inputs : node->pair.inputs;
+/// Compares the netlist in a case of the reference, split as far as the netlist needs it.
+void Exploration::compare(const Edge& edge, const ReferenceOutcome& expected) {
+    const PartialInputs& left =
+        edge.source == nullptr ? expected.inputs : edge.source->state.inputs;
     std::vector<PathStep> remaining;
-    if (auto step = step_to(departure, expected.inputs)) remaining.push_back(std::move(*step));
+    if (auto step = step_to(edge, expected.inputs)) remaining.push_back(std::move(*step));
     while (!remaining.empty() && !done_) {
         PathStep step = std::move(remaining.back());
         remaining.pop_back();
-        if (node == nullptr) step.before = step.inputs;
+        if (edge.source == nullptr) step.before = step.inputs;
         if (!assumptions_.can_hold(step.inputs) || !assumptions_.can_hold(step.before)) continue;
         if (!expected.stable) {
-            note_unstable(departure, step, expected);
-            exercised_.note(expected, step.inputs);
-            count(expected);
+            note_unstable(edge, step, expected);
+            record_case(expected, step);
             continue;
         }
-        NetlistOutcome outcome = gates_.run(departure.netlist(), left, step, expected);
-        switch (outcome.kind) {
-            case NetlistOutcome::Kind::broken_off:
-                done_ = true;
-                return;
-            case NetlistOutcome::Kind::open:
-                close(step, outcome, remaining);
-                continue;
-            default:
-                break;
-        }
-        count(expected);
-        exercised_.note(expected, step.inputs);
-        if (outcome.has_open_memory) explored_.result.has_open_memory = true;
-        if (outcome.kind == NetlistOutcome::Kind::agrees) {
-            arrive(departure, step, expected, std::move(outcome.state));
-        } else if (show_difference(departure, step)) {
+        NetlistOutcomes outcomes = netlist_.run(edge.netlist(), left, step, expected);
+        assert(!outcomes.empty());
+        const auto is = [](NetlistOutcome::Kind kind) {
+            return [kind](const NetlistOutcome& outcome) { return outcome.kind == kind; };
+        };
+        if (std::any_of(outcomes.begin(), outcomes.end(), is(NetlistOutcome::Kind::broken_off))) {
+            done_ = true;
             return;
         }
+        const auto unassigned =
+            std::find_if(outcomes.begin(), outcomes.end(), is(NetlistOutcome::Kind::unassigned));
+        if (unassigned != outcomes.end()) {
+            split_case(step, *unassigned->unknown, remaining);
+        } else {
+            record_case(expected, step);
+            follow(edge, step, expected, outcomes);
+        }
     }
 }
 
-void Exploration::write_key(PairState& pair) const {
-    pair.key.clear();
-    relevance_.append_key(pair.key, pair.reference);
-    pair.delays.append_key(pair.key);
-    for (const Logic value : pair.inputs) pair.key += static_cast<char>(value);
-    gates_.append_key(pair.key, pair.netlist);
+/// Every outcome of a case: on to a successor, or to a witness.
+void Exploration::follow(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
+                         NetlistOutcomes& outcomes) {
+    for (NetlistOutcome& outcome : outcomes) {
+        if (outcome.kind == NetlistOutcome::Kind::differs) {
+            if (show_difference(edge, step)) return;
+            continue;
+        }
+        if (outcome.unknown) explored_.result.has_uninitialised_memory = true;
+        add_successor(edge, step, expected, std::move(outcome.state));
+    }
 }
 
-void Exploration::arrive(const Departure& departure, const PathStep& step,
-                         const ReferenceOutcome& expected, SimulatorState&& netlist_state) {
-    PairState next{expected.state, std::move(netlist_state), step.inputs, {}, {}};
+void Exploration::encode(ProductState& state) const {
+    state.encoding.clear();
+    relevance_.encode(state.encoding, state.reference);
+    state.delays.encode(state.encoding);
+    for (const PartialInput value : state.inputs) state.encoding += static_cast<char>(value);
+    netlist_.encode(state.encoding, state.netlist);
+}
+
+void Exploration::add_successor(const Edge& edge, const PathStep& step,
+                                const ReferenceOutcome& expected, SimulatorState&& netlist_state) {
+    ProductState next{expected.state, std::move(netlist_state), step.inputs, {}, {}};
     const RunningDelays& before =
-        departure.node == nullptr ? RunningDelays(facts_) : departure.node->pair.delays;
+        edge.source == nullptr ? RunningDelays(facts_) : edge.source->state.delays;
     next.delays =
-        before.after(facts_, departure.ending.zone, next.reference, next.netlist, ways_.next());
-    write_key(next);
-    if (!seen_.add(next)) return;
-    forget_unread_inputs(next);
+        before.after(facts_, edge.ending.zone, next.reference, next.netlist, predecessors_.next());
+    encode(next);
+    if (!visited_.add(next)) return;
+    abstract_unread_inputs(next);
     if (next.inputs != step.inputs) {
-        write_key(next);
-        if (!seen_.add(next)) return;
+        encode(next);
+        if (!visited_.add(next)) return;
     }
-    counter_.note(next.reference.situation);
-    const std::uint32_t way = ways_.next();
-    ways_.add(departure.way(), step);
-    waiting_.push_back({std::move(next), way});
+    coverage_.record_situation(next.reference.situation);
+    const std::uint32_t number = predecessors_.next();
+    predecessors_.add(edge.predecessor(), step);
+    waiting_.push_back({std::move(next), number});
 }
 
-void Exploration::forget_unread_inputs(PairState& pair) {
+void Exploration::abstract_unread_inputs(ProductState& state) {
     std::vector<std::uint32_t> unread;
-    // Without modes Init, AUdur and AUdoux are 0 for ever.
-    const std::size_t changing = netlist_.has_modes ? pair.inputs.size() : grafcet_.inputs.size();
+    // Without modes Init, AUdur and AUdoux are always 0.
+    const std::size_t changing =
+        netlist_.has_modes() ? state.inputs.size() : grafcet_.inputs.size();
     if (netlist_.is_clocked()) {
         // Between two scans the reference reads no input.
         for (std::uint32_t i = 0; i < changing; ++i) {
-            if (pair.inputs[i] != Logic::unknown) unread.push_back(i);
+            if (state.inputs[i] != PartialInput::unassigned) unread.push_back(i);
         }
     } else {
-        unread = reference_.unread_inputs(pair.reference, pair.inputs);
+        unread = reference_.unread_inputs(state.reference, state.inputs);
         std::erase_if(unread, [&](std::uint32_t input) { return input >= changing; });
     }
     if (unread.empty()) return;
-    auto forgotten = gates_.forget(pair.netlist, unread);
-    if (!forgotten) {
+    auto abstracted = netlist_.abstracted(state.netlist, unread);
+    if (!abstracted) {
         // Together they matter to the netlist; some of them may not.
         std::vector<std::uint32_t> rest;
         for (const std::uint32_t input : unread) {
             rest.push_back(input);
-            if (auto more = gates_.forget(pair.netlist, rest)) {
-                forgotten = std::move(more);
+            if (auto more = netlist_.abstracted(state.netlist, rest)) {
+                abstracted = std::move(more);
             } else {
                 rest.pop_back();
             }
         }
         unread = std::move(rest);
     }
-    if (!forgotten) return;
-    for (const std::uint32_t input : unread) pair.inputs[input] = Logic::unknown;
-    pair.netlist = std::move(*forgotten);
+    if (!abstracted) return;
+    for (const std::uint32_t input : unread) state.inputs[input] = PartialInput::unassigned;
+    state.netlist = std::move(*abstracted);
 }
 
 /// Turns a difference into the witness, which ends the exploration; false where no run with real
-/// moments shows it.
-bool Exploration::show_difference(const Departure& departure, const PathStep& step) {
-    if (netlist_.is_clocked() ? show_after_scans(ways_.path(departure.way(), step))
-                              : show_after_instants(path_of_instants(departure, step))) {
+/// times shows it.
+bool Exploration::show_difference(const Edge& edge, const PathStep& step) {
+    if (netlist_.is_clocked() ? show_after_scans(predecessors_.path(edge.predecessor(), step))
+                              : show_after_instants(path_of_instants(edge, step))) {
         done_ = true;
         return true;
     }
     return false;
 }
 
-/// The way to a step of an asynchronous netlist, with no more changes at an instant than the plan
+/// The path to a step of an asynchronous netlist, with no more changes at an instant than the plan
 /// has.
-std::vector<PathStep> Exploration::path_of_instants(const Departure& departure,
-                                                    const PathStep& step) const {
-    std::vector<PathStep> path = ways_.path(departure.way(), step);
+std::vector<PathStep> Exploration::path_of_instants(const Edge& edge, const PathStep& step) const {
+    std::vector<PathStep> path = predecessors_.path(edge.predecessor(), step);
     if (!is_one_at_a_time()) return path;
     auto single = one_by_one(assumptions_, path, grafcet_.all_input_count());
     return single ? std::move(*single) : path;
 }
 
 bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
-    bool has_moments = false;
+    bool has_times = false;
     for (const Time gap : gaps_for(path)) {
         const auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap);
         if (!stimuli) continue;
-        has_moments = true;
-        explored_.result.witness = replay(grafcet_, netlist_, delays_, *stimuli, 0);
+        has_times = true;
+        explored_.result.witness = netlist_.replay(*stimuli, 0);
         if (explored_.result.witness) return true;
     }
-    if (!has_moments && plan_.passing == Passing::free) {
+    if (!has_times && plan_.passing == Passing::free) {
         explored_.needs_lengths = true;
         done_ = true;
     } else {
@@ -371,8 +378,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
 bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
     const auto scans = scans_for(grafcet_, assumptions_, path, plan_.period);
     if (scans) {
-        explored_.result.witness =
-            replay(grafcet_, netlist_, delays_, scans->stimuli, scans->period);
+        explored_.result.witness = netlist_.replay(scans->stimuli, scans->period);
         if (explored_.result.witness) return true;
         explored_.result.is_unexplained = true;
     } else if (plan_.passing == Passing::free) {
@@ -384,10 +390,10 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
     return false;
 }
 
-void Exploration::note_unstable(const Departure& departure, const PathStep& step,
+void Exploration::note_unstable(const Edge& edge, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (explored_.result.first_unstable) return;
-    const std::vector<PathStep> path = path_of_instants(departure, step);
+    const std::vector<PathStep> path = path_of_instants(edge, step);
     for (const Time gap : gaps_for(path)) {
         if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
             explored_.result.first_unstable =
@@ -399,9 +405,9 @@ void Exploration::note_unstable(const Departure& departure, const PathStep& step
 
 }  // namespace
 
-ExplorationResult explore(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+ExplorationResult explore(const Grafcet& grafcet, ExploredNetlist& netlist,
                           const CheckOptions& options, const ExplorationPlan& plan) {
-    return Exploration(grafcet, netlist, delays, options, plan).run();
+    return Exploration(grafcet, netlist, options, plan).run();
 }
 
 }  // namespace grafwire

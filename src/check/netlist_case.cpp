@@ -3,25 +3,76 @@
 // What a settled netlist remembers is little beside what it has of nets: the outputs of cells with
 // a memory, the nets on loops of gates (netlist/loops.h), and the operands of timers, since a delay
 // that runs knows where to. Every other net follows from these and the inputs. And of these again
-// only those count on which an X or an output can ever depend: a counter that nothing reads is
-// simulated with the rest, but two states that differ in nothing else are one.
+// only those count that are in the cone of influence of an X or an output: a counter that nothing
+// reads is simulated with the rest, but two states that differ in nothing else are one.
 //
-// Inputs that are open are simulated as unknown, which stands for any behaviour of theirs. Where
-// something that counts comes out unknown, one of the open inputs it stems from is to be closed.
+// Unassigned inputs are simulated as unknown, which stands for any behaviour of theirs (ternary
+// simulation: E. B. Eichelberger, "Hazard detection in combinational and sequential switching
+// circuits", IBM J. Res. Dev. 9, 1965; J. A. Brzozowski, C.-J. H. Seger, "Asynchronous Circuits",
+// 1995). Where something that counts comes out unknown, the outcome says why: an unassigned input
+// that it stems from, or nothing outside. As every gate here has one delay, gates leave nothing
+// open by themselves but memories that were never given a value; so any unassigned input that the
+// unknown nets depend on is taken for the cause, and only where there is none it is theirs.
 
 #include "check/netlist_case.h"
 
 #include <algorithm>
 
-#include "check/beside.h"
+#include "check/netlist_witness.h"
 #include "check/running_delays.h"
 #include "netlist/loops.h"
 
 namespace grafwire {
 
+namespace {
+
+/// The outcome where something that is compared is unknown.
+NetlistOutcome outcome_of_unknown(const UnknownCause& cause) {
+    NetlistOutcome outcome;
+    outcome.kind =
+        cause.is_of_an_input() ? NetlistOutcome::Kind::unassigned : NetlistOutcome::Kind::differs;
+    outcome.unknown = cause;
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> cone_of_influence(const Netlist& netlist,
+                                            const std::vector<NetId>& roots) {
+    const Table<NetId, CellId> drivers = drivers_of(netlist);
+    std::vector<std::uint8_t> relevant(netlist.net_count());
+    std::vector<NetId> waiting;
+    const auto add = [&](NetId net) {
+        if (relevant[index_of(net)] != 0) return;
+        relevant[index_of(net)] = 1;
+        waiting.push_back(net);
+    };
+    for (const NetId net : roots) add(net);
+    while (!waiting.empty()) {
+        const CellId driver = drivers[waiting.back()];
+        waiting.pop_back();
+        if (driver == no_cell) continue;
+        for (const NetId pin : netlist.pins_of(netlist.cells[driver])) add(pin);
+    }
+    return relevant;
+}
+
+std::vector<Time> timer_lengths(const Netlist& netlist) {
+    std::vector<Time> lengths;
+    for (const Cell& cell : netlist.cells) {
+        if (!is_timer(cell.type)) continue;
+        const auto& timing = netlist.timings[cell.timing];
+        lengths.push_back(timing.rise);
+        lengths.push_back(timing.fall);
+    }
+    return lengths;
+}
+
 NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                            const KeepGoing& keep_going)
-    : netlist_(netlist),
+    : grafcet_(grafcet),
+      netlist_(netlist),
+      delays_(delays),
       machine_(grafcet, netlist, delays),
       simulator_(machine_.simulator()),
       ports_(machine_.ports()),
@@ -33,7 +84,7 @@ NetlistCases::NetlistCases(const Grafcet& grafcet, const Netlist& netlist, const
     }
     compared_ = ports_.steps;
     compared_.insert(compared_.end(), ports_.outputs.begin(), ports_.outputs.end());
-    is_relevant_ = relevant_nets(netlist, compared_);
+    is_relevant_ = cone_of_influence(netlist, compared_);
     find_remembered_nets();
 }
 
@@ -67,23 +118,23 @@ std::vector<std::uint8_t> NetlistCases::relevant_timers() const {
 }
 
 /// Two bits a value.
-void NetlistCases::append_key(std::string& key, const SimulatorState& state) const {
+void NetlistCases::encode(std::string& encoding, const SimulatorState& state) const {
     unsigned packed = 1;
     const auto append = [&](Logic value) {
         packed = packed << 2U | static_cast<unsigned>(value);
         if (packed < 0x100U) return;
-        key += static_cast<char>(packed);
+        encoding += static_cast<char>(packed);
         packed = 1;
     };
     for (const NetId net : remembered_) append(state.values[index_of(net)]);
     for (std::size_t timer = 0; timer < state.due.size(); ++timer) {
         if (state.due[timer] != never) append(state.towards[timer]);
     }
-    key += static_cast<char>(packed);
+    encoding += static_cast<char>(packed);
 }
 
-std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
-                                                   const std::vector<std::uint32_t>& inputs) {
+std::optional<SimulatorState> NetlistCases::abstracted(const SimulatorState& state,
+                                                       const std::vector<std::uint32_t>& inputs) {
     simulator_.restore(state);
     begin_instant({});
     for (const std::uint32_t input : inputs) {
@@ -94,20 +145,21 @@ std::optional<SimulatorState> NetlistCases::forget(const SimulatorState& state,
     for (const NetId net : remembered_) {
         if (simulator_.value(net) != state.values[index_of(net)]) return std::nullopt;
     }
-    SimulatorState forgetful = kept_state();
-    if (forgetful.due != state.due) return std::nullopt;
-    return forgetful;
+    SimulatorState abstracted = kept_state();
+    if (abstracted.due != state.due) return std::nullopt;
+    return abstracted;
 }
 
 /// Power-up, initialisation, and the inputs of the first instant.
 Settling NetlistCases::start_up(const PathStep& step) {
-    Settling settling = machine_.start(step.inputs);
-    begin_instant(step.inputs);
+    const std::vector<Logic> inputs = logic_of(step.inputs);
+    Settling settling = machine_.start(inputs);
+    begin_instant(inputs);
     return settling;
 }
 
 /// The state left, with the change of the case.
-void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
+void NetlistCases::apply(const SimulatorState& start, const PartialInputs& left,
                          const PathStep& step) {
     if (step.ended.timers.empty()) {
         simulator_.restore(start);
@@ -116,18 +168,18 @@ void NetlistCases::leave(const SimulatorState& start, const PartialInputs& left,
         for (const std::uint32_t timer : step.ended.timers) with_due.due[timer] = 0;
         simulator_.restore(with_due);
     }
-    if (step.before != left) machine_.rest_under(step.before);
-    begin_instant(step.inputs);
+    if (step.before != left) machine_.rest_under(logic_of(step.before));
+    begin_instant(logic_of(step.inputs));
     if (!netlist_.is_clocked()) machine_.end_delays();
 }
 
-void NetlistCases::begin_instant(const PartialInputs& inputs) {
+void NetlistCases::begin_instant(const std::vector<Logic>& inputs) {
     instant_ = simulator_.now();
     machine_.begin_instant(instant_, inputs);
 }
 
-/// What is to be kept of the present state: the clock goes back to 0, and the moments of delays
-/// that began at the instant become their lengths.
+/// What is to be kept of the present state: the clock goes back to 0, and the ends of delays that
+/// began at the instant become their lengths.
 SimulatorState NetlistCases::kept_state() const {
     SimulatorState state = simulator_.save();
     state.now = 0;
@@ -146,19 +198,16 @@ bool NetlistCases::same(const BitTable& situation, const OutputValues& outputs) 
     return true;
 }
 
-/// Looks for an open input among what the nets depend on, backwards over all pins.
-bool NetlistCases::open_input_behind(const std::vector<NetId>& nets, const PartialInputs& inputs,
-                                     std::uint32_t& input) const {
+/// An unassigned input among what the nets depend on, looked for backwards over all pins.
+std::optional<std::uint32_t> NetlistCases::unassigned_input_behind(
+    const std::vector<NetId>& nets, const PartialInputs& inputs) const {
     std::vector<std::uint8_t> seen(netlist_.net_count());
     std::vector<NetId> waiting = nets;
     for (const NetId net : waiting) seen[index_of(net)] = 1;
     for (std::size_t next = 0; next < waiting.size(); ++next) {
         const NetId net = waiting[next];
         const std::uint32_t carried = input_of_net_[index_of(net)];
-        if (carried != none && inputs[carried] == Logic::unknown) {
-            input = carried;
-            return true;
-        }
+        if (carried != none && inputs[carried] == PartialInput::unassigned) return carried;
         if (drivers_[net] == no_cell) continue;
         for (const NetId pin : netlist_.pins_of(netlist_.cells[drivers_[net]])) {
             if (seen[index_of(pin)] == 0) {
@@ -167,32 +216,33 @@ bool NetlistCases::open_input_behind(const std::vector<NetId>& nets, const Parti
             }
         }
     }
-    return false;
+    return std::nullopt;
 }
 
-NetlistOutcome NetlistCases::blame(const std::vector<NetId>& nets, const PathStep& step) const {
-    NetlistOutcome outcome;
-    outcome.kind = NetlistOutcome::Kind::open;
-    if (open_input_behind(nets, step.inputs, outcome.split)) return outcome;
-    outcome.split_before = true;
-    if (open_input_behind(nets, step.before, outcome.split)) return outcome;
-    outcome.kind = NetlistOutcome::Kind::differs;
-    return outcome;
+/// Why some nets are unknown.
+UnknownCause NetlistCases::cause_of(const std::vector<NetId>& nets, const PathStep& step) const {
+    if (const auto input = unassigned_input_behind(nets, step.inputs)) {
+        return {UnknownCause::Kind::unassigned_input, *input};
+    }
+    if (const auto input = unassigned_input_behind(nets, step.before)) {
+        return {UnknownCause::Kind::unassigned_before, *input};
+    }
+    return {};
 }
 
 NetlistOutcome NetlistCases::not_settled(const Settling& settling, const PathStep& step) const {
-    if (!settling.broken_off) return blame(settling.oscillating, step);
+    if (!settling.broken_off) return outcome_of_unknown(cause_of(settling.oscillating, step));
     NetlistOutcome outcome;
     outcome.kind = NetlistOutcome::Kind::broken_off;
     return outcome;
 }
 
 /// Compares what the netlist shows, settled, with what it should.
-NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues& outputs,
-                                  const PathStep& step) const {
+NetlistOutcome NetlistCases::compare(const BitTable& situation, const OutputValues& outputs,
+                                     const PathStep& step) const {
     NetlistOutcome outcome;
-    // A memory that no open input explains has never been given a value. That matters once an X
-    // or an output depends on it, and may stay so until then.
+    // A memory that no unassigned input explains has never been given a value. That matters once an
+    // X or an output depends on it, and may stay so until then.
     std::vector<NetId> unknown;
     for (const std::vector<NetId>* nets : {&compared_, &remembered_}) {
         for (const NetId net : *nets) {
@@ -200,26 +250,32 @@ NetlistOutcome NetlistCases::look(const BitTable& situation, const OutputValues&
         }
     }
     if (!unknown.empty()) {
-        outcome = blame(unknown, step);
-        if (outcome.kind == NetlistOutcome::Kind::open) return outcome;
+        outcome = outcome_of_unknown(cause_of(unknown, step));
+        if (outcome.kind == NetlistOutcome::Kind::unassigned) return outcome;
         const bool is_visible =
             std::find(compared_.begin(), compared_.end(), unknown.front()) != compared_.end();
         if (is_visible) return outcome;
-        outcome.has_open_memory = true;
     }
     outcome.kind =
         same(situation, outputs) ? NetlistOutcome::Kind::agrees : NetlistOutcome::Kind::differs;
     return outcome;
 }
 
-NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInputs& left,
-                                 const PathStep& step, const ReferenceOutcome& expected) {
+NetlistOutcomes NetlistCases::run(const SimulatorState* start, const PartialInputs& left,
+                                  const PathStep& step, const ReferenceOutcome& expected) {
+    NetlistOutcomes outcomes;
+    outcomes.push_back(outcome_of(start, left, step, expected));
+    return outcomes;
+}
+
+NetlistOutcome NetlistCases::outcome_of(const SimulatorState* start, const PartialInputs& left,
+                                        const PathStep& step, const ReferenceOutcome& expected) {
     Settling settling;
     if (start == nullptr) {
         settling = start_up(step);
         if (!settling.settled) return not_settled(settling, step);
     } else {
-        leave(*start, left, step);
+        apply(*start, left, step);
     }
     if (netlist_.is_clocked()) return clock(step, expected);
     settling = machine_.settle();
@@ -227,23 +283,28 @@ NetlistOutcome NetlistCases::run(const SimulatorState* start, const PartialInput
     return after_gates(step, expected);
 }
 
+std::optional<Witness> NetlistCases::replay(const Stimuli& stimuli, Time period) const {
+    return grafwire::replay(grafcet_, netlist_, delays_, stimuli, period);
+}
+
 /// What is to be compared, and kept, once the gates have come to rest.
 NetlistOutcome NetlistCases::after_gates(const PathStep& step, const ReferenceOutcome& expected) {
-    NetlistOutcome outcome = look(expected.state.situation, expected.outputs, step);
+    NetlistOutcome outcome = compare(expected.state.situation, expected.outputs, step);
     if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();
     return outcome;
 }
 
-/// An open input behind a loop of gates that is unknown: in two values it may run round and round.
-std::optional<NetlistOutcome> NetlistCases::open_input_of_loops(const PathStep& step) const {
+/// An unassigned input behind a loop of gates that is unknown: in two values it may run round and
+/// round.
+std::optional<NetlistOutcome> NetlistCases::unassigned_input_of_loops(const PathStep& step) const {
     std::vector<NetId> unknown;
     for (const NetId net : on_loops_) {
         if (simulator_.value(net) == Logic::unknown) unknown.push_back(net);
     }
     if (unknown.empty()) return std::nullopt;
-    const NetlistOutcome outcome = blame(unknown, step);
-    if (outcome.kind != NetlistOutcome::Kind::open) return std::nullopt;
-    return outcome;
+    const UnknownCause cause = cause_of(unknown, step);
+    if (!cause.is_of_an_input()) return std::nullopt;
+    return outcome_of_unknown(cause);
 }
 
 /// A clock cycle. Loops of gates have to come to rest before each of its edges, which may hide that
@@ -252,7 +313,7 @@ NetlistOutcome NetlistCases::clock(const PathStep& step, const ReferenceOutcome&
     Settling settling = simulator_.settle();
     if (!settling.settled) return not_settled(settling, step);
     for (const Logic level : {Logic::one, Logic::zero}) {
-        if (const auto open = open_input_of_loops(step)) return *open;
+        if (const auto unassigned = unassigned_input_of_loops(step)) return *unassigned;
         settling = simulator_.set_clock(level);
         if (!settling.settled) return not_settled(settling, step);
     }

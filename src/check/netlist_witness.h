@@ -1,13 +1,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <vector>
 
+#include "check/check_result.h"
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"
-#include "text/language.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -22,5 +22,10 @@ Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::Initial
 /// nothing where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli, Time period);
+
+/// A witness of the same netlist that changes as few inputs as possible: none of its changes can be
+/// left out. `options` say what may happen in one instant of it, and how long to look.
+Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                         Witness witness, const CheckOptions& options);
 
 }  // namespace grafwire

@@ -11,24 +11,39 @@
 
 namespace grafwire {
 
-/// One value for every input of a GRAFCET (declared inputs, Init, AUdur, AUdoux), some of them left
-/// open: `Logic::unknown` stands for "0 or 1, it does not matter which".
-using PartialInputs = std::vector<Logic>;
+/// What a case says of an input. `unassigned` is a don't-care: the case stands for both values. It
+/// is not `Logic::unknown`, which is what a simulation makes of a value it cannot tell.
+enum class PartialInput : std::uint8_t { zero, one, unassigned };
 
-/// All open; but Init, AUdur and AUdoux are 0 where a device has no modes.
-PartialInputs open_inputs(const Grafcet& grafcet, bool has_modes);
+/// The other value; unassigned stays unassigned.
+PartialInput opposite(PartialInput value);
+inline PartialInput assigned(bool value) {
+    return value ? PartialInput::one : PartialInput::zero;
+}
 
-/// The assumptions of a GRAFCET, asked about inputs that are partly open. The GRAFCET must outlive
-/// it.
+/// A value for every input of a GRAFCET (declared inputs, Init, AUdur, AUdoux), some unassigned.
+using PartialInputs = std::vector<PartialInput>;
+
+/// What a simulation in three values is given for them.
+Logic logic_of(PartialInput value);
+std::vector<Logic> logic_of(const PartialInputs& inputs);
+
+/// All assigned.
+PartialInputs assigned_inputs(const InputValues& values);
+
+/// None assigned; but Init, AUdur and AUdoux are 0 where a device has no modes.
+PartialInputs unassigned_inputs(const Grafcet& grafcet, bool has_modes);
+
+/// The assumptions of a GRAFCET, asked about partial inputs. The GRAFCET must outlive it.
 class Assumptions {
   public:
     explicit Assumptions(const Grafcet& grafcet);
 
-    /// Whether the open inputs can be given values so that every assumption holds.
+    /// Whether the unassigned inputs can be given values so that every assumption holds.
     bool can_hold(const PartialInputs& inputs) const;
 
-    /// Values for all inputs under which every assumption holds; an open input that no assumption
-    /// decides takes its `preferred` value. Empty where there are none.
+    /// Values for all inputs under which every assumption holds; an unassigned input that no
+    /// assumption decides takes its `preferred` value. Empty where there are none.
     std::optional<InputValues> complete(const PartialInputs& inputs,
                                         const InputValues& preferred) const;
 
@@ -46,8 +61,20 @@ class Assumptions {
     mutable PlantConditions plant_;
     /// The last solutions found, each with a value for every mentioned input: most questions are
     /// answered by one of them.
-    mutable std::vector<std::vector<Logic>> solutions_;
+    mutable std::vector<PartialInputs> solutions_;
     mutable std::size_t oldest_ = 0;
 };
+
+/// The inputs after each change of a single one that is assigned. Where the assumptions let an
+/// input change only together with another (of two complementary contacts), the two change.
+/// `has_modes`: whether Init, AUdur and AUdoux can change.
+std::vector<PartialInputs> single_changes(const Assumptions& assumptions,
+                                          const PartialInputs& inputs, bool has_modes);
+
+/// What the inputs were before a single change led to `inputs`, from a state whose inputs were
+/// `left`: those unassigned there had the value they have now, unless the assumptions force one of
+/// them to change with it. Nothing where they allow no such change.
+std::optional<PartialInputs> inputs_before(const Assumptions& assumptions,
+                                           const PartialInputs& left, const PartialInputs& inputs);
 
 }  // namespace grafwire

@@ -26,10 +26,10 @@ struct RunningDelay {
     bool ends = false;  ///< at this instant, or by this scan; or it goes on beyond it
 };
 
-/// One step of a way through the exploration: inputs that change and delays that end, all at one
-/// instant or scan.
+/// One step of a path through the product states: inputs that change and delays that end, all at
+/// one instant or scan.
 struct PathStep {
-    PartialInputs before;  ///< what the inputs were in the state left (open: any)
+    PartialInputs before;  ///< what the inputs were in the state left (unassigned: any)
     PartialInputs inputs;  ///< what they become
     EndedDelays ended;
     std::vector<RunningDelay> running;  ///< the delays of both sides when the instant comes
@@ -38,19 +38,19 @@ struct PathStep {
 /// What leads from some values of the inputs to others.
 std::vector<Stimuli::Assignment> differences(const InputValues& from, const InputValues& to);
 
-/// Finds moments and full input values for a path, so that exactly the delays that are to end do
-/// so, and instants are at least `gap` apart; nothing where that cannot be. Instants are numbered
-/// from 0 in the order of the path.
+/// Finds times and full input values for a path, so that exactly the delays that are to end do so,
+/// and instants are at least `gap` apart; nothing where that cannot be. Instants are numbered from
+/// 0 in the order of the path.
 std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& assumptions,
                                    const std::vector<PathStep>& path, Time gap);
 
-/// The gaps worth trying, from one that people like to read to the smallest that can be needed: if
-/// a path is possible at all, it is so with the last.
+/// The gaps worth trying, from one that is easy to read to the smallest that can be needed: if a
+/// path is possible at all, it is so with the last.
 std::vector<Time> gaps_for(const std::vector<PathStep>& path);
 
-/// The path with all inputs given values and at most one of them changing at an instant, as far as
-/// the assumptions allow that; what changes without an effect gets instants of its own. Nothing
-/// where the assumptions allow no values.
+/// The path with all inputs assigned and at most one of them changing at an instant, as far as the
+/// assumptions allow that; what changes without an effect gets instants of its own. Nothing where
+/// the assumptions allow no values.
 std::optional<std::vector<PathStep>> one_by_one(const Assumptions& assumptions,
                                                 const std::vector<PathStep>& path,
                                                 std::size_t input_count);

@@ -1,21 +1,24 @@
 // Which inputs have to be varied.
 //
 // A GRAFCET with 15 inputs has 2^15 input vectors, hence 2^15 ways to leave every state; but in a
-// given situation nearly all inputs are read by nobody. So inputs are left open until somebody
-// reads them: the reference runs with open inputs as 0 and notes which of them it consulted. Its
-// result is then that of every input vector that agrees on the consulted ones. The rest of the
-// vectors are split by those: with a, b consulted, the run stands for /a./b, and a and /a.b are
-// further cases, explored the same way. Together the cases are all vectors, each once.
+// given situation nothing reads nearly all of them. So inputs stay unassigned, as don't-cares,
+// until something reads them: the reference runs with unassigned inputs as 0 and notes which of
+// them it consulted. Its result is then that of every input vector that agrees on the consulted
+// ones. The rest of the vectors are split by those: with a, b consulted, the run stands for /a./b,
+// and a and /a.b are further cases, explored the same way. Together the cases are all vectors, each
+// once (a cover by disjoint cubes, found as in a search that branches on demand).
 //
 // Sound for the reference because what was not consulted cannot have influenced the result (the
 // evolution reads an input only where its value is used). It covers transient situations too: an
 // input that is read only in a step passed on the way is consulted there. Inputs read by edges and
-// time conditions are consulted in every scan, so their memories never depend on an open input.
+// time conditions are consulted in every scan, so their memories never depend on an unassigned
+// input.
 //
-// Sound for the netlist because there the open inputs are simulated as unknown, and whatever comes
-// out known is the same for both values; where an X, an output or a memory comes out unknown, the
-// check closes the input it stems from and compares both cases (check_equivalence.cpp). So a wrong
-// netlist that reacts to an input where the GRAFCET does not is found as well.
+// Sound for the netlist because there the unassigned inputs are simulated as unknown, and whatever
+// comes out known is the same for both values; where an X, an output or a memory comes out unknown,
+// the exploration splits the case by the input it stems from and compares both halves
+// (exploration.cpp). So a wrong netlist that reacts to an input where the GRAFCET does not is found
+// as well.
 
 #include "check/reference_case.h"
 
@@ -25,23 +28,23 @@ namespace grafwire {
 
 namespace {
 
-/// What the reference reads in a case: open inputs as 0, and which inputs it looks at.
+/// What the reference reads in a case: unassigned inputs as 0, and which inputs it looks at.
 struct CaseInputs {
     explicit CaseInputs(const PartialInputs& inputs)
         : partial(inputs), values(inputs.size()), consulted(inputs.size()) {
-        for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == Logic::one;
+        for (std::size_t i = 0; i < inputs.size(); ++i) values[i] = inputs[i] == PartialInput::one;
     }
     EvolutionInputs read(std::vector<std::uint8_t>* cleared = nullptr) {
         return {values, &consulted, cleared};
     }
 
-    /// Tells an outcome which open inputs were looked at.
-    void close(ReferenceOutcome& outcome) const {
+    /// Tells an outcome which unassigned inputs were looked at.
+    void assign_consulted(ReferenceOutcome& outcome) const {
         outcome.inputs = partial;
         for (std::uint32_t i = 0; i < partial.size(); ++i) {
-            if (consulted[i] == 0 || partial[i] != Logic::unknown) continue;
-            outcome.inputs[i] = Logic::zero;
-            outcome.closed.push_back(i);
+            if (consulted[i] == 0 || partial[i] != PartialInput::unassigned) continue;
+            outcome.inputs[i] = PartialInput::zero;
+            outcome.assigned.push_back(i);
         }
     }
 
@@ -62,7 +65,7 @@ struct Case {
     }
     ReferenceOutcome finish(const Evolution& evolution) {
         if (outcome.stable) outcome.outputs = evolution.outputs(outcome.state, read);
-        given.close(outcome);
+        given.assign_consulted(outcome);
         return std::move(outcome);
     }
 
@@ -109,7 +112,7 @@ std::vector<std::uint32_t> ReferenceCases::unread_inputs(const EvolutionState& s
     evolution_.scan(again, given.read(), 0);
     std::vector<std::uint32_t> unread;
     for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-        if (given.consulted[i] == 0 && inputs[i] != Logic::unknown) unread.push_back(i);
+        if (given.consulted[i] == 0 && inputs[i] != PartialInput::unassigned) unread.push_back(i);
     }
     return unread;
 }
@@ -128,10 +131,10 @@ void for_each_case(const Assumptions& assumptions, const PartialInputs& inputs,
             return;
         }
         PartialInputs other = some;
-        for (const std::uint32_t input : outcome.closed) {
-            other[input] = Logic::one;
+        for (const std::uint32_t input : outcome.assigned) {
+            other[input] = PartialInput::one;
             remaining.push_back(other);
-            other[input] = Logic::zero;
+            other[input] = PartialInput::zero;
         }
         if (assumptions.can_hold(outcome.inputs) && !visit(outcome)) return;
     }

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "check/check_result.h"
-#include "check/told_witness.h"
 #include "grafcet/grafcet.h"
 #include "text/diagnostics.h"
 #include "text/language.h"
@@ -42,6 +42,18 @@ struct CheckSubject {
     bool is_scanned() const { return !period.empty(); }
 };
 
+/// A witness explained, as the reports show it.
+struct ExplainedWitness {
+    std::string text;   ///< for people, in their language, of a length to be read
+    std::string cause;  ///< the identifier of a known cause (`two-step-loop`), or empty
+    std::vector<std::string> lines;  ///< for programs: all of it, in English, line by line
+    /// What memories hold at power-up, by the names of their nets, where the difference needs it.
+    std::vector<std::pair<std::string, bool>> power_up;
+};
+
+/// The lines of a text, without their ends.
+std::vector<std::string> lines_of(std::string_view text);
+
 /// As the reports for programs write them.
 std::string_view name_of(Verdict verdict);
 std::string_view name_of(DifferenceKind kind);
@@ -49,16 +61,18 @@ std::string_view name_of(DifferenceKind kind);
 /// The report for people: the verdict and what it rests on, coverage, remarks, the witness and what
 /// it shows.
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result, const ToldWitness& told, Language language);
+                             const CheckResult& result, const ExplainedWitness& explained,
+                             Language language);
 
 /// The report for programs; its form is that of report.schema.json. Not a matter of language.
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result, const ToldWitness& told = {});
+                             const CheckResult& result, const ExplainedWitness& explained = {});
 
 /// One JUnit test suite with one test case: equivalent passes, different fails, undecided is an
 /// error. In English. `seconds`: what the check took.
 std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafcet,
-                              const CheckResult& result, const ToldWitness& told, double seconds);
+                              const CheckResult& result, const ExplainedWitness& explained,
+                              double seconds);
 
 /// The same of a check that could not be made: an error, with the messages that say why. Of the
 /// subject, file and name count.

@@ -1,5 +1,5 @@
-// The report of a check for programs. Its keys and values do not depend on the language; whoever
-// adds one adds it to report.schema.json, against which the tests hold every report.
+// The report of a check for programs. Its keys and values do not depend on the language. Each is
+// described in report.schema.json, against which the tests hold every report.
 
 #include <nlohmann/json.hpp>
 
@@ -128,8 +128,8 @@ Json value_of(Logic value) {
     return value == Logic::one ? 1 : 0;
 }
 
-Json told_witness(const Witness& witness, const CheckSubject& subject, const Grafcet& grafcet,
-                  const ToldWitness& told) {
+Json explained_witness(const Witness& witness, const CheckSubject& subject, const Grafcet& grafcet,
+                       const ExplainedWitness& explained) {
     Json json;
     json["kind"] = name_of(witness.kind);
     json["stimuli"] = write_stimuli(witness.stimuli, grafcet);
@@ -139,13 +139,13 @@ Json told_witness(const Witness& witness, const CheckSubject& subject, const Gra
         json["expected"][value.name] = value_of(value.expected);
         json["got"][value.name] = value_of(value.got);
     }
-    if (!told.power_up.empty()) {
-        for (const auto& [net, value] : told.power_up) json["power_up"][net] = value ? 1 : 0;
+    if (!explained.power_up.empty()) {
+        for (const auto& [net, value] : explained.power_up) json["power_up"][net] = value ? 1 : 0;
     }
     if (witness.scan_period != 0) json["scan"] = format_duration(witness.scan_period);
     json["cause"] = nullptr;
-    if (!told.cause.empty()) json["cause"] = told.cause;
-    json["story"] = told.story;
+    if (!explained.cause.empty()) json["cause"] = explained.cause;
+    json["story"] = explained.lines;
     json["files"] = subject.witness_files;
     return json;
 }
@@ -153,7 +153,7 @@ Json told_witness(const Witness& witness, const CheckSubject& subject, const Gra
 }  // namespace
 
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result, const ToldWitness& told) {
+                             const CheckResult& result, const ExplainedWitness& explained) {
     Json json;
     json["grafwire"] = version();
     json["chart"] = grafcet.name;
@@ -168,7 +168,8 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
     json["diagnostics"] = diagnostics(subject.warnings);
     json["never"] = never_exercised(result.never, grafcet);
     json["witness"] = nullptr;
-    if (result.witness) json["witness"] = told_witness(*result.witness, subject, grafcet, told);
+    if (result.witness)
+        json["witness"] = explained_witness(*result.witness, subject, grafcet, explained);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

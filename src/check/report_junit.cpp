@@ -5,37 +5,11 @@
 
 #include "check/report.h"
 #include "text/utf8.h"
+#include "text/xml.h"
 
 namespace grafwire {
 
 namespace {
-
-std::string xml_escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\n':
-                result += "&#10;";
-                break;
-            default:
-                // XML 1.0 has no place for other control characters.
-                result += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? '?' : c;
-        }
-    }
-    return result;
-}
 
 enum class Outcome { passed, failed, error };
 
@@ -48,14 +22,14 @@ std::string suite(const CheckSubject& subject, Outcome outcome, std::string_view
         "time=\"{:.3f}\">\n",
         outcome == Outcome::failed ? 1 : 0, outcome == Outcome::error ? 1 : 0, seconds);
     text += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-                        xml_escaped(visible(subject.file)), xml_escaped(visible(subject.name)),
+                        xml_attribute(visible(subject.file)), xml_attribute(visible(subject.name)),
                         seconds);
     if (outcome == Outcome::passed) {
-        text += fmt::format("    <system-out>{}</system-out>\n", xml_escaped(details));
+        text += fmt::format("    <system-out>{}</system-out>\n", xml_attribute(details));
     } else {
         const std::string_view element = outcome == Outcome::failed ? "failure" : "error";
         text += fmt::format("    <{} message=\"{}\">{}</{}>\n", element, message,
-                            xml_escaped(details), element);
+                            xml_attribute(details), element);
     }
     return text + "  </testcase>\n</testsuite>\n";
 }
@@ -63,9 +37,10 @@ std::string suite(const CheckSubject& subject, Outcome outcome, std::string_view
 }  // namespace
 
 std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafcet,
-                              const CheckResult& result, const ToldWitness& told, double seconds) {
-    ToldWitness in_english = told;
-    in_english.text = fmt::format("{}\n", fmt::join(told.story, "\n"));
+                              const CheckResult& result, const ExplainedWitness& explained,
+                              double seconds) {
+    ExplainedWitness in_english = explained;
+    in_english.text = fmt::format("{}\n", fmt::join(explained.lines, "\n"));
     const std::string details =
         write_check_text(subject, grafcet, result, in_english, Language::english);
     switch (result.verdict) {

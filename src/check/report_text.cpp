@@ -42,24 +42,24 @@ class TextReport {
           result_(result),
           french_(language == Language::french) {}
 
-    std::string make(const ToldWitness& told) {
-        tell_verdict();
-        tell_foundation();
-        tell_coverage();
-        tell_never();
-        tell_why_undecided();
-        tell_unstable();
-        tell_together();
-        tell_witness(told);
+    std::string make(const ExplainedWitness& explained) {
+        write_verdict();
+        write_foundation();
+        write_coverage();
+        write_never();
+        write_why_undecided();
+        write_unstable();
+        write_together();
+        write_witness(explained);
         return std::move(text_);
     }
 
   private:
-    std::string_view choose(std::string_view english, std::string_view french) const {
+    std::string_view localized(std::string_view english, std::string_view french) const {
         return french_ ? french : english;
     }
     void add(std::string_view english, std::string_view french) {
-        text_ += choose(english, french);
+        text_ += localized(english, french);
     }
     void add_stimuli(const Stimuli& stimuli) {
         text_ += indented(write_stimuli(stimuli, grafcet_));
@@ -67,23 +67,23 @@ class TextReport {
     /// `key: value`, as each language spaces it.
     std::string pair(std::string_view english, std::string_view french,
                      std::string_view value) const {
-        return fmt::format("{}{} {}", choose(english, french), choose(":", " :"), value);
+        return fmt::format("{}{} {}", localized(english, french), localized(":", " :"), value);
     }
 
     std::string_view verdict() const;
     std::string compared_with() const;
     std::string assumptions() const;
     std::string_view power_up() const;
-    void tell_verdict();
-    void tell_foundation();
-    void tell_coverage();
-    void tell_never();
-    void tell_why_undecided();
-    void tell_unstable();
-    void tell_together();
-    void tell_not_together(const Together& together);
-    void tell_witness(const ToldWitness& told);
-    void tell_kind(const Witness& witness);
+    void write_verdict();
+    void write_foundation();
+    void write_coverage();
+    void write_never();
+    void write_why_undecided();
+    void write_unstable();
+    void write_together();
+    void write_not_together(const Together& together);
+    void write_witness(const ExplainedWitness& explained);
+    void write_kind(const Witness& witness);
 
     const CheckSubject& subject_;
     const Grafcet& grafcet_;
@@ -95,11 +95,11 @@ class TextReport {
 std::string_view TextReport::verdict() const {
     switch (result_.verdict) {
         case Verdict::equivalent:
-            return choose("equivalent", "équivalent");
+            return localized("equivalent", "équivalent");
         case Verdict::different:
-            return choose("different", "différent");
+            return localized("different", "différent");
         case Verdict::undecided:
-            return choose("undecided", "indécis");
+            return localized("undecided", "indécis");
     }
     return "";
 }
@@ -109,7 +109,7 @@ std::string TextReport::compared_with() const {
         return fmt::format("style {}, CDX {}", subject_.style, subject_.cdx);
     return fmt::format(
         "{} {}",
-        subject_.is_program ? choose("program", "programme") : choose("netlist", "câblage"),
+        subject_.is_program ? localized("program", "programme") : localized("netlist", "câblage"),
         visible(subject_.against));
 }
 
@@ -118,7 +118,7 @@ std::string TextReport::assumptions() const {
     for (const Assumption& assumption : grafcet_.assumptions) {
         texts.push_back(write_expression(grafcet_, grafcet_.expressions, assumption.expression));
     }
-    return texts.empty() ? std::string(choose("none", "aucune")) : names_text(texts);
+    return texts.empty() ? std::string(localized("none", "aucune")) : names_text(texts);
 }
 
 std::string_view TextReport::power_up() const {
@@ -126,59 +126,60 @@ std::string_view TextReport::power_up() const {
         case PowerUp::init:
             return "Init";
         case PowerUp::initial_values:
-            return choose("initial values", "valeurs initiales");
+            return localized("initial values", "valeurs initiales");
         case PowerUp::given:
-            return choose("initial situation, taken as given",
-                          "situation initiale, supposée donnée");
+            return localized("initial situation, taken as given",
+                             "situation initiale, supposée donnée");
         case PowerUp::unknown:
-            return choose("unknown", "inconnue");
+            return localized("unknown", "inconnue");
     }
     return "";
 }
 
-void TextReport::tell_verdict() {
+void TextReport::write_verdict() {
     text_ += fmt::format("{}: {} ({})\n", visible(subject_.file), verdict(), compared_with());
 }
 
-void TextReport::tell_foundation() {
+void TextReport::write_foundation() {
     std::vector<std::string> parts;
     if (!subject_.is_program) {
-        parts.push_back(pair("delays", "retards", choose("every gate 1 ns", "1 ns par porte")));
+        parts.push_back(pair("delays", "retards", localized("every gate 1 ns", "1 ns par porte")));
     }
     if (subject_.changes) {
-        parts.push_back(pair("changes", "changements",
-                             *subject_.changes == Changes::one
-                                 ? choose("one input at a time", "une entrée à la fois")
-                                 : choose("many inputs at once", "plusieurs entrées à la fois")));
+        parts.push_back(
+            pair("changes", "changements",
+                 *subject_.changes == Changes::one
+                     ? localized("one input at a time", "une entrée à la fois")
+                     : localized("many inputs at once", "plusieurs entrées à la fois")));
     }
     if (subject_.is_scanned()) {
         parts.push_back(pair("scan period", "période de scrutation",
-                             subject_.period == "every" ? choose("any", "quelconque")
+                             subject_.period == "every" ? localized("any", "quelconque")
                                                         : std::string_view(subject_.period)));
     }
     parts.push_back(pair("assumptions", "hypothèses", assumptions()));
     parts.push_back(pair("power-up", "mise sous tension", power_up()));
-    text_ += fmt::format("  {}\n", fmt::join(parts, choose("; ", " ; ")));
+    text_ += fmt::format("  {}\n", fmt::join(parts, localized("; ", " ; ")));
 }
 
 /// What is compared after every scan is so in unstable situations as well.
-void TextReport::tell_coverage() {
+void TextReport::write_coverage() {
     const Coverage& coverage = result_.coverage;
     if (subject_.is_scanned()) {
-        text_ += fmt::format(fmt::runtime(choose("  {} situations, {} scans compared\n",
-                                                 "  {} situations, {} cycles comparés\n")),
+        text_ += fmt::format(fmt::runtime(localized("  {} situations, {} scans compared\n",
+                                                    "  {} situations, {} cycles comparés\n")),
                              coverage.situations, coverage.cases);
         return;
     }
     text_ += fmt::format(
         fmt::runtime(
-            choose("  {} stable situations, {} cases compared, {} without a stable situation\n",
-                   "  {} situations stables, {} cas comparés, {} sans situation stable\n")),
+            localized("  {} stable situations, {} cases compared, {} without a stable situation\n",
+                      "  {} situations stables, {} cas comparés, {} sans situation stable\n")),
         coverage.situations, coverage.cases, coverage.unstable);
 }
 
 /// Nothing is said of what an exploration did not exercise that did not go to its end.
-void TextReport::tell_never() {
+void TextReport::write_never() {
     if (!result_.complete && !result_.depends_on_period) return;
     if (result_.verdict == Verdict::different) return;
     const NeverExercised& never = result_.never;
@@ -201,10 +202,10 @@ void TextReport::tell_never() {
     add_part("never cleared", "transitions jamais franchies", transitions);
     add_part("never changed", "entrées jamais changées", inputs);
     add_part("never on", "sorties jamais à 1", outputs);
-    if (!parts.empty()) text_ += fmt::format("  {}\n", fmt::join(parts, choose("; ", " ; ")));
+    if (!parts.empty()) text_ += fmt::format("  {}\n", fmt::join(parts, localized("; ", " ; ")));
 }
 
-void TextReport::tell_why_undecided() {
+void TextReport::write_why_undecided() {
     if (result_.verdict != Verdict::undecided) return;
     if (result_.depends_on_period) {
         add("  for no scan period could a difference be shown, nor excluded for every one: give "
@@ -222,18 +223,19 @@ void TextReport::tell_why_undecided() {
             "différence, sans qu'un essai la montre : lui donner une valeur initiale\n");
         return;
     }
-    text_ += fmt::format(
-        fmt::runtime(choose("  exploration incomplete within the bounds given: {} states reached "
-                            "are still to be left\n",
-                            "  exploration incomplète dans les limites données : {} états atteints "
-                            "restent à quitter\n")),
-        result_.coverage.waiting);
+    text_ +=
+        fmt::format(fmt::runtime(localized(
+                        "  exploration incomplete within the bounds given: {} states reached "
+                        "are still to be left\n",
+                        "  exploration incomplète dans les limites données : {} états atteints "
+                        "restent à quitter\n")),
+                    result_.coverage.waiting);
 }
 
-void TextReport::tell_unstable() {
+void TextReport::write_unstable() {
     if (!result_.first_unstable) return;
     text_ += fmt::format(
-        fmt::runtime(choose(
+        fmt::runtime(localized(
             "\nRemark: the GRAFCET itself has no stable situation here ({} keep changing):\n",
             "\nRemarque : le GRAFCET n'a pas de situation stable ici ({} changent sans cesse) "
             ":\n")),
@@ -241,7 +243,7 @@ void TextReport::tell_unstable() {
     add_stimuli(result_.first_unstable->stimuli);
 }
 
-void TextReport::tell_together() {
+void TextReport::write_together() {
     if (!result_.together) return;
     switch (result_.together->verdict) {
         case Verdict::equivalent:
@@ -249,7 +251,7 @@ void TextReport::tell_together() {
                 "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n");
             return;
         case Verdict::different:
-            tell_not_together(*result_.together);
+            write_not_together(*result_.together);
             return;
         case Verdict::undecided:
             add("\nRemark: whether it holds as well when many inputs change at once is undecided "
@@ -260,7 +262,7 @@ void TextReport::tell_together() {
     }
 }
 
-void TextReport::tell_not_together(const Together& together) {
+void TextReport::write_not_together(const Together& together) {
     add("\nRemark: it does not hold when many inputs change at once.\n",
         "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n");
     std::vector<std::string> names;
@@ -273,14 +275,15 @@ void TextReport::tell_not_together(const Together& together) {
         text_ += fmt::format(
             fmt::runtime(
                 together.with_delay
-                    ? choose("{} must not change within a settling time of the end of a delay. "
-                             "Otherwise:\n",
-                             "{} ne doit pas changer à moins d'un temps de stabilisation de la fin "
-                             "d'un retard. Sinon :\n")
-                    : choose("These must not change within a settling time of each other: {}. "
-                             "Otherwise:\n",
-                             "Ces entrées ne doivent pas changer à moins d'un temps de "
-                             "stabilisation d'intervalle : {}. Sinon :\n")),
+                    ? localized(
+                          "{} must not change within a settling time of the end of a delay. "
+                          "Otherwise:\n",
+                          "{} ne doit pas changer à moins d'un temps de stabilisation de la fin "
+                          "d'un retard. Sinon :\n")
+                    : localized("These must not change within a settling time of each other: {}. "
+                                "Otherwise:\n",
+                                "Ces entrées ne doivent pas changer à moins d'un temps de "
+                                "stabilisation d'intervalle : {}. Sinon :\n")),
             names_text(names));
     }
     if (together.witness) add_stimuli(together.witness->stimuli);
@@ -290,21 +293,21 @@ void TextReport::tell_not_together(const Together& together) {
     text_ += fmt::format("  assume {}\n", together.assumption);
 }
 
-void TextReport::tell_witness(const ToldWitness& told) {
+void TextReport::write_witness(const ExplainedWitness& explained) {
     if (!result_.witness) return;
     add("\nWitness:\n", "\nTémoin :\n");
     add_stimuli(result_.witness->stimuli);
-    for (const auto& [net, value] : told.power_up) {
-        text_ += fmt::format("  {}: {} = {}\n", choose("at power-up", "à la mise sous tension"),
+    for (const auto& [net, value] : explained.power_up) {
+        text_ += fmt::format("  {}: {} = {}\n", localized("at power-up", "à la mise sous tension"),
                              net, value ? 1 : 0);
     }
     text_ += '\n';
-    tell_kind(*result_.witness);
-    text_ += told.text;
+    write_kind(*result_.witness);
+    text_ += explained.text;
 }
 
-/// What the story does not say of some kinds of difference.
-void TextReport::tell_kind(const Witness& witness) {
+/// What the explanation does not say of some kinds of difference.
+void TextReport::write_kind(const Witness& witness) {
     if (witness.kind == DifferenceKind::power_up) {
         add("At power-up nothing brings the netlist into the initial situation. Give it an input "
             "Init or\ninitial values; or check with --power-up initial, if the plant guarantees "
@@ -321,10 +324,21 @@ void TextReport::tell_kind(const Witness& witness) {
 
 }  // namespace
 
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+        text.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
 std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet,
-                             const CheckResult& result, const ToldWitness& told,
+                             const CheckResult& result, const ExplainedWitness& explained,
                              Language language) {
-    return TextReport(subject, grafcet, result, language).make(told);
+    return TextReport(subject, grafcet, result, language).make(explained);
 }
 
 }  // namespace grafwire

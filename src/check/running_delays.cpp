@@ -1,3 +1,11 @@
+// Which delays run in a product state, which of them can end next, and what remains afterwards.
+//
+// The delays of both sides stand in one zone (zone.h), a place for each. A timer that began with
+// the time condition it stands for, and is as long, shares its place, so a netlist whose timers are
+// right costs no more places than the reference alone. All sets of delays that can end together are
+// found by tightening the zone delay by delay: "it ends" and "it runs on" are both tried, and what
+// leaves the zone empty is dropped at once.
+
 #include "check/running_delays.h"
 
 #include <numeric>
@@ -43,9 +51,9 @@ RunningDelays::Ending RunningDelays::ending(const Zone& zone, const std::vector<
 namespace {
 
 /// Of a delay that is running: it goes on where it was, or has just begun.
-Zone::Origin origin_of(std::uint32_t place, Time due, Time grain) {
+Zone::Origin origin_of(std::uint32_t place, Time due, Time quantum) {
     if (due == some_time) return {place, 0};
-    return {Zone::Origin::begins, due / grain};
+    return {Zone::Origin::begins, due / quantum};
 }
 
 Zone zone_after(const DelayFacts& facts, const Zone& at_instant,
@@ -58,7 +66,7 @@ Zone zone_after(const DelayFacts& facts, const Zone& at_instant,
         case Passing::to_a_scan:
             return at_instant.with(origins).at_a_scan();
         case Passing::by_a_period:
-            return at_instant.with(origins).after(facts.period / facts.grain);
+            return at_instant.with(origins).after(facts.period / facts.quantum);
     }
     return {};
 }
@@ -85,7 +93,7 @@ RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_insta
         Time& due = reference.due[k];
         if (facts.is_relevant_condition[k] == 0) due = never;
         if (due == never) continue;
-        const Zone::Origin origin = origin_of(of_condition_[k], due, facts.grain);
+        const Zone::Origin origin = origin_of(of_condition_[k], due, facts.quantum);
         next.of_condition_[k] = add(next, origins, origin, due, instant);
         due = some_time;
     }
@@ -93,7 +101,7 @@ RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_insta
         Time& due = netlist.due[i];
         if (facts.is_relevant_timer[i] == 0) due = never;
         if (due == never) continue;
-        const Zone::Origin origin = origin_of(of_timer_[i], due, facts.grain);
+        const Zone::Origin origin = origin_of(of_timer_[i], due, facts.quantum);
         const std::uint32_t shared = next.of_condition_[facts.condition_of_timer[i]];
         const bool shares = shared != none && origins[shared] == origin;
         next.of_timer_[i] = shares ? shared : add(next, origins, origin, due, instant);
@@ -103,30 +111,26 @@ RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_insta
     return next;
 }
 
-void RunningDelays::append_key(std::string& key) const {
+void RunningDelays::encode(std::string& encoding) const {
     std::uint32_t places = 0;
     for (const std::uint32_t place : of_condition_) {
-        key += place == none ? '.' : '!';
+        encoding += place == none ? '.' : '!';
         if (place != none) ++places;
     }
     // Timers with places of their own take them in order, so it is enough to say which do.
     for (const std::uint32_t place : of_timer_) {
-        key += place == none ? '.' : place < places ? '=' : '!';
+        encoding += place == none ? '.' : place < places ? '=' : '!';
     }
 }
 
-Time common_grain(const Grafcet& grafcet, const Netlist& netlist, Time period) {
-    Time grain = period;
+Time common_quantum(const Grafcet& grafcet, const std::vector<Time>& delays, Time period) {
+    Time quantum = period;
     for (const ExprId id : grafcet.expressions.time_conditions()) {
         const TimeCondition& condition = grafcet.expressions.time_condition_of(id);
-        grain = std::gcd(grain, std::gcd(condition.on_delay, condition.off_delay));
+        quantum = std::gcd(quantum, std::gcd(condition.on_delay, condition.off_delay));
     }
-    for (const Cell& cell : netlist.cells) {
-        if (!is_timer(cell.type)) continue;
-        const auto& timing = netlist.timings[cell.timing];
-        grain = std::gcd(grain, std::gcd(timing.rise, timing.fall));
-    }
-    return grain == 0 ? 1 : grain;
+    for (const Time delay : delays) quantum = std::gcd(quantum, delay);
+    return quantum == 0 ? 1 : quantum;
 }
 
 }  // namespace grafwire

@@ -9,13 +9,12 @@
 #include "check/zone.h"
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
-#include "netlist/netlist.h"
 #include "simulate/simulator.h"
 
 namespace grafwire {
 
-/// In the states that the exploration keeps, delays have no moment at which they end: `due` is
-/// `never` where none is running, else this. What remains of them is told by a Zone.
+/// In the states that the exploration keeps, delays have no time at which they end: `due` is
+/// `never` where none is running, else this. A Zone says what remains of them.
 inline constexpr Time some_time = never - 1;
 
 /// How time passes from one instant to the next, or from one scan to the next.
@@ -29,11 +28,11 @@ enum class Passing {
 /// What is known of the delays of both sides from the start.
 struct DelayFacts {
     Passing passing = Passing::free;
-    Time period = 0;  ///< of by_a_period
-    Time grain = 1;   ///< a duration that divides all lengths, and the period
+    Time period = 0;   ///< of by_a_period
+    Time quantum = 1;  ///< a duration that divides all lengths, and the period
     /// Per timer, the time condition it stands for.
     std::vector<std::uint32_t> condition_of_timer;
-    /// Whether anything that is compared depends on them. The others are left out.
+    /// Whether anything that is compared depends on them; the others are left out.
     std::vector<std::uint8_t> is_relevant_condition;
     std::vector<std::uint8_t> is_relevant_timer;
 };
@@ -72,11 +71,11 @@ class RunningDelays {
     RunningDelays after(const DelayFacts& facts, const Zone& at_instant, EvolutionState& reference,
                         SimulatorState& netlist, std::size_t instant) const;
 
-    /// Adds to a key what is not in the zone: which delays run, and which share a place.
-    void append_key(std::string& key) const;
+    /// Appends to an encoding what is not in the zone: which delays run, and which share a place.
+    void encode(std::string& encoding) const;
 
   private:
-    static constexpr std::uint32_t none = 0xffffffffU;
+    static constexpr std::uint32_t none = 0xffffffffU;  ///< no place: the delay is not running
     struct Delay {
         std::size_t begun;
         Time length;
@@ -93,8 +92,8 @@ class RunningDelays {
     Zone zone_;
 };
 
-/// The greatest duration that divides the lengths of all delays on both sides, and the period if
-/// one is given.
-Time common_grain(const Grafcet& grafcet, const Netlist& netlist, Time period);
+/// The greatest duration that divides the lengths of all delays, those of the GRAFCET and the given
+/// ones of the other side, and the period if it is not 0.
+Time common_quantum(const Grafcet& grafcet, const std::vector<Time>& delays, Time period);
 
 }  // namespace grafwire

@@ -1,51 +1,54 @@
-// Equivalence scan by scan, by exploration, breadth first, of the pairs (reference, device).
+// Equivalence scan by scan, by exploration, breadth first, of the product of reference and device.
 //
 // Reference and device are executed with one period, and a node is what both remember after a scan.
-// A case is the next scan under some inputs; if X and outputs agree after it, the pair reached is a
-// new node unless it has been seen. Time is real here, not free as in check_equivalence.cpp: what
-// remains of a running delay is part of the node, as a time; a device knows no instants between
-// its scans at which a delay could end, so with a period there are finitely many. That makes more
-// nodes, but every way through them is a run that `run --scan` repeats.
+// A case is the next scan under some inputs; if X and outputs agree after it, the state reached is
+// a new node unless it has been visited. Time is real here, not free as in exploration.cpp: what
+// remains of a running delay is part of the node, as a time; a device knows no instants between its
+// scans at which a delay could end, so with a period there are finitely many. That makes more
+// nodes, but every path through them is a run that `run --scan` repeats.
 //
 // Which inputs are varied: those that the reference looks at, as in reference_case.cpp, and those
-// that the device says it needs. All others are left open. Nothing is remembered of an open input
-// on either side, so a node holds no inputs: each scan is given its own.
+// that the device says it needs. All others stay unassigned. Nothing is remembered of an unassigned
+// input on either side, so a node holds no inputs: each scan is given its own.
 
 #include "check/scan_check.h"
 
 #include <algorithm>
 #include <cassert>
 #include <deque>
+#include <numeric>
 #include <unordered_set>
 
 #include "check/path.h"
 #include "check/reference_case.h"
-#include "check/relevance.h"
+#include "check/state_encoding.h"
+#include "evolution/run.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
 namespace {
 
-constexpr std::uint32_t no_parent = 0xffffffffU;
+constexpr std::uint32_t root = 0xffffffffU;  ///< before the first scan
 
 /// What both sides remember after a scan.
 struct Node {
     EvolutionState reference;
     std::string memory;
-    Time now = 0;  ///< the moment of that scan
-    std::uint32_t scan = no_parent;
+    Time now = 0;  ///< the time of that scan
+    std::uint32_t scan = root;
 };
 
-std::string key_of(const Node& node, const Relevance& relevance, const ScannedDevice& device) {
-    std::string key;
-    relevance.append_key(key, node.reference);
+std::string encoding_of(const Node& node, const Relevance& relevance, const ScannedDevice& device) {
+    std::string encoding;
+    relevance.encode(encoding, node.reference);
     for (std::size_t i = 0; i < node.reference.due.size(); ++i) {
         if (relevance.time_conditions()[i] == 0) continue;
         const Time due = node.reference.due[i];
         const Time remaining = due == never ? never : due - node.now;
-        key.append(reinterpret_cast<const char*>(&remaining), sizeof(remaining));
+        encoding.append(reinterpret_cast<const char*>(&remaining), sizeof(remaining));
     }
-    return key + device.key(node.memory, node.now);
+    return encoding + device.key(node.memory, node.now);
 }
 
 class ScanExploration {
@@ -59,32 +62,31 @@ class ScanExploration {
           reference_(evolution_, {}),
           relevance_(grafcet),
           assumptions_(grafcet),
-          exercised_(grafcet, assumptions_, device.has_modes()),
-          counter_(options, result_.coverage) {}
+          coverage_(grafcet, assumptions_, device.has_modes(), options, result_.coverage) {}
 
     CheckResult run() {
-        explore_scan(nullptr);
+        expand(nullptr);
         while (!done_ && !waiting_.empty()) {
             const Node node = std::move(waiting_.front());
             waiting_.pop_front();
-            explore_scan(&node);
+            expand(&node);
         }
-        result_.never = exercised_.never();
+        result_.never = coverage_.never_exercised();
         conclude(result_, waiting_.empty() && !done_, waiting_.size());
         return std::move(result_);
     }
 
   private:
-    /// A scan on the way to a node, and the one before.
+    /// A scan that led to a node, and its predecessor.
     struct Scan {
-        std::uint32_t before;
+        std::uint32_t predecessor;
         PartialInputs inputs;
     };
 
-    void explore_scan(const Node* node);
+    void expand(const Node* node);
     void compare(const Node* node, const ReferenceOutcome& expected);
-    void arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs);
-    void found_difference(std::uint32_t before, const PartialInputs& inputs);
+    void add_successor(Node&& next, std::uint32_t predecessor, const PartialInputs& inputs);
+    void show_difference(std::uint32_t predecessor, const PartialInputs& inputs);
     Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
     bool agree(const ReferenceOutcome& expected, const ScannedDevice::Outcome& got) const;
 
@@ -95,21 +97,20 @@ class ScanExploration {
     ReferenceCases reference_;
     Relevance relevance_;
     Assumptions assumptions_;
-    Exercised exercised_;
     std::deque<Node> waiting_;
-    std::unordered_set<std::string> seen_;
+    std::unordered_set<std::string> visited_;
     std::vector<Scan> scans_;
     CheckResult result_;
-    CaseCounter counter_;
+    CoverageRecorder coverage_;
     bool done_ = false;
 };
 
 /// All cases of the scan after a node, or of the first.
-void ScanExploration::explore_scan(const Node* node) {
+void ScanExploration::expand(const Node* node) {
     const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
     const Time now = node == nullptr ? 0 : node->now + period_;
     for_each_case(
-        assumptions_, open_inputs(grafcet_, device_.has_modes()),
+        assumptions_, unassigned_inputs(grafcet_, device_.has_modes()),
         [&](const PartialInputs& inputs) { return reference_.scan(start, inputs, now); },
         [&](const ReferenceOutcome& expected) {
             compare(node, expected);
@@ -117,11 +118,12 @@ void ScanExploration::explore_scan(const Node* node) {
         });
 }
 
-/// Compares the device in a case of the reference, closing the open inputs it turns out to need.
+/// Compares the device in a case of the reference, split by the unassigned inputs that the device
+/// turns out to need.
 void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected) {
     const std::string memory = node == nullptr ? device_.start() : node->memory;
     const Time now = node == nullptr ? 0 : node->now + period_;
-    const std::uint32_t before = node == nullptr ? no_parent : node->scan;
+    const std::uint32_t predecessor = node == nullptr ? root : node->scan;
     std::vector<PartialInputs> remaining{expected.inputs};
     while (!remaining.empty() && !done_) {
         PartialInputs inputs = std::move(remaining.back());
@@ -129,19 +131,18 @@ void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected
         if (!assumptions_.can_hold(inputs)) continue;
         ScannedDevice::Outcome got = device_.scan(memory, inputs, now);
         if (got.needs) {
-            assert(inputs[*got.needs] == Logic::unknown);
-            for (const Logic value : {Logic::one, Logic::zero}) {
+            assert(inputs[*got.needs] == PartialInput::unassigned);
+            for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
                 inputs[*got.needs] = value;
                 remaining.push_back(inputs);
             }
             continue;
         }
-        if (!counter_.count(true, waiting_.size())) done_ = true;
-        exercised_.note(expected, inputs);
+        if (!coverage_.record_case(expected, inputs, waiting_.size())) done_ = true;
         if (agree(expected, got)) {
-            arrive({expected.state, std::move(got.memory), now}, before, inputs);
+            add_successor({expected.state, std::move(got.memory), now}, predecessor, inputs);
         } else {
-            found_difference(before, inputs);
+            show_difference(predecessor, inputs);
         }
     }
 }
@@ -159,11 +160,12 @@ bool ScanExploration::agree(const ReferenceOutcome& expected,
     return same(expected.state.situation, got.steps) && same(expected.outputs, got.outputs);
 }
 
-void ScanExploration::arrive(Node&& next, std::uint32_t before, const PartialInputs& inputs) {
-    if (!seen_.insert(key_of(next, relevance_, device_)).second) return;
-    counter_.note(next.reference.situation);
+void ScanExploration::add_successor(Node&& next, std::uint32_t predecessor,
+                                    const PartialInputs& inputs) {
+    if (!visited_.insert(encoding_of(next, relevance_, device_)).second) return;
+    coverage_.record_situation(next.reference.situation);
     next.scan = static_cast<std::uint32_t>(scans_.size());
-    scans_.push_back({before, inputs});
+    scans_.push_back({predecessor, inputs});
     waiting_.push_back(std::move(next));
 }
 
@@ -183,14 +185,19 @@ Stimuli ScanExploration::stimuli_of(std::vector<PartialInputs> scans) const {
 
 /// Ends the exploration with the witness. A device whose outcome depends on something that it does
 /// not tell may fail to show the difference again; then the exploration ends without a verdict.
-void ScanExploration::found_difference(std::uint32_t before, const PartialInputs& inputs) {
+void ScanExploration::show_difference(std::uint32_t predecessor, const PartialInputs& inputs) {
     std::vector<PartialInputs> path{inputs};
-    for (std::uint32_t at = before; at != no_parent; at = scans_[at].before) {
+    for (std::uint32_t at = predecessor; at != root; at = scans_[at].predecessor) {
         path.push_back(scans_[at].inputs);
     }
     std::reverse(path.begin(), path.end());
     result_.witness = replay_scans(grafcet_, device_, stimuli_of(std::move(path)), period_);
     done_ = true;
+}
+
+std::int64_t shown(Logic value) {
+    if (value == Logic::unknown) return Trace::unknown;
+    return value == Logic::one ? 1 : 0;
 }
 
 }  // namespace
@@ -199,6 +206,46 @@ CheckResult check_scans(const Grafcet& grafcet, const ScannedDevice& device, Tim
                         const CheckOptions& options) {
     assert(period > 0);
     return ScanExploration(grafcet, device, period, options).run();
+}
+
+Time natural_period(const Grafcet& grafcet, const ScannedDevice& device) {
+    Time divisor = 0;
+    for (const Time delay : device.delays()) divisor = std::gcd(divisor, delay);
+    const auto conditions = grafcet.expressions.time_conditions();
+    for (const ExprId id : conditions) {
+        const TimeCondition& condition = grafcet.expressions.time_condition_of(id);
+        divisor = std::gcd(divisor, std::gcd(condition.on_delay, condition.off_delay));
+    }
+    if (divisor == 0) return 10 * millisecond;
+    return conditions.size() > 1 && divisor > 1 ? divisor / 2 : divisor;
+}
+
+Trace run_device(const Grafcet& grafcet, const ScannedDevice& device, const Stimuli& stimuli,
+                 Time period) {
+    Trace trace = empty_trace(grafcet);
+    StimuliPlayer player(stimuli, grafcet.all_input_count());
+    std::string memory = device.start();
+    for (Time now = 0;; now += period) {
+        player.advance(now);
+        const PartialInputs inputs = assigned_inputs(player.inputs());
+        ScannedDevice::Outcome outcome = device.scan(memory, inputs, now);
+        memory = std::move(outcome.memory);
+        trace.times.push_back(now);
+        for (const PartialInput input : inputs) trace.values.push_back(shown(logic_of(input)));
+        for (const std::vector<Logic>* values : {&outcome.steps, &outcome.outputs}) {
+            for (const Logic value : *values) trace.values.push_back(shown(value));
+        }
+        trace.values.resize(trace.times.size() * trace.columns.size(), Trace::unknown);
+        if (period > stimuli.end - now) return trace;
+    }
+}
+
+std::optional<Witness> replay_scans(const Grafcet& grafcet, const ScannedDevice& device,
+                                    const Stimuli& stimuli, Time period) {
+    auto witness = first_difference(grafcet, stimuli, run_scans(grafcet, stimuli, period),
+                                    run_device(grafcet, device, stimuli, period));
+    if (witness) witness->scan_period = period;
+    return witness;
 }
 
 }  // namespace grafwire

@@ -1,3 +1,10 @@
+// Where two runs part: their rows side by side, in order of time, up to the first that differs.
+//
+// The two need not have rows at the same times: a netlist has instants of its own at which a timer
+// ends that the reference lacks, and the reverse. What a side shows holds until its next row. Of a
+// row that differs in several ways the situation counts first, then an output, then a value that is
+// left open.
+
 #include "check/witness.h"
 
 #include <algorithm>

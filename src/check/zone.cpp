@@ -63,11 +63,11 @@ Zone Zone::at_a_scan() const {
     return zone;
 }
 
-Zone Zone::after(std::int64_t grains) const {
+Zone Zone::after(std::int64_t quanta) const {
     Zone zone = *this;
     for (std::size_t i = 1; i < size_; ++i) {
-        zone.bound(i, 0) -= 2 * grains;
-        zone.bound(0, i) += 2 * grains;
+        zone.bound(i, 0) -= 2 * quanta;
+        zone.bound(0, i) += 2 * quanta;
     }
     return zone;
 }
@@ -95,7 +95,7 @@ Zone Zone::with(const std::vector<Origin>& origins) const {
     std::vector<Place> places{{0, 0}};
     for (const Origin& origin : origins) {
         if (origin.delay == Origin::begins) {
-            places.push_back({0, origin.grains});
+            places.push_back({0, origin.quanta});
         } else {
             places.push_back({origin.delay + 1, 0});
         }

@@ -12,11 +12,11 @@ namespace grafwire {
 /// component per delay, bounded by how large each component and each difference of two can be. With
 /// no delay running there is the one empty vector.
 ///
-/// Time counts here in grains: a duration that divides all lengths, so that bounds stay small.
+/// Time counts here in quanta: a quantum divides all lengths, which keeps the bounds small.
 class Zone {
   public:
     Zone() : Zone(0) {}
-    /// Everything is possible: any delays end at any moment.
+    /// Everything is possible: any delays end at any time.
     static Zone unbounded(std::size_t delays);
 
     std::size_t delays() const { return size_ - 1; }
@@ -26,8 +26,8 @@ class Zone {
     Zone later() const;
     /// The zone at the next scan, with any time in between: delays may be overdue there.
     Zone at_a_scan() const;
-    /// The zone exactly so many grains later; delays may be overdue there.
-    Zone after(std::int64_t grains) const;
+    /// The zone exactly this many quanta later; delays may be overdue there.
+    Zone after(std::int64_t quanta) const;
 
     /// Keeps the moments at which a delay ends or is overdue. False where there is none; the zone
     /// is of no use then.
@@ -39,7 +39,7 @@ class Zone {
     struct Origin {
         static constexpr std::uint32_t begins = 0xffffffffU;
         std::uint32_t delay = begins;  ///< it is this one of another zone; or it begins now
-        std::int64_t grains = 0;       ///< with this length
+        std::int64_t quanta = 0;       ///< with this length
         bool operator==(const Origin&) const = default;
     };
     /// The zone of other delays: some of these go on, in a new order, and some begin now.
@@ -53,8 +53,8 @@ class Zone {
   private:
     /// An upper bound: twice the time, plus 1 where the time itself is within the bound.
     using Bound = std::int64_t;
-    static constexpr Bound weak(std::int64_t grains) { return 2 * grains + 1; }
-    static constexpr Bound strict(std::int64_t grains) { return 2 * grains; }
+    static constexpr Bound weak(std::int64_t quanta) { return 2 * quanta + 1; }
+    static constexpr Bound strict(std::int64_t quanta) { return 2 * quanta; }
     static constexpr Bound sum(Bound a, Bound b) { return a + b - ((a | b) & 1); }
 
     explicit Zone(std::size_t delays) : size_(delays + 1), bounds_(size_ * size_, weak(0)) {}

@@ -111,9 +111,8 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
     std::optional<Judgement> judgement;
     {
         Progress progress(request.max_seconds, session.max_memory);
-        asked.keep_going = [&progress](const Coverage& coverage) {
-            return progress.goes_on(coverage);
-        };
+        asked.progress = [&progress](const Coverage& coverage) { progress.show(coverage); };
+        asked.keep_going = [&progress] { return progress.goes_on(); };
         judgement = check(asked, messages);
     }
     show_messages(messages);

@@ -46,20 +46,27 @@ Progress::~Progress() {
     if (shown_) fmt::print(stderr, "\r\033[K");
 }
 
-bool Progress::goes_on(const Coverage& coverage) {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-    is_over_ = is_over_ || is_interrupted != 0 || (max_seconds_ != 0 && elapsed >= max_seconds_);
-    if (max_memory_ != 0 && elapsed >= next_look_at_memory_) {
+double Progress::elapsed() const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count();
+}
+
+bool Progress::goes_on() {
+    const double now = elapsed();
+    is_over_ = is_over_ || is_interrupted != 0 || (max_seconds_ != 0 && now >= max_seconds_);
+    if (max_memory_ != 0 && now >= next_look_at_memory_) {
         is_over_ = is_over_ || memory_held() >= max_memory_;
-        next_look_at_memory_ = elapsed + 0.05;
-    }
-    if (is_terminal_ && elapsed > next_) {
-        fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
-                   coverage.situations, coverage.waiting);
-        shown_ = true;
-        next_ = elapsed + 0.5;
+        next_look_at_memory_ = now + 0.05;
     }
     return !is_over_;
+}
+
+void Progress::show(const Coverage& coverage) {
+    const double now = elapsed();
+    if (!is_terminal_ || now <= next_) return;
+    fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
+               coverage.situations, coverage.waiting);
+    shown_ = true;
+    next_ = now + 0.5;
 }
 
 std::optional<std::uint64_t> parse_memory(const std::string& text) {

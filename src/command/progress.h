@@ -20,10 +20,13 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    bool goes_on(const Coverage& coverage);
+    void show(const Coverage& coverage);
+    bool goes_on();
 
   private:
     using Clock = std::chrono::steady_clock;
+    double elapsed() const;
+
     Clock::time_point begin_ = Clock::now();
     double max_seconds_;
     std::uint64_t max_memory_;

@@ -1,25 +1,69 @@
-// Why a gate changed, walked back through what the simulation did.
+// Why a gate changed, found backwards through what the simulation did.
 //
 // A gate changes one delay after the pin that made it change. Where its output is the one that a
 // single pin decides (a 0 at an AND), that pin alone is the cause. Where all pins had to agree (the
 // 1 of an AND) those that came earlier in the same instant had their part in it too, so the way
 // back is a tree; in clocked netlists, where every cycle follows from the one before, only the last
 // to come is followed. Of a pulse (a net that changes and changes back in one instant) both ends
-// belong to the way. A flip-flop changes because of its data, a pulse ends because it began, and
-// the end of a delay is where a way begins, as the change of an input is.
+// belong to the walk. A flip-flop changes because of its data, a pulse ends because it began, and
+// the end of a delay is where a chain begins, as the change of an input is.
 
 #include "explain/causal_chain.h"
 
 #include <algorithm>
 #include <optional>
 
+#include "simulate/netlist_machine.h"
+#include "trace/stimuli_player.h"
+
 namespace grafwire {
 
 namespace {
 
-class WayBack {
+/// The values of all nets once the netlist has been initialised with the inputs of time 0.
+std::vector<Logic> start_values(const Grafcet& grafcet, const Netlist& netlist,
+                                const CellDelays& delays, const Stimuli& stimuli) {
+    StimuliPlayer player(stimuli, grafcet.all_input_count());
+    player.advance(0);
+    NetlistMachine machine(grafcet, netlist, delays);
+    machine.start(known_inputs(player.inputs()));
+    std::vector<Logic> values;
+    for (std::size_t net = 0; net < netlist.net_count(); ++net) {
+        values.push_back(machine.simulator().value(static_cast<NetId>(net)));
+    }
+    return values;
+}
+
+}  // namespace
+
+NetHistory::NetHistory(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                       const Witness& witness)
+    : start(start_values(grafcet, netlist, delays, witness.stimuli)) {
+    SimulateOptions options;
+    options.scan_period = witness.scan_period;
+    options.observer = [&](Time at, NetId net, Logic value) {
+        changes.push_back({at, net, value});
+    };
+    oscillating = simulate(grafcet, netlist, delays, witness.stimuli, options).oscillating;
+    const auto first = std::find_if(changes.begin(), changes.end(), [&](const NetChange& change) {
+        return change.at >= witness.stimuli.end;
+    });
+    first_of_end = static_cast<std::size_t>(first - changes.begin());
+}
+
+std::vector<Logic> NetHistory::before_end() const {
+    std::vector<Logic> values = start;
+    for (std::size_t i = 0; i < first_of_end; ++i) {
+        values[index_of(changes[i].net)] = changes[i].value;
+    }
+    return values;
+}
+
+namespace {
+
+class CauseWalk {
   public:
-    WayBack(const Netlist& netlist, const CellDelays& delays, const NetHistory& history)
+    CauseWalk(const Netlist& netlist, const CellDelays& delays, const NetHistory& history)
         : netlist_(netlist),
           delays_(delays),
           history_(history),
@@ -76,10 +120,10 @@ class WayBack {
         if (after == changes.begin()) return std::nullopt;
         return *(after - 1);
     }
-    /// The last change of a net up to a moment, among those before another change.
-    std::optional<std::size_t> last_until(NetId net, Time moment, std::size_t index) const {
+    /// The last change of a net up to a time, among those before another change.
+    std::optional<std::size_t> last_until(NetId net, Time time, std::size_t index) const {
         auto found = last_before(net, index);
-        while (found && history_.changes[*found].at > moment) found = last_before(net, *found);
+        while (found && history_.changes[*found].at > time) found = last_before(net, *found);
         return found;
     }
 
@@ -90,9 +134,9 @@ class WayBack {
     }
 
     /// A timer that follows its operand at once has it as its cause; else its delay has ended.
-    std::vector<std::size_t> at_once(const Cell& cell, Time moment, std::size_t index) const {
-        const auto cause = last_until(pin_of(cell, 0), moment, index);
-        if (cause && history_.changes[*cause].at == moment) return {*cause};
+    std::vector<std::size_t> at_once(const Cell& cell, Time time, std::size_t index) const {
+        const auto cause = last_until(pin_of(cell, 0), time, index);
+        if (cause && history_.changes[*cause].at == time) return {*cause};
         return {};
     }
 
@@ -110,14 +154,14 @@ class WayBack {
         }
     }
 
-    std::vector<std::size_t> of_gate(const Cell& cell, const NetChange& change, Time moment,
+    std::vector<std::size_t> of_gate(const Cell& cell, const NetChange& change, Time time,
                                      std::size_t index) const {
         std::vector<std::size_t> just;    // changed as the gate was evaluated
         std::vector<std::size_t> before;  // earlier in the instant
         for (const NetId pin : netlist_.pins_of(cell)) {
-            const auto last = last_until(pin, moment, index);
+            const auto last = last_until(pin, time, index);
             if (!last || pin == change.net) continue;
-            const bool is_just = history_.changes[*last].at == moment;
+            const bool is_just = history_.changes[*last].at == time;
             (is_just ? just : before).push_back(*last);
         }
         const auto decisive = std::find_if(just.begin(), just.end(), [&](std::size_t i) {
@@ -152,23 +196,23 @@ class WayBack {
 std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& delays,
                                      const NetHistory& history,
                                      const std::vector<std::size_t>& targets) {
-    const WayBack way(netlist, delays, history);
+    const CauseWalk walk(netlist, delays, history);
     std::vector<bool> seen(history.changes.size(), false);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> waiting;
     const auto add = [&](std::size_t change) {
         if (seen[change]) return;
         seen[change] = true;
-        open.push_back(change);
+        waiting.push_back(change);
     };
     for (const std::size_t target : targets) add(target);
     std::vector<CausalLink> links;
-    while (!open.empty()) {
-        const std::size_t change = open.back();
-        open.pop_back();
-        links.push_back({change, way.causes_of(change)});
+    while (!waiting.empty()) {
+        const std::size_t change = waiting.back();
+        waiting.pop_back();
+        links.push_back({change, walk.causes_of(change)});
         for (const std::size_t cause : links.back().causes) add(cause);
         // A net that changes back had to change first.
-        const auto first = way.pulse_before(change);
+        const auto first = walk.pulse_before(change);
         if (first) add(*first);
     }
     std::sort(links.begin(), links.end(),

@@ -1,3 +1,12 @@
+// The known causes of a difference, looked for one by one in what happened.
+//
+// Each has a signature: a structure of the GRAFCET (two steps that follow each other, tokens side
+// by side), what the reference cleared, and what the nets did in the last instant. They are tried
+// in an order in which the more special come first, and only where all equations are right; a
+// netlist with a wrong equation needs no other cause. A race of inputs is the last: it is shown by
+// experiment, in that the same inputs make no difference when they change one after the other, in
+// every order.
+
 #include "explain/cause_search.h"
 
 #include <algorithm>

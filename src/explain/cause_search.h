@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "explain/causal_chain.h"
 #include "explain/cause.h"
 #include "explain/compare_functions.h"
-#include "explain/net_history.h"
-#include "explain/story.h"
+#include "explain/explanation_writer.h"
 
 namespace grafwire {
 

@@ -4,10 +4,10 @@
 // F = 1 with X = 0, and resets where F = 0 with X = 1. The equation gives another, CAX + /CDX.X.
 // Where the two agree nothing is wrong, however it is wired; a latch that blocks its reset while it
 // is being set has another CDX by its gates, but the same function. So what the netlist has for
-// CDX is only determined where CAX is 0 (the rest is left open when it is written as a sum of
+// CDX is only determined where CAX is 0 (the rest is don't-care when it is written as a sum of
 // products), and likewise CAX where CDX is 1. If they differ only where both are 1, it is a matter
 // of priority. AUdur, forcing and enclosing act outside the memory; where they do, CAX and CDX are
-// left open as well.
+// don't-care as well.
 
 #include "explain/compare_functions.h"
 

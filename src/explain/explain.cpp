@@ -3,8 +3,9 @@
 // First the equations: of every wrong step or output what it should be made of against what the
 // gates make of it (compare_functions), with the values at the moment in which the two disagree.
 // A netlist does not say which form of CDX it has; it is taken to have the one with fewer faults.
-// Then the way by which it came about (causal_chain). Where a value is wrong because it did not
-// change, the way is the one to what should have changed it. Last the cause, if it is a known one.
+// Then the chain by which it came about (causal_chain). Where a value is wrong because it did not
+// change, the chain is the one to what should have changed it. Last the cause, if it is a known
+// one.
 
 #include "explain/explain.h"
 
@@ -13,8 +14,7 @@
 #include "explain/causal_chain.h"
 #include "explain/cause_search.h"
 #include "explain/compare_functions.h"
-#include "explain/net_history.h"
-#include "explain/story.h"
+#include "explain/explanation_writer.h"
 
 namespace grafwire {
 
@@ -23,13 +23,13 @@ namespace {
 using Fault = Explanation::Fault;
 using Part = Explanation::Part;
 
-/// Nobody looks for the loop of an oscillation beyond so many changes of one net.
+/// The loop of an oscillation is looked for among this many changes of one net.
 constexpr std::size_t most_rounds = 32;
 
-class Explaining {
+class Explainer {
   public:
-    Explaining(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-               const Witness& witness)
+    Explainer(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+              const Witness& witness)
         : grafcet_(grafcet),
           netlist_(netlist),
           delays_(delays),
@@ -315,16 +315,16 @@ class Explaining {
     void make_chain() {
         for (const CausalLink& link : causal_chain(netlist_, delays_, history_, targets())) {
             const NetChange& change = history_.changes[link.change];
-            Explanation::Link told;
-            told.after = change.at - witness_.stimuli.end;
-            told.cell = reader_.driver(change.net);
-            told.net = std::string(netlist_.names[change.net]);
-            told.value = change.value;
-            told.is_begin = link.causes.empty();
+            Explanation::Link shown;
+            shown.after = change.at - witness_.stimuli.end;
+            shown.cell = reader_.driver(change.net);
+            shown.net = std::string(netlist_.names[change.net]);
+            shown.value = change.value;
+            shown.is_begin = link.causes.empty();
             for (const std::size_t cause : link.causes) {
-                told.causes.emplace_back(netlist_.names[history_.changes[cause].net]);
+                shown.causes.emplace_back(netlist_.names[history_.changes[cause].net]);
             }
-            result_.chain.push_back(std::move(told));
+            result_.chain.push_back(std::move(shown));
         }
     }
 
@@ -359,7 +359,7 @@ class Explaining {
 
 Explanation explain(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                     const Witness& witness) {
-    return Explaining(grafcet, netlist, delays, witness).make();
+    return Explainer(grafcet, netlist, delays, witness).make();
 }
 
 }  // namespace grafwire

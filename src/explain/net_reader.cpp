@@ -8,12 +8,10 @@
 // the feedback of its memory. Other loops (a latch whose X is taken behind a further gate) are cut
 // where the walk comes back to a net it is on.
 //
-// The functions are truth tables; whoever reads one need not know whether it was wired with NAND,
-// NOR or AND and OR.
+// The functions are truth tables; they do not show whether a step was wired with NAND, NOR or AND
+// and OR.
 
 #include "explain/net_reader.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_set>
@@ -34,35 +32,7 @@ bool inverts(CellType type) {
     return type == CellType::nand_gate || type == CellType::nor_gate;
 }
 
-/// `a` one clock cycle before.
-std::string name_before(std::string_view name) {
-    return fmt::format("{}[-1]", name);
-}
-
 }  // namespace
-
-std::string operand_name(const Grafcet& grafcet, Variable variable) {
-    Expressions pool;
-    const ExprId id = pool.variable(variable);
-    return write_expression(grafcet, pool, id);
-}
-
-std::size_t FunctionVariables::add(const FunctionVariable& variable) {
-    if (const auto known = find(variable.name)) {
-        FunctionVariable& kept = list_[*known];
-        if (kept.net == no_net) kept = variable;
-        return *known;
-    }
-    list_.push_back(variable);
-    return list_.size() - 1;
-}
-
-std::optional<std::size_t> FunctionVariables::find(std::string_view name) const {
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        if (list_[i].name == name) return i;
-    }
-    return std::nullopt;
-}
 
 NetReader::NetReader(const Grafcet& grafcet, const Netlist& netlist)
     : grafcet_(grafcet),
@@ -262,7 +232,7 @@ class NetReader::Walk {
                 visit(next < pins.size() ? pins[next] : net);
                 continue;
             }
-            is_open_[net] = false;
+            is_on_path_[net] = false;
             cone_.inner.push_back(net);
             stack_.pop_back();
         }
@@ -277,8 +247,8 @@ class NetReader::Walk {
         return holds ? 3 : cell.pin_count;
     }
     void visit(NetId net) {
-        const auto known = is_open_.find(net);
-        if (known != is_open_.end()) {
+        const auto known = is_on_path_.find(net);
+        if (known != is_on_path_.end()) {
             if (known->second) cut(net);
             return;
         }
@@ -287,7 +257,7 @@ class NetReader::Walk {
         if (variable && (!is_own || reader_.drivers_[net] == no_cell)) {
             return add_leaf(net, *variable);
         }
-        is_open_[net] = true;
+        is_on_path_[net] = true;
         stack_.push_back({net, 0});
     }
     /// A net the walk is on: what it was before.
@@ -308,7 +278,7 @@ class NetReader::Walk {
     const NetReader& reader_;
     std::string own_;  ///< the name of the X whose memory is read, or empty
     std::vector<Frame> stack_;
-    std::unordered_map<NetId, bool> is_open_;  ///< of the gates met: whether the walk is on them
+    std::unordered_map<NetId, bool> is_on_path_;  ///< of the gates met: whether the walk is on them
     Cone cone_;
 };
 
@@ -369,87 +339,6 @@ TruthTable NetReader::function(const Cone& cone, const FunctionVariables& variab
         known.insert_or_assign(net, last);
     }
     return last;
-}
-
-namespace {
-
-bool is_operator(ExprKind kind) {
-    return kind == ExprKind::negation || kind == ExprKind::conjunction ||
-           kind == ExprKind::disjunction || kind == ExprKind::exclusive_or;
-}
-
-bool is_edge(ExprKind kind) {
-    return kind == ExprKind::rise || kind == ExprKind::fall;
-}
-
-/// Walks an expression; `variable(name, is_made)` gives the table of a variable.
-template <typename VariableTable>
-TruthTable evaluate(const Grafcet& grafcet, const Expressions& pool, ExprId id, bool as_clocked,
-                    std::size_t variables, const VariableTable& variable) {
-    const ExprKind kind = pool.kind(id);
-    const auto operand = [&](ExprId part) {
-        return evaluate(grafcet, pool, part, as_clocked, variables, variable);
-    };
-    if (kind == ExprKind::constant) return {variables, pool.constant_value(id)};
-    if (is_edge(kind) && as_clocked) {
-        const ExprId inside = pool.operands(id)[0];
-        const TruthTable now = operand(inside);
-        const TruthTable before =
-            variable(name_before(write_expression(grafcet, pool, inside)), true);
-        return kind == ExprKind::rise ? now & ~before : ~now & before;
-    }
-    if (!is_operator(kind)) {
-        const bool is_made = kind != ExprKind::variable ||
-                             pool.variable_of(id).kind == VariableKind::var ||
-                             pool.variable_of(id).kind == VariableKind::counter;
-        return variable(write_expression(grafcet, pool, id), is_made);
-    }
-    TruthTable table = operand(pool.operands(id)[0]);
-    for (std::size_t i = 1; i < pool.operands(id).size(); ++i) {
-        const TruthTable next = operand(pool.operands(id)[i]);
-        if (kind == ExprKind::conjunction) table &= next;
-        if (kind == ExprKind::disjunction) table |= next;
-        if (kind == ExprKind::exclusive_or) table ^= next;
-    }
-    return kind == ExprKind::negation ? ~table : table;
-}
-
-}  // namespace
-
-void add_variables(const Grafcet& grafcet, const Expressions& pool, ExprId id, bool as_clocked,
-                   FunctionVariables& variables) {
-    evaluate(grafcet, pool, id, as_clocked, 0, [&](const std::string& name, bool is_made) {
-        variables.add({name, no_net, false, false, is_made});
-        return TruthTable(0, false);
-    });
-}
-
-std::optional<TruthTable> function_of(const Grafcet& grafcet, const Expressions& pool, ExprId id,
-                                      bool as_clocked, const FunctionVariables& variables) {
-    if (variables.size() > TruthTable::most_variables) return std::nullopt;
-    return evaluate(
-        grafcet, pool, id, as_clocked, variables.size(), [&](const std::string& name, bool) {
-            return TruthTable::variable(variables.size(), variables.find(name).value_or(0));
-        });
-}
-
-std::string sum_text(const std::vector<Product>& sum, const FunctionVariables& variables) {
-    if (sum.empty()) return "0";
-    if (sum[0].plain == 0 && sum[0].negated == 0) return "1";
-    std::string text;
-    for (const Product& product : sum) {
-        if (!text.empty()) text += " + ";
-        bool is_first = true;
-        for (std::size_t v = 0; v < variables.size(); ++v) {
-            const bool is_negated = (product.negated >> v & 1U) != 0;
-            if (!is_negated && (product.plain >> v & 1U) == 0) continue;
-            if (!is_first) text += '.';
-            is_first = false;
-            if (is_negated) text += '/';
-            text += variables[v].name;
-        }
-    }
-    return text;
 }
 
 }  // namespace grafwire

@@ -1,5 +1,7 @@
 #include "grafwire/check.h"
 
+#include <memory>
+
 #include "grafwire/parts.h"
 #include "workflow/check.h"
 
@@ -22,9 +24,11 @@ CheckRequest request_from(const grafwire::Chart& chart, const CheckOptions& opti
     request.period = period;
     request.max_cases = options.max_cases;
     if (options.keep_going) {
-        request.keep_going = [&options](const grafwire::Coverage& coverage) {
-            return options.keep_going({coverage.situations, coverage.cases, coverage.waiting});
+        const auto latest = std::make_shared<Coverage>();
+        request.progress = [latest](const grafwire::Coverage& coverage) {
+            *latest = {coverage.situations, coverage.cases, coverage.waiting};
         };
+        request.keep_going = [&options, latest] { return options.keep_going(*latest); };
     }
     request.language = language_from(options.language);
     request.with_files = true;
@@ -50,9 +54,9 @@ CheckResult result_from(const Judgement& judgement, const grafwire::Chart& chart
     const grafwire::Coverage& coverage = judgement.result.coverage;
     result.coverage = {coverage.situations, coverage.cases, coverage.waiting};
     result.report = write_check_text(judgement.subject, chart.grafcet, judgement.result,
-                                     judgement.told, language_from(options.language));
+                                     judgement.explained, language_from(options.language));
     result.json =
-        write_check_json(judgement.subject, chart.grafcet, judgement.result, judgement.told);
+        write_check_json(judgement.subject, chart.grafcet, judgement.result, judgement.explained);
     for (const grafwire::NamedText& file : judgement.witness_files) {
         result.witness.push_back({file.name, file.text});
     }

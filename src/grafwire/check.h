@@ -50,7 +50,7 @@ struct CheckResult {
     std::string report;  ///< for people
     std::string json;    ///< for programs, as report.schema.json says
     /// Where there is a difference: stimuli that show it, what reference and netlist make of them,
-    /// and the story.
+    /// and the explanation.
     std::vector<NamedText> witness;
 };
 

@@ -1,3 +1,7 @@
+// A ladder diagram as a device of the check: its variables found by name, and its memory between
+// two scans packed into a string. Unassigned inputs run through the diagram as unknown signals that
+// carry their cause (ladder/machine.h), so an unknown result names an input that it needs.
+
 #include "laddercheck/ladder_device.h"
 
 #include <fmt/format.h>
@@ -69,7 +73,9 @@ std::string LadderDevice::start() const {
 ScannedDevice::Outcome LadderDevice::scan(const std::string& memory, const PartialInputs& inputs,
                                           Time now) const {
     ladder::MachineState state = machine_.load(memory);
-    for (const auto& [variable, input] : input_of_) machine_.set(state, variable, inputs[input]);
+    for (const auto& [variable, input] : input_of_) {
+        machine_.set(state, variable, logic_of(inputs[input]));
+    }
     Outcome outcome;
     auto needs = machine_.scan(state, now).needs;
     if (!needs) needs = machine_.open_memory(state);

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "check/scanned_device.h"
+#include "check/witness.h"
 #include "ladder/ladder.h"
 #include "ladder/machine.h"
+#include "text/language.h"
 
 namespace grafwire {
 
@@ -38,9 +40,9 @@ class LadderDevice : public ScannedDevice {
     std::vector<Time> delays() const override { return machine_.delays(); }
     bool has_modes() const override;
 
-    /// The witness in words, with the rungs that wrote what differs, or that could have, and those
+    /// The witness explained, with the rungs that wrote what differs, or that could have, and those
     /// that these depend on.
-    std::string tell(const Witness& witness, Language language) const;
+    std::string explain(const Witness& witness, Language language) const;
 
   private:
     ladder::Machine::Outcome last_scan(const Witness& witness) const;

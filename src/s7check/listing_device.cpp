@@ -65,8 +65,8 @@ s7::InputImage ListingDevice::image_of(const PartialInputs& inputs) const {
         const auto mask = static_cast<std::uint8_t>(1U << bit % 8);
         std::uint8_t& value = image.value[bit / 8];
         std::uint8_t& known = image.known[bit / 8];
-        if (inputs[i] == Logic::one) value = static_cast<std::uint8_t>(value | mask);
-        if (inputs[i] == Logic::unknown) known = static_cast<std::uint8_t>(known & ~mask);
+        if (inputs[i] == PartialInput::one) value = static_cast<std::uint8_t>(value | mask);
+        if (inputs[i] == PartialInput::unassigned) known = static_cast<std::uint8_t>(known & ~mask);
     }
     return image;
 }

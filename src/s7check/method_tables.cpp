@@ -1,58 +1,41 @@
+// The tables of the method (Cordier, section 3.2): where a listing keeps them, and what they should
+// hold.
+//
+// What they should hold is worked out from the reference alone, not from the form that listings are
+// generated from: the transitions that a scan clears say Ta and Td, the orders of the steps that
+// are active after the evolution say Tf1 and Tf0 (section 5.6).
+
 #include "s7check/method_tables.h"
 
 #include <algorithm>
-
-#include "s7/instruction_set.h"
 
 namespace grafwire {
 
 namespace {
 
-using s7::Operation;
-
-constexpr std::int64_t bits_in(s7::Width width) {
-    switch (width) {
-        case s7::Width::byte:
-            return 8;
-        case s7::Width::word:
-            return 16;
-        case s7::Width::dword:
-            return 32;
-        default:
-            return 1;
-    }
-}
-
-/// The bits of an area that an instruction writes, as a range.
-struct WrittenBits {
-    s7::Area area = s7::Area::constant;  ///< constant: none
-    std::int64_t first = 0;
-    std::int64_t end = 0;
-};
-
-WrittenBits written_by(const s7::Instruction& instruction) {
-    const s7::InstructionRow* row = s7::row_of(instruction.operation, instruction.width);
-    if (row == nullptr) return {};
-    std::int64_t count = 1;
-    const s7::Operand* place = nullptr;
-    for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-        const s7::OperandKind kind = row->operands[i];
-        if (kind == s7::OperandKind::place || kind == s7::OperandKind::place_bit ||
-            kind == s7::OperandKind::reset_bit) {
-            place = &instruction.operands[i];
-        } else if (kind == s7::OperandKind::count) {
-            count = instruction.operands[i].address;
-        }
-    }
-    if (place == nullptr) return {};
-    const std::int64_t first = std::int64_t{place->address} * 8 + place->bit;
-    return {place->area, first, first + bits_in(place->width) * count};
-}
-
 bool is_bit_within(const std::optional<s7::Operand>& operand, std::int32_t first,
                    std::int32_t bytes) {
     return operand && operand->area == s7::Area::variable && operand->width == s7::Width::bit &&
            operand->address >= first && operand->address < first + bytes;
+}
+
+bool are_active(std::span<const StepId> steps, const BitTable& situation) {
+    return std::all_of(steps.begin(), steps.end(),
+                       [&](StepId step) { return situation.test(index_of(step)); });
+}
+
+/// Tf1 and Tf0, from the orders of the steps active after the evolution (Cordier, section 5.6).
+void collect_orders(const Grafcet& grafcet, ExpectedTables& tables) {
+    for (const Order& order : grafcet.orders) {
+        if (order.kind == OrderKind::freeze || !tables.evolved.test(index_of(order.step))) continue;
+        const Graph& graph = grafcet.graphs[order.graph];
+        for (std::uint32_t s = graph.first_step; s < graph.first_step + graph.step_count; ++s) {
+            tables.forced_off.set(s);
+            const bool is_initial = grafcet.steps[static_cast<StepId>(s)].initial;
+            if (order.kind == OrderKind::initial && is_initial) tables.forced_on.set(s);
+        }
+        for (const StepId step : order.steps) tables.forced_on.set(index_of(step));
+    }
 }
 
 }  // namespace
@@ -76,32 +59,38 @@ bool keeps_method_tables(const s7::Binding& binding) {
                        });
 }
 
-bool may_write(const s7::Instruction& instruction, const s7::Operand& place) {
-    const WrittenBits written = written_by(instruction);
-    const std::int64_t first = std::int64_t{place.address} * 8 + place.bit;
-    return written.area == place.area && written.first < first + bits_in(place.width) &&
-           written.end > first;
-}
-
-bool may_write_bytes(const s7::Instruction& instruction, std::int32_t first, std::int32_t count) {
-    const WrittenBits written = written_by(instruction);
-    return written.area == s7::Area::variable &&
-           written.first < (std::int64_t{first} + count) * 8 &&
-           written.end > std::int64_t{first} * 8;
-}
-
-bool loads(const s7::Instruction& instruction, const s7::Operand& bit) {
-    switch (instruction.operation) {
-        case Operation::load:
-        case Operation::load_not:
-        case Operation::and_:
-        case Operation::and_not:
-        case Operation::or_:
-        case Operation::or_not:
-            return instruction.operands[0] == bit;
-        default:
-            return false;
+ExpectedTables scan_with_tables(const Evolution& evolution, EvolutionState& state,
+                                const EvolutionInputs& inputs, Time now) {
+    const Grafcet& grafcet = evolution.grafcet();
+    const BitTable steps(grafcet.steps.size());
+    const BitTable transitions(grafcet.transitions.size());
+    ExpectedTables tables{transitions, transitions, state.situation, steps, steps, steps,
+                          steps,       steps,       steps,           {},    {},    {}};
+    for (std::size_t t = 0; t < grafcet.transitions.size(); ++t) {
+        const Transition& transition = grafcet.transitions[static_cast<TransitionId>(t)];
+        if (are_active(grafcet.preceding(transition), state.situation)) tables.enabled.set(t);
     }
+    for (const TransitionId id : evolution.cleared_by_scan(state, inputs, now)) {
+        const Transition& transition = grafcet.transitions[id];
+        tables.cleared.set(index_of(id));
+        for (const StepId step : grafcet.following(transition)) {
+            tables.activate.set(index_of(step));
+        }
+        for (const StepId step : grafcet.preceding(transition)) {
+            tables.deactivate.set(index_of(step));
+        }
+    }
+    for (std::size_t s = 0; s < grafcet.steps.size(); ++s) {
+        const bool stays = tables.previous.test(s) && !tables.deactivate.test(s);
+        tables.evolved.assign(s, stays || tables.activate.test(s));
+    }
+    collect_orders(grafcet, tables);
+    evolution.scan(state, inputs, now);
+    tables.situation = state.situation;
+    tables.may_evolve = state.may_evolve;
+    tables.vars = state.vars;
+    tables.outputs = evolution.outputs(state, inputs);
+    return tables;
 }
 
 }  // namespace grafwire

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "evolution/evolution.h"
+#include "grafcet/grafcet.h"
 #include "s7/listing.h"
 #include "s7/machine/binding.h"
 
@@ -27,24 +29,26 @@ struct MethodTables {
 /// Whether the steps and transitions of a binding lie where the method has Ts and Tt.
 bool keeps_method_tables(const s7::Binding& binding);
 
-/// Whether an instruction writes into a bit, byte, word or double word, or into bytes of V.
-bool may_write(const s7::Instruction& instruction, const s7::Operand& place);
-bool may_write_bytes(const s7::Instruction& instruction, std::int32_t first, std::int32_t count);
-/// Whether an instruction reads a bit by itself.
-bool loads(const s7::Instruction& instruction, const s7::Operand& bit);
+/// What the tables of the method (Cordier, section 3.2) should hold at the end of a scan, worked
+/// out from the reference: of a GRAFCET without enclosures and stored actions on its steps exactly,
+/// and of others as far as the tables have a part in it.
+struct ExpectedTables {
+    BitTable enabled;     ///< per transition: all its preceding steps were active
+    BitTable cleared;     ///< per transition: it was cleared; for an enabled one, its Tt
+    BitTable previous;    ///< Tp
+    BitTable activate;    ///< Ta
+    BitTable deactivate;  ///< Td
+    BitTable evolved;     ///< Ts = Tp . /Td + Ta
+    BitTable forced_on;   ///< Tf1
+    BitTable forced_off;  ///< Tf0
+    BitTable situation;   ///< Ts at the end
+    BitTable may_evolve;  ///< Tfig
+    BitTable vars;
+    OutputValues outputs;
+};
 
-/// The networks (indices) of which one instruction is as asked for, in order.
-template <typename Predicate>
-std::vector<std::uint32_t> networks_where(const s7::Listing& listing, const Predicate& predicate) {
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t n = 0; n < listing.networks.size(); ++n) {
-        for (const s7::Instruction& instruction : listing.networks[n].instructions) {
-            if (!predicate(instruction)) continue;
-            found.push_back(n);
-            break;
-        }
-    }
-    return found;
-}
+/// Executes one scan of the reference on `state`.
+ExpectedTables scan_with_tables(const Evolution& evolution, EvolutionState& state,
+                                const EvolutionInputs& inputs, Time now);
 
 }  // namespace grafwire

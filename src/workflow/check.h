@@ -13,6 +13,7 @@
 #include "netlist/netlist.h"
 #include "s7/machine/binding.h"
 #include "text/diagnostics.h"
+#include "text/keep_going.h"
 #include "text/language.h"
 #include "text/time.h"
 #include "workflow/chart.h"
@@ -28,10 +29,11 @@ struct CheckRequest {
     /// Clocked netlists: the only scan period that the verdict is for (none: every one). Programs:
     /// the scan period (none: one that divides all delays).
     std::optional<Time> period;
-    std::uint64_t max_cases = 0;  ///< give up after so many; 0: never
-    /// Shown how far the exploration is, many times a second; it ends undecided when this says no.
-    std::function<bool(const Coverage&)> keep_going;
-    Language language = Language::english;  ///< of the story
+    std::uint64_t max_cases = 0;  ///< give up after this many; 0: never
+    /// As in CheckOptions: shown how far the exploration is, and asked whether to go on.
+    std::function<void(const Coverage&)> progress;
+    KeepGoing keep_going;
+    Language language = Language::english;  ///< of the explanation
     bool with_files = false;                ///< whether the files of a witness are wanted
 };
 
@@ -49,7 +51,7 @@ inline constexpr std::string_view witness_file_names[] = {
 struct Judgement {
     CheckSubject subject;
     CheckResult result;
-    ToldWitness told;
+    ExplainedWitness explained;
     std::vector<NamedText> witness_files;
 };
 

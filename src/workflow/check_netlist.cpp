@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include "check/check_equivalence.h"
-#include "check/exercised.h"
+#include "check/coverage.h"
 #include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "evolution/run.h"
 #include "explain/explain.h"
-#include "explain/tell_witness.h"
+#include "explain/write_explanation.h"
 #include "simulate/simulate.h"
 #include "text/utf8.h"
 #include "workflow/check_parts.h"
@@ -18,10 +18,11 @@ namespace {
 /// Of the way through the gates, what a report for people shows.
 constexpr std::size_t most_links = 36;
 
-/// The files that show a witness: stimuli, what reference and netlist make of them, the story.
+/// The files that show a witness: stimuli, what reference and netlist make of them, the
+/// explanation.
 std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
                                         const CellDelays& delays, const Witness& witness,
-                                        const std::string& story) {
+                                        const std::string& explanation) {
     const Stimuli& stimuli = witness.stimuli;
     const RunResult run = witness.scan_period == 0
                               ? run_until_stable(grafcet, stimuli)
@@ -31,32 +32,32 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
     return {{"witness.stim", write_stimuli(stimuli, grafcet)},
-            {"witness.txt", story},
+            {"witness.txt", explanation},
             {"expected.csv", write_csv(run.trace)},
             {"expected.vcd", write_vcd(run.trace, grafcet.name)},
             {"got.csv", write_csv(simulated.trace)},
             {"got.vcd", simulated.waveform}};
 }
 
-/// Puts the witness into words, and its files beside it if they are wanted.
-void tell(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
-          const CellDelays& delays, const CheckRequest& request) {
+/// Explains the witness, with its files beside it if they are wanted.
+void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
+                     const CellDelays& delays, const CheckRequest& request) {
     const Witness& witness = *judgement.result.witness;
     const Netlist powered = with_power_up(netlist, witness.power_up);
     const Explanation explanation = explain(grafcet, powered, delays, witness);
-    const auto told = [&](Language language, std::size_t links) {
-        return tell_witness(grafcet, powered, witness, explanation,
-                            {language, links, request.subject.against});
+    const auto text_in = [&](Language language, std::size_t links) {
+        return write_explanation(grafcet, powered, witness, explanation,
+                                 {language, links, request.subject.against});
     };
-    judgement.told.text = told(request.language, most_links);
+    judgement.explained.text = text_in(request.language, most_links);
     for (const Netlist::InitialValue& initial : witness.power_up) {
-        judgement.told.power_up.emplace_back(netlist.names[initial.net], initial.value);
+        judgement.explained.power_up.emplace_back(netlist.names[initial.net], initial.value);
     }
-    if (explanation.cause) judgement.told.cause = identifier_of(explanation.cause->kind);
-    judgement.told.story = lines_of(told(Language::english, 0));
+    if (explanation.cause) judgement.explained.cause = identifier_of(explanation.cause->kind);
+    judgement.explained.lines = lines_of(text_in(Language::english, 0));
     if (request.with_files) {
         judgement.witness_files =
-            files_of_witness(grafcet, powered, delays, witness, told(request.language, 0));
+            files_of_witness(grafcet, powered, delays, witness, text_in(request.language, 0));
     }
 }
 
@@ -72,7 +73,7 @@ bool is_worth_checking(const Chart& chart, const std::string& file, bool has_mod
                         visible(file)));
         return false;
     }
-    if (!Assumptions(chart.grafcet).can_hold(open_inputs(chart.grafcet, has_modes))) {
+    if (!Assumptions(chart.grafcet).can_hold(unassigned_inputs(chart.grafcet, has_modes))) {
         messages.error(
             Code::contradicting_assumptions, {},
             "the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0");
@@ -85,6 +86,7 @@ CheckOptions check_options(const CheckRequest& request) {
     CheckOptions options;
     options.max_cases = request.max_cases;
     options.changes = request.changes;
+    options.progress = request.progress;
     options.keep_going = request.keep_going;
     return options;
 }
@@ -116,8 +118,9 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
     CheckOptions options = check_options(request);
     options.scan_period = request.period;
     judgement.result = check_equivalence(chart.grafcet, netlist, delays, options);
-    // Tell a difference.
-    if (judgement.result.witness) tell(judgement, chart.grafcet, netlist, delays, request);
+    // Explain a difference.
+    if (judgement.result.witness)
+        add_explanation(judgement, chart.grafcet, netlist, delays, request);
     return judgement;
 }
 

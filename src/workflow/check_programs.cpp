@@ -6,9 +6,9 @@
 #include "evolution/run.h"
 #include "laddercheck/ladder_device.h"
 #include "plcopen/read_ladder.h"
-#include "s7check/blame.h"
+#include "s7check/explain_listing.h"
+#include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
-#include "s7check/listing_story.h"
 #include "workflow/check_parts.h"
 
 namespace grafwire {
@@ -16,13 +16,13 @@ namespace grafwire {
 namespace {
 
 /// The files that show the witness of a program: stimuli, what reference and program make of them,
-/// the story.
+/// the explanation.
 std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
-                                      const Witness& witness, const std::string& story) {
+                                      const Witness& witness, const std::string& explanation) {
     const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
     return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
-            {"witness.txt", story},
+            {"witness.txt", explanation},
             {"expected.csv", write_csv(expected.trace)},
             {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
             {"got.csv", write_csv(got)},
@@ -30,10 +30,10 @@ std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevic
 }
 
 /// Compares a program with the reference after every scan, in every state that can be reached.
-/// `tell` puts a witness into words.
+/// `explain` puts a witness into words.
 std::optional<Judgement> check_device(
     const Chart& chart, const ScannedDevice& device, const CheckRequest& request,
-    Diagnostics& messages, const std::function<std::string(const Witness&, Language)>& tell) {
+    Diagnostics& messages, const std::function<std::string(const Witness&, Language)>& explain) {
     const Grafcet& grafcet = chart.grafcet;
     if (!is_worth_checking(chart, request.subject.file, device.has_modes(), messages)) {
         return std::nullopt;
@@ -47,11 +47,11 @@ std::optional<Judgement> check_device(
     subject.warnings = chart.warnings;
     judgement.result = check_scans(grafcet, device, period, check_options(request));
     if (const auto& witness = judgement.result.witness) {
-        judgement.told.text = tell(*witness, request.language);
-        judgement.told.story = lines_of(tell(*witness, Language::english));
+        judgement.explained.text = explain(*witness, request.language);
+        judgement.explained.lines = lines_of(explain(*witness, Language::english));
         if (request.with_files) {
             judgement.witness_files =
-                files_of_scans(grafcet, device, *witness, judgement.told.text);
+                files_of_scans(grafcet, device, *witness, judgement.explained.text);
         }
     }
     return judgement;
@@ -108,9 +108,10 @@ std::optional<Judgement> check_ladder(const Chart& chart, const ladder::Ladder& 
     const LadderNames names = find_names(chart.grafcet, ladder);
     if (!can_compare(request, names, messages)) return std::nullopt;
     const LadderDevice device(chart.grafcet, ladder, names);
-    return check_device(
-        chart, device, request, messages,
-        [&](const Witness& witness, Language language) { return device.tell(witness, language); });
+    return check_device(chart, device, request, messages,
+                        [&](const Witness& witness, Language language) {
+                            return device.explain(witness, language);
+                        });
 }
 
 std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& listing, s7::Cpu cpu,
@@ -123,15 +124,16 @@ std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& li
         return std::nullopt;
     }
     const ListingDevice device(listing, cpu, binding);
-    std::optional<Finding> finding;
+    std::optional<Diagnosis> diagnosis;
     bool is_sought = false;
-    const auto tell = [&](const Witness& witness, Language language) {
+    const auto explain = [&](const Witness& witness, Language language) {
         // Find the network that the difference comes from, once.
-        if (!is_sought) finding = find_cause(grafcet, listing, cpu, binding, witness);
+        if (!is_sought) diagnosis = localize_fault(grafcet, listing, cpu, binding, witness);
         is_sought = true;
-        return tell_listing_witness(grafcet, listing, witness, finding, device.error(), language);
+        return explain_listing_witness(grafcet, listing, witness, diagnosis, device.error(),
+                                       language);
     };
-    return check_device(chart, device, request, messages, tell);
+    return check_device(chart, device, request, messages, explain);
 }
 
 }  // namespace grafwire

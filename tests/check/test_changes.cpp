@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "check/change_sets.h"
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "check/path.h"
@@ -160,15 +159,15 @@ TEST_CASE("the changes of one input that the plant allows") {
     const Grafcet grafcet =
         grafcet_of("input a, b, c\nassume a ⊕ b\ngraph G { initial 1 1 -> 1 : a . b . c }");
     const Assumptions assumptions(grafcet);
-    const Logic i = Logic::one;
-    const Logic o = Logic::zero;
-    const Logic x = Logic::unknown;
+    const PartialInput i = PartialInput::one;
+    const PartialInput o = PartialInput::zero;
+    const PartialInput x = PartialInput::unassigned;
     // Two complementary contacts change together, c by itself; nothing without modes.
     CHECK(single_changes(assumptions, {i, o, i, o, o, o}, false) ==
           std::vector<PartialInputs>{{i, o, o, o, o, o}, {o, i, i, o, o, o}});
     CHECK(single_changes(assumptions, {x, x, o, o, x, x}, true) ==
           std::vector<PartialInputs>{{x, x, i, o, x, x}, {x, x, o, i, x, x}});
-    // b was open and is read now: it has changed with a.
+    // b was unassigned and is read now: it has changed with a.
     CHECK(inputs_before(assumptions, {o, x, x, o, o, o}, {i, o, x, o, o, o}) ==
           PartialInputs{o, i, x, o, o, o});
     CHECK(inputs_before(assumptions, {o, x, x, o, o, o}, {o, i, i, o, o, o}) ==
@@ -180,8 +179,8 @@ TEST_CASE(
     const Grafcet grafcet = grafcet_of(
         "input a, b, c\nassume /(a . b)\nassume c + /b\ngraph G { initial 1 1 -> 1 : a . b . c }");
     const Assumptions assumptions(grafcet);
-    const Logic i = Logic::one;
-    const Logic o = Logic::zero;
+    const PartialInput i = PartialInput::one;
+    const PartialInput o = PartialInput::zero;
     const PartialInputs start{i, o, o, o, o, o};
     const PartialInputs before{o, i, i, o, o, o};
     const PartialInputs last{o, i, i, i, o, o};

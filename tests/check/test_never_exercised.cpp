@@ -50,7 +50,7 @@ TEST_CASE("an input that stays at one value is unexercised, whichever that is") 
     }
 }
 
-TEST_CASE("an input that nobody reads may have any value, and so has had both") {
+TEST_CASE("an input that nothing reads may have any value, and so has had both") {
     for (const Style style : {Style::nand, Style::clocked}) {
         CHECK(never_of("input a, unread output lamp graph G { initial 0 step 1 : lamp 0 -> 1 : a }",
                        style) == NeverExercised{});

@@ -259,9 +259,9 @@ TEST_CASE("a witness, and what the story does not say of its kind") {
 
 TEST_CASE("what memories hold at power-up stands before the story") {
     const CheckResult result = different(DifferenceKind::situation);
-    const ToldWitness told{"The story.\n", "", {}, {{"q", true}, {"p", false}}};
+    const ExplainedWitness explained{"The story.\n", "", {}, {{"q", true}, {"p", false}}};
     const auto text = [&](Language language) {
-        return write_check_text(wiring(), grafcet_of(chart), result, told, language);
+        return write_check_text(wiring(), grafcet_of(chart), result, explained, language);
     };
     const std::string english = text(Language::english);
     CHECK(english.find("  at power-up: q = 1\n  at power-up: p = 0\n") <

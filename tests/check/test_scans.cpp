@@ -106,7 +106,7 @@ TEST_CASE("a netlist that counts its scans is right for one period") {
 TEST_CASE("the period of a path of scans") {
     const Grafcet grafcet = grafcet_of("input a graph G { initial 1 1 -> 1 : a }");
     const Assumptions assumptions(grafcet);
-    const PartialInputs open(4, Logic::zero);
+    const PartialInputs open(4, PartialInput::zero);
     // Begun at scan 0: 30 ms are over by scan 2 and not by scan 1; 100 ms are not over by scan 2.
     const std::vector<PathStep> path{
         {open, open, {}, {}},

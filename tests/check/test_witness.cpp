@@ -1,7 +1,6 @@
 #include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "check/path.h"
-#include "check/smallest_witness.h"
 #include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
@@ -9,9 +8,9 @@ namespace grafwire::testing {
 
 namespace {
 
-constexpr Logic o = Logic::zero;
-constexpr Logic i = Logic::one;
-constexpr Logic x = Logic::unknown;
+constexpr PartialInput o = PartialInput::zero;
+constexpr PartialInput i = PartialInput::one;
+constexpr PartialInput x = PartialInput::unassigned;
 
 const Grafcet one_input = grafcet_of("input a graph G { initial 0 }");
 const PartialInputs low{o, o, o, o};

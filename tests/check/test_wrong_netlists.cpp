@@ -201,7 +201,7 @@ TEST_CASE("a var matters that an output reads, by way of other vars as well") {
     CHECK_FALSE(witness_of(chart("var v, w", " : lamp if w", " do w := v"), netlist).empty());
 }
 
-TEST_CASE("a hazard that needs an input back at 0 which nobody looked at in between") {
+TEST_CASE("a hazard that needs an input back at 0 that nothing read in between") {
     // In step 1 nothing reads b. A rise of b together with c there, and nothing else, puts out the
     // lamp of step 3.
     const std::string chart = R"(

@@ -79,7 +79,7 @@ TEST_CASE("zones allow what has moments, and nothing else") {
     const auto grafcet =
         parse_grafcet({"no inputs", "graph G { initial 0 }"}, diagnostics).value_or(Grafcet());
     const Assumptions assumptions(grafcet);
-    const PartialInputs none(grafcet.all_input_count(), Logic::zero);
+    const PartialInputs none(grafcet.all_input_count(), PartialInput::zero);
     std::size_t possible = 0;
     std::size_t impossible = 0;
     for (std::uint32_t seed = 1; seed <= 3000; ++seed) {

@@ -56,9 +56,10 @@ void must_be_found(const Grafcet& grafcet, const Ladder& faulty, std::uint32_t n
     const auto again = replay_scans(grafcet, device, witness.stimuli, witness.scan_period);
     REQUIRE(again);
     CHECK(again->stimuli.end == witness.stimuli.end);
-    const std::string story = device.tell(witness, Language::english);
-    CHECK_MESSAGE(story.find("  network " + std::to_string(number)) != std::string::npos, story);
-    CHECK(device.tell(witness, Language::french).find("réseau " + std::to_string(number)) !=
+    const std::string explanation = device.explain(witness, Language::english);
+    CHECK_MESSAGE(explanation.find("  network " + std::to_string(number)) != std::string::npos,
+                  explanation);
+    CHECK(device.explain(witness, Language::french).find("réseau " + std::to_string(number)) !=
           std::string::npos);
 }
 
@@ -95,7 +96,7 @@ TEST_CASE("the ladder diagrams of random charts are not different") {
             const Time period = natural_period(*grafcet, device);
             const CheckResult result = check_scans(*grafcet, device, period, options);
             if (result.verdict != Verdict::different) return {};
-            return device.tell(*result.witness, Language::english);
+            return device.explain(*result.witness, Language::english);
         },
         Features::small(), 960'000, 100, 1);
 }
@@ -141,8 +142,9 @@ TEST_CASE("a rung that is missing is found, and what is not written is named") {
         const LadderDevice device(*grafcet, faulty, find_names(*grafcet, faulty));
         const CheckResult result = check(*grafcet, device);
         REQUIRE(result.verdict == Verdict::different);
-        const std::string story = device.tell(*result.witness, Language::english);
-        CHECK_MESSAGE(story.find(right.variable(coil.variable).name) != std::string::npos, story);
+        const std::string explanation = device.explain(*result.witness, Language::english);
+        CHECK_MESSAGE(explanation.find(right.variable(coil.variable).name) != std::string::npos,
+                      explanation);
         ++dropped;
     }
     CHECK(dropped == 3);
@@ -189,10 +191,10 @@ TEST_CASE("networks of a file are named with their lines, in both languages") {
     const LadderDevice device(*grafcet, faulty, find_names(*grafcet, faulty));
     const CheckResult result = check(*grafcet, device);
     REQUIRE(result.witness);
-    const std::string english = device.tell(*result.witness, Language::english);
+    const std::string english = device.explain(*result.witness, Language::english);
     CHECK_MESSAGE(english.find(", line 1") != std::string::npos, english);
     CHECK(english.find(", ligne 1") == std::string::npos);
-    const std::string french = device.tell(*result.witness, Language::french);
+    const std::string french = device.explain(*result.witness, Language::french);
     CHECK_MESSAGE(french.find(", ligne 1") != std::string::npos, french);
     CHECK(french.find(", line 1") == std::string::npos);
 }
@@ -250,8 +252,9 @@ TEST_CASE("set and reset by CAX and CDX alone let a token run through the chart 
     // One scan with m = 1 is enough: step 0 is still active after it, for it is reset by X1 only in
     // the next.
     CHECK(write_stimuli(result.witness->stimuli, *grafcet) == "0s : m=1\n0s : end\n");
-    const std::string story = device.tell(*result.witness, Language::english);
-    CHECK_MESSAGE(story.find("no network has written X0 in this scan") != std::string::npos, story);
+    const std::string explanation = device.explain(*result.witness, Language::english);
+    CHECK_MESSAGE(explanation.find("no network has written X0 in this scan") != std::string::npos,
+                  explanation);
 }
 
 TEST_CASE("names are found as identifiers, and what is missing is listed") {

@@ -13,7 +13,7 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "explain/explain.h"
-#include "explain/tell_witness.h"
+#include "explain/write_explanation.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
 #include "support/mutate.h"
@@ -66,7 +66,7 @@ void explain_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutati
     }
     for (const Language language : {Language::english, Language::french}) {
         const std::string text =
-            tell_witness(grafcet, wrong, *result.witness, explanation, {language, 0, {}});
+            write_explanation(grafcet, wrong, *result.witness, explanation, {language, 0, {}});
         CHECK_MESSAGE(text.find('{') == std::string::npos, what);
     }
 }

@@ -32,7 +32,7 @@ constexpr std::size_t sparser = is_slow_build ? 14 : 1;
 
 /// How the mutants of a netlist are dealt with where looking at all of them would take too long.
 struct Sampling {
-    std::size_t every = 1;          ///< every so many mutants, from the first on
+    std::size_t every = 1;          ///< of this many mutants one, from the first on
     bool controls_at_rest = false;  ///< with `assume /Init . /AUdur . /AUdoux`
 };
 

@@ -16,7 +16,7 @@ std::map<std::string, std::string> example_charts();
 std::string chart_of(std::uint64_t seed);
 
 /// The chart with a transition less, or with the conditions of two transitions exchanged: what
-/// somebody might have built instead. Steps, inputs and outputs are the same.
+/// might have been built instead. Steps, inputs and outputs are the same.
 std::string altered(const std::string& chart, RandomSource& random);
 
 }  // namespace grafwire::testing

@@ -153,7 +153,7 @@ std::int64_t ListingInterpreter::number(const Operand& operand, Width width) con
     return signed_number(value, width);
 }
 
-/// The high byte first; `further`: so many places of this width behind the operand.
+/// The high byte first; `further`: the number of places of this width behind the operand.
 void ListingInterpreter::set_number(const Operand& operand, Width width, std::size_t further,
                                     std::int64_t value) {
     const std::size_t size = bytes_of_width(width);

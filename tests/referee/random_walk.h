@@ -51,7 +51,8 @@ struct Walk {
     std::string contradiction;  ///< empty where they agreed throughout
 };
 
-/// Scan by scan where `scan_period` is not 0; else until stable. At most so many scans or instants.
+/// Scan by scan where `scan_period` is not 0; else until stable. At most this many scans or
+/// instants.
 Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Happens happens, Time scan_period,
                  RandomSource& random, std::size_t length);
 
@@ -59,7 +60,7 @@ Walk random_walk(const Grafcet& grafcet, const Netlist& netlist, Happens happens
 Time random_period(const Grafcet& grafcet, RandomSource& random);
 
 /// What nets without an initial value may hold at power-up: anything at all, or what they come to
-/// by themselves but for some of them (so that a memory can keep what is random in it).
+/// by themselves except for some of them (so that a memory can keep what is random in it).
 std::vector<bool> random_power_up(const Grafcet& grafcet, const Netlist& netlist,
                                   const InputValues& inputs, RandomSource& random);
 

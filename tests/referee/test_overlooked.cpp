@@ -72,9 +72,9 @@ TEST_CASE("overlooked: an input that changes within an evolution, clocked") {
     must_be_found(chart("  11 -> 13 : ↑b\n"), netlist_of(chart(""), Style::clocked));
 }
 
-// In step 10 nobody reads `shut`. A pulse comes of its rise all the same, by way of a hazard, and
+// In step 10 nothing reads `shut`. A pulse comes of its rise all the same, by way of a hazard, and
 // meets one of `call`.
-TEST_CASE("overlooked: pulses of an input that nobody reads") {
+TEST_CASE("overlooked: pulses of an input that nothing reads") {
     Netlist netlist = netlist_of(door, Style::nand);
     ForeignCells cells(netlist);
     const NetId shut = cells.net("shut");
@@ -90,7 +90,7 @@ TEST_CASE("overlooked: pulses of an input that nobody reads") {
 }
 
 // Never given a value at power-up, so that three values do not see it move.
-TEST_CASE("overlooked: a ring that nobody reads") {
+TEST_CASE("overlooked: a ring that nothing reads") {
     Netlist netlist = netlist_of(door, Style::nand);
     ForeignCells cells(netlist);
     const NetId ring = cells.add(CellType::inverter, {cells.net("call")});

@@ -28,10 +28,10 @@ CheckResult Application::check(const s7::Listing& listing, Time period) const {
     return check_scans(grafcet, device, period != 0 ? period : natural_period(grafcet, device), {});
 }
 
-std::optional<Finding> Application::cause(const s7::Listing& listing,
-                                          const CheckResult& result) const {
+std::optional<Diagnosis> Application::cause(const s7::Listing& listing,
+                                            const CheckResult& result) const {
     REQUIRE(result.witness);
-    return find_cause(grafcet, listing, s7::Cpu::cpu_214, binding, *result.witness);
+    return localize_fault(grafcet, listing, s7::Cpu::cpu_214, binding, *result.witness);
 }
 
 }  // namespace grafwire::testing

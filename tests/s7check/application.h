@@ -4,7 +4,7 @@
 #include <string>
 
 #include "check/scan_check.h"
-#include "s7check/blame.h"
+#include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
 #include "support/listings.h"
 
@@ -17,7 +17,7 @@ struct Application {
     /// What the check says of a listing, with a period or (0) its natural one.
     CheckResult check(const s7::Listing& listing, Time period = 0) const;
     /// And what the difference comes from; there must be one.
-    std::optional<Finding> cause(const s7::Listing& listing, const CheckResult& result) const;
+    std::optional<Diagnosis> cause(const s7::Listing& listing, const CheckResult& result) const;
 
     std::string name;
     Grafcet grafcet;

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "s7/addresses/operand_text.h"
-#include "s7check/method_tables.h"
+#include "s7check/candidate_networks.h"
 #include "support/listings.h"
 
 namespace grafwire::testing {

@@ -16,17 +16,17 @@ namespace grafwire::testing {
 
 namespace {
 
-/// The mistake that a finding points at: the first network it names, that is yet to be corrected;
-/// where nobody writes a bit, the correction that does.
-std::vector<Mistake>::iterator meant_by(const Finding& finding, std::vector<Mistake>& left) {
-    for (const std::uint32_t network : finding.networks) {
+/// The mistake that a diagnosis points at: the first network it names, that is yet to be corrected;
+/// where no network writes a bit, the correction that does.
+std::vector<Mistake>::iterator meant_by(const Diagnosis& diagnosis, std::vector<Mistake>& left) {
+    for (const std::uint32_t network : diagnosis.networks) {
         const auto found = std::find_if(left.begin(), left.end(), [&](const Mistake& mistake) {
             return mistake.found_by == "check" && mistake.concerns(network);
         });
         if (found != left.end()) return found;
     }
     return std::find_if(left.begin(), left.end(), [&](const Mistake& mistake) {
-        return mistake.found_by == "check" && mistake.writes(finding.place);
+        return mistake.found_by == "check" && mistake.writes(diagnosis.place);
     });
 }
 
@@ -47,12 +47,12 @@ void check_mistakes(const std::string& name, const std::string& heading) {
     constexpr Time period = 100 * millisecond;
     CheckResult result = application.check(listing, period);
     while (result.verdict == Verdict::different) {
-        const auto finding = application.cause(listing, result);
-        REQUIRE(finding);
-        const auto mistake = meant_by(*finding, left);
+        const auto diagnosis = application.cause(listing, result);
+        REQUIRE(diagnosis);
+        const auto mistake = meant_by(*diagnosis, left);
         std::string networks;
-        for (const std::uint32_t n : finding->networks) networks += std::to_string(n) + " ";
-        REQUIRE_MESSAGE(mistake != left.end(), finding->name << ", networks " << networks);
+        for (const std::uint32_t n : diagnosis->networks) networks += std::to_string(n) + " ";
+        REQUIRE_MESSAGE(mistake != left.end(), diagnosis->name << ", networks " << networks);
         correct(listing, *mistake);
         left.erase(mistake);
         result = application.check(listing, period);

@@ -67,8 +67,8 @@ NaiveState NaiveDevice::unpacked(const std::string& memory, std::string& extra) 
     return state;
 }
 
-ScannedDevice::Outcome NaiveDevice::scan_closed(const std::string& memory,
-                                                const InputValues& inputs, Time now) const {
+ScannedDevice::Outcome NaiveDevice::scan_assigned(const std::string& memory,
+                                                  const InputValues& inputs, Time now) const {
     std::string extra;
     NaiveState state = memory.empty() ? evolution_.start(inputs) : unpacked(memory, extra);
     evolution_.scan(state, inputs, now);
@@ -82,22 +82,23 @@ ScannedDevice::Outcome NaiveDevice::scan_closed(const std::string& memory,
 
 ScannedDevice::Outcome NaiveDevice::scan(const std::string& memory, const PartialInputs& inputs,
                                          Time now) const {
-    std::vector<std::uint32_t> open;
+    std::vector<std::uint32_t> unassigned;
     InputValues values(inputs.size());
     for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-        values[i] = inputs[i] == Logic::one ? 1 : 0;
-        if (inputs[i] == Logic::unknown) open.push_back(i);
+        values[i] = inputs[i] == PartialInput::one ? 1 : 0;
+        if (inputs[i] == PartialInput::unassigned) unassigned.push_back(i);
     }
-    // Outcome by the number that the open inputs spell, bit 0 first.
+    // Outcome by the number that the unassigned inputs spell, bit 0 first.
     std::vector<Outcome> outcomes;
-    for (std::size_t number = 0; number < std::size_t{1} << open.size(); ++number) {
-        for (std::size_t bit = 0; bit < open.size(); ++bit) values[open[bit]] = number >> bit & 1U;
-        outcomes.push_back(scan_closed(memory, values, now));
-        for (std::size_t bit = 0; bit < open.size(); ++bit) {
+    for (std::size_t number = 0; number < std::size_t{1} << unassigned.size(); ++number) {
+        for (std::size_t bit = 0; bit < unassigned.size(); ++bit)
+            values[unassigned[bit]] = number >> bit & 1U;
+        outcomes.push_back(scan_assigned(memory, values, now));
+        for (std::size_t bit = 0; bit < unassigned.size(); ++bit) {
             const std::size_t without = number & ~(std::size_t{1} << bit);
             if (same(outcomes[number], outcomes[without])) continue;
             Outcome outcome;
-            outcome.needs = open[bit];
+            outcome.needs = unassigned[bit];
             return outcome;
         }
     }

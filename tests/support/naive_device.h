@@ -28,7 +28,7 @@ class NaiveDevice : public ScannedDevice {
     bool has_modes() const override { return has_modes_; }
 
   private:
-    Outcome scan_closed(const std::string& memory, const InputValues& inputs, Time now) const;
+    Outcome scan_assigned(const std::string& memory, const InputValues& inputs, Time now) const;
     std::string packed(const NaiveState& state, const std::string& extra) const;
     NaiveState unpacked(const std::string& memory, std::string& extra) const;
 

@@ -5,6 +5,7 @@
 
 #include "ladder/draw/layout.h"
 #include "ladder/draw/write_drawings.h"
+#include "text/xml.h"
 
 namespace grafwire::ladder {
 
@@ -34,26 +35,6 @@ text { fill: #d7dee6; }
 </style>
 )";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '&':
-                result += "&amp;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 class Picture {
   public:
     std::string write(const Ladder& ladder);
@@ -81,7 +62,7 @@ class Picture {
 void Picture::text(double x, double y, std::string_view kind, std::string_view anchor,
                    std::string_view text) {
     body_ += fmt::format("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"{}\">{}</text>\n",
-                         kind, x, y, anchor, escaped(text));
+                         kind, x, y, anchor, xml_text(text));
 }
 
 void Picture::line(double x1, double y1, double x2, double y2, std::string_view kind) {
@@ -193,7 +174,7 @@ std::string Picture::write(const Ladder& ladder) {
                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" "
                "viewBox=\"0 0 {0:g} {1:g}\">\n<title>{2}</title>\n{3}"
                "<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n",
-               width, height, escaped(ladder.name), style) +
+               width, height, xml_text(ladder.name), style) +
            body_ + "</svg>\n";
 }
 

@@ -1,0 +1,177 @@
+// What every explanation begins with: what changed outside at the end of a witness, and what the
+// reference made of it, scan by scan. The reference is run once more up to the last instant, and
+// that one is repeated with its scans recorded.
+
+#include "explain/explanation_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "evolution/run.h"
+#include "trace/stimuli_player.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t most_scans = 8;     ///< that are shown
+constexpr std::size_t most_noted = 1000;  ///< of an instant
+
+/// One scan; false if it was the last of its instant.
+bool note_scan(const Evolution& evolution, EvolutionState& state, const InputValues& inputs,
+               Time at, ReferenceEnd& end) {
+    ReferenceEnd::Scan scan;
+    scan.at = at;
+    scan.cleared = evolution.cleared_by_scan(state, {inputs}, at);
+    const EvolutionState before = state;
+    evolution.scan(state, {inputs}, at);
+    scan.situation = state.situation;
+    scan.changes = before.situation != state.situation || !scan.cleared.empty();
+    end.scans.push_back(std::move(scan));
+    return !Evolution::is_settled(before, state);
+}
+
+/// Up to the last instant of a run until stable, and the scans of that one.
+void follow_instants(const Evolution& evolution, const Witness& witness, ReferenceEnd& end) {
+    const RunResult run = run_until_stable(evolution.grafcet(), witness.stimuli);
+    StimuliPlayer player(witness.stimuli, evolution.grafcet().all_input_count());
+    EvolutionState state;
+    for (std::size_t row = 0; row < run.trace.row_count(); ++row) {
+        const Time at = run.trace.times[row];
+        player.advance(at);
+        const InputValues& values = player.inputs();
+        if (row == 0) {
+            state = evolution.start({values});
+        } else {
+            evolution.end_delays(state, {values}, at);
+        }
+        if (row + 1 < run.trace.row_count()) {
+            evolution.settle(state, {values}, at);
+            continue;
+        }
+        end.before = state.situation;
+        while (end.scans.size() < most_noted && note_scan(evolution, state, values, at, end)) {
+        }
+    }
+}
+
+/// The last scans of a run scan by scan: those since the inputs changed, but not too many.
+void follow_scans(const Evolution& evolution, const Witness& witness, ReferenceEnd& end) {
+    const Time period = witness.scan_period;
+    const auto& changes = witness.stimuli.changes;
+    const Time change = changes.empty() ? 0 : changes.back().at;
+    const Time last = witness.stimuli.end / period;
+    const Time first = std::max<Time>(
+        {0, (change + period - 1) / period, last - static_cast<Time>(most_scans) + 1});
+    StimuliPlayer player(witness.stimuli, evolution.grafcet().all_input_count());
+    player.advance(0);
+    EvolutionState state = evolution.start({player.inputs()});
+    for (Time scan = 0; scan <= last; ++scan) {
+        player.advance(scan * period);
+        const InputValues& values = player.inputs();
+        if (scan == first) end.before = state.situation;
+        if (scan < first) {
+            evolution.scan(state, {values}, scan * period);
+        } else {
+            note_scan(evolution, state, values, scan * period, end);
+        }
+    }
+}
+
+}  // namespace
+
+bool ReferenceEnd::clears(TransitionId transition) const {
+    return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
+        return std::find(scan.cleared.begin(), scan.cleared.end(), transition) !=
+               scan.cleared.end();
+    });
+}
+
+ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness) {
+    const Evolution evolution(grafcet);
+    ReferenceEnd end;
+    if (witness.scan_period == 0) {
+        follow_instants(evolution, witness, end);
+    } else {
+        follow_scans(evolution, witness, end);
+    }
+    return end;
+}
+
+void ExplanationWriter::explain_changes() {
+    const Time last = witness_.stimuli.end;
+    text_ += fmt::format("{} {} ms", localized("At", "À"), format_milliseconds(last));
+    const auto& changes = witness_.stimuli.changes;
+    std::vector<std::string> set;
+    if (!changes.empty() && changes.back().at == last) {
+        for (const Stimuli::Assignment& assignment : changes.back().assignments) {
+            set.push_back(fmt::format("{}={}", input_name(grafcet_, assignment.input),
+                                      assignment.value ? 1 : 0));
+        }
+    }
+    text_ += set.empty() ? std::string(localized(", no input changes", ", aucune entrée ne change"))
+                         : fmt::format("{} {}", localized(":", " :"), fmt::join(set, " "));
+    text_ += ".\n";
+}
+
+std::string ExplanationWriter::situation_text(const BitTable& situation) const {
+    std::vector<std::string> active;
+    for (std::size_t i = 0; i < situation.size(); ++i) {
+        if (situation.test(i)) {
+            active.push_back("X" + grafcet_.steps[grafcet_.steps.id_at(i)].name);
+        }
+    }
+    if (active.empty()) return std::string(localized("no step", "aucune étape"));
+    return fmt::format("{}", fmt::join(active, " "));
+}
+
+std::string ExplanationWriter::transition_text(TransitionId id) const {
+    const Transition& transition = grafcet_.transitions[id];
+    const auto names = [&](std::span<const StepId> steps) {
+        std::vector<std::string> list;
+        for (const StepId step : steps) list.push_back(grafcet_.steps[step].name);
+        return fmt::format("{}", fmt::join(list, ", "));
+    };
+    const std::string before = names(grafcet_.preceding(transition));
+    return fmt::format("({}) {}{}-> {}", transition.name, before, before.empty() ? "" : " ",
+                       names(grafcet_.following(transition)));
+}
+
+void ExplanationWriter::explain_reference() {
+    text_ += localized("The reference:\n", "La référence :\n");
+    const ReferenceEnd end = end_of_reference(grafcet_, witness_);
+    text_ += fmt::format("  {} {}\n", localized("before:", "avant :"), situation_text(end.before));
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < end.scans.size(); ++i) {
+        const ReferenceEnd::Scan& scan = end.scans[i];
+        if (!scan.changes) continue;
+        if (shown++ == most_scans) {
+            text_ += "  …\n";
+            break;
+        }
+        const std::string label = witness_.scan_period == 0
+                                      ? fmt::format("{} {}", localized("scan", "cycle"), i + 1)
+                                      : fmt::format("{} {} ms", localized("scan at", "cycle à"),
+                                                    format_milliseconds(scan.at));
+        std::vector<std::string> names;
+        for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
+        text_ += fmt::format("  {}{} {}{} -> {}\n", label, localized(":", " :"),
+                             names.empty() ? "" : localized("clears ", "franchit "),
+                             names.empty() ? std::string(localized("orders", "ordres"))
+                                           : fmt::format("{}", fmt::join(names, "; ")),
+                             situation_text(scan.situation));
+    }
+}
+
+void ExplanationWriter::explain_difference(std::string_view other_side) {
+    text_ += localized("Where they part:\n", "Où ils se séparent :\n");
+    for (const Witness::Value& value : witness_.values) {
+        if (value.expected == value.got) continue;
+        text_ += fmt::format("  {}{} {} {}, {} {}\n", value.name, localized(":", " :"),
+                             localized("the reference gives", "la référence donne"),
+                             digit_of(value.expected), other_side, digit_of(value.got));
+    }
+}
+
+}  // namespace grafwire

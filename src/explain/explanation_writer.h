@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/witness.h"
+#include "evolution/evolution.h"
+#include "grafcet/grafcet.h"
+#include "text/language.h"
+
+namespace grafwire {
+
+/// What the reference does at the end of a witness: at its last instant, or in the scans since the
+/// inputs last changed.
+struct ReferenceEnd {
+    struct Scan {
+        Time at = 0;
+        std::vector<TransitionId> cleared;
+        BitTable situation;  ///< after it
+        bool changes = false;
+    };
+    BitTable before;
+    std::vector<Scan> scans;
+
+    bool clears(TransitionId transition) const;
+};
+ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness);
+
+/// A witness explained in words, part by part. What the other side did in between is added by its
+/// device.
+class ExplanationWriter {
+  public:
+    ExplanationWriter(const Grafcet& grafcet, const Witness& witness, Language language)
+        : grafcet_(grafcet), witness_(witness), french_(language == Language::french) {}
+
+    /// What changes at the last instant.
+    void explain_changes();
+    /// What the reference makes of it, scan by scan.
+    void explain_reference();
+    /// Where the two sides part; `other_side`: "the netlist".
+    void explain_difference(std::string_view other_side);
+
+    void add(std::string_view text) { text_ += text; }
+    std::string_view localized(std::string_view english, std::string_view french) const {
+        return french_ ? french : english;
+    }
+    Language language() const { return french_ ? Language::french : Language::english; }
+    std::string take() { return std::move(text_); }
+
+  private:
+    std::string situation_text(const BitTable& situation) const;
+    std::string transition_text(TransitionId id) const;
+
+    const Grafcet& grafcet_;
+    const Witness& witness_;
+    bool french_;
+    std::string text_;
+};
+
+}  // namespace grafwire

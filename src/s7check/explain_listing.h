@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/witness.h"
+#include "grafcet/grafcet.h"
+#include "s7/listing.h"
+#include "s7/machine/machine.h"
+#include "s7check/fault_localization.h"
+#include "text/language.h"
+
+namespace grafwire {
+
+/// A witness against a listing explained: what changes, what the reference makes of it, where the
+/// two part, and which network of the listing that comes from. `error`: what ended its last scan,
+/// where something did.
+std::string explain_listing_witness(const Grafcet& grafcet, const s7::Listing& listing,
+                                    const Witness& witness,
+                                    const std::optional<Diagnosis>& diagnosis,
+                                    const std::optional<s7::RunError>& error, Language language);
+
+/// Of a network the instructions that write one of some places: the logic before each of them, up
+/// to it. Where none does, those that set something or leave the network, for one of them should
+/// have; and where there are none of these either, its first ones. At most `most` of them.
+std::vector<const s7::Instruction*> excerpt(const s7::Network& network,
+                                            const std::vector<s7::Operand>& places,
+                                            std::size_t most);
+
+}  // namespace grafwire
