@@ -130,7 +130,7 @@ show_progress() {
     [ ! -t 2 ] || on_terminal=1
     while IFS= read -r line; do
         case $line in
-            'ninja: Entering directory'* | 'ninja: no work to do.') ;;
+            'ninja: Entering directory'* | 'ninja: no work to do.' | '-- '*) ;;
             \[*/*\]\ *)
                 if [ -n "$on_terminal" ]; then
                     [ "$SECONDS" -eq "$began" ] || printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line" >&2
