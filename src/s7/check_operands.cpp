@@ -1,11 +1,10 @@
 // Whether each operand of an instruction is of the kind that its place needs (instruction_set.h),
 // and within what the controller has of that area (cpu.h).
 
-#include "s7/check_listing.h"
-
 #include <fmt/format.h>
 
 #include "s7/addresses/operand_text.h"
+#include "s7/check_listing.h"
 #include "s7/instruction_set.h"
 
 namespace grafwire::s7 {

@@ -180,11 +180,6 @@ void PortMap::set_inputs(Simulator& simulator, const std::vector<Logic>& values)
     }
 }
 
-Settling initialise(Simulator& simulator, const Grafcet& grafcet, const Netlist& netlist,
-                    const PortMap& ports, const std::vector<Logic>& inputs) {
-    return Initialisation(simulator, grafcet, netlist, ports).make(inputs);
-}
-
 NetlistMachine::NetlistMachine(const Grafcet& grafcet, const Netlist& netlist,
                                const CellDelays& delays)
     : grafcet_(grafcet),
@@ -194,7 +189,7 @@ NetlistMachine::NetlistMachine(const Grafcet& grafcet, const Netlist& netlist,
       ports_(map_ports(grafcet, netlist)) {}
 
 Settling NetlistMachine::start(const std::vector<Logic>& inputs) {
-    return initialise(simulator_, grafcet_, netlist_, ports_, inputs);
+    return Initialisation(simulator_, grafcet_, netlist_, ports_).make(inputs);
 }
 
 void NetlistMachine::rest_under(const std::vector<Logic>& inputs) {

@@ -21,10 +21,6 @@ struct PortMap {
 };
 PortMap map_ports(const Grafcet& grafcet, const Netlist& netlist);
 
-/// NetlistMachine::start for a simulator by itself.
-Settling initialise(Simulator& simulator, const Grafcet& grafcet, const Netlist& netlist,
-                    const PortMap& ports, const std::vector<Logic>& inputs);
-
 /// A netlist in the place of its GRAFCET: a simulation whose inputs are those of the GRAFCET
 /// (declared inputs, Init, AUdur, AUdoux; three-valued), from its start through instants. GRAFCET
 /// and netlist must outlive it.
