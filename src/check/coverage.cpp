@@ -29,7 +29,7 @@ bool can_ever_act(const Grafcet& grafcet) {
     return std::any_of(grafcet.steps.begin(), grafcet.steps.end(),
                        [](const Step& step) { return step.initial; }) ||
            std::any_of(grafcet.transitions.begin(), grafcet.transitions.end(),
-                       [](const Transition& t) { return t.preceding_count == 0; });
+                       [](const Transition& t) { return t.preceding.count == 0; });
 }
 
 CoverageRecorder::CoverageRecorder(const Grafcet& grafcet, const Assumptions& assumptions,

@@ -39,7 +39,7 @@ Relevance::Relevance(const Grafcet& grafcet)
       times_bits_(grafcet.expressions.time_conditions().size()),
       times_(grafcet.expressions.time_conditions().size()),
       counters_(grafcet.counters.size()) {
-    for (const Transition& transition : grafcet.transitions) read(grafcet, transition.receptivity);
+    for (const Transition& transition : grafcet.transitions) read(grafcet, transition.condition);
     for (const Action& action : grafcet.actions) {
         if (action.kind == ActionKind::continuous) read(grafcet, action.expression);
     }

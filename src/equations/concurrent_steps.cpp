@@ -32,8 +32,8 @@ ConcurrentSteps::ConcurrentSteps(const Grafcet& grafcet, std::size_t most_pairs)
     for (std::size_t i = 0; i < grafcet.transitions.size(); ++i) {
         const TransitionId id = grafcet.transitions.id_at(i);
         const Transition& transition = grafcet.transitions[id];
-        can_clear_[i] = !constants.is_never_true(transition.receptivity);
-        if (transition.preceding_count == 0 && can_clear_[i]) sources_.push_back(id);
+        can_clear_[i] = !constants.is_never_true(transition.condition);
+        if (transition.preceding.count == 0 && can_clear_[i]) sources_.push_back(id);
     }
     start();
     while (is_complete_ && (!open_.empty() || !open_steps_.empty())) {
@@ -65,8 +65,7 @@ void ConcurrentSteps::start() {
     for (std::size_t g = 0; g < grafcet_.graphs.size(); ++g) {
         const Graph& graph = grafcet_.graphs.items()[g];
         initial.clear();
-        for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-            const auto step = static_cast<StepId>(graph.first_step + i);
+        for (const StepId step : graph.steps) {
             if (grafcet_.steps[step].initial) initial.push_back(step);
         }
         start_together(initial);

@@ -94,7 +94,7 @@ struct Equations {
     /// graph), as one flat conjunction; Init is not in it. The constant 0 where the receptivity is.
     Table<TransitionId, ExprId> clearing;
     /// Per transition: the receptivity alone, gated by the freezing steps; may be constant.
-    Table<TransitionId, ExprId> receptivity;
+    Table<TransitionId, ExprId> transition_conditions;
     /// Per graph: OR of the X that freeze it, or no_expr.
     Table<GraphId, ExprId> frozen;
     Table<StepId, StepEquation> steps;

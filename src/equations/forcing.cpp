@@ -33,10 +33,7 @@ Table<GraphId, ExprId> ordering_steps(const Grafcet& grafcet, Equations& equatio
 /// Calls `use(step id)` for every step of a graph, those of its expansions included.
 template <typename Use>
 void for_each_step(const Grafcet& grafcet, GraphId graph, Use use) {
-    const Graph& range = grafcet.graphs[graph];
-    for (std::uint32_t i = 0; i < range.step_count; ++i) {
-        use(grafcet.steps.id_at(range.first_step + i));
-    }
+    for (const StepId step : grafcet.graphs[graph].steps) use(step);
 }
 
 }  // namespace

@@ -68,22 +68,23 @@ class Normaliser {
     ExprId variable(Variable variable) {
         if (variable.kind == VariableKind::macro) {
             const Macro& macro = grafcet_.macros[static_cast<MacroId>(variable.index)];
-            return any_step(macro.first_step, macro.step_count);
+            return any_step(macro.steps);
         }
         if (variable.kind == VariableKind::graph) {
             const Graph& graph = grafcet_.graphs[static_cast<GraphId>(variable.index)];
-            return any_step(graph.first_step, graph.step_count);
+            return any_step(graph.steps);
         }
         return pool_.variable(variable);
     }
 
-    ExprId any_step(std::uint32_t first, std::uint32_t count) {
-        std::vector<ExprId> steps;
-        steps.reserve(count);
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            steps.push_back(pool_.variable({VariableKind::step, i}));
+    ExprId any_step(Range<StepId> steps) {
+        std::vector<ExprId> variables;
+        variables.reserve(steps.count);
+        for (const StepId step : steps) {
+            variables.push_back(
+                pool_.variable({VariableKind::step, static_cast<std::uint32_t>(step)}));
         }
-        return or_of(pool_, steps);
+        return or_of(pool_, variables);
     }
 
     ExprId edge(ExprId id) {

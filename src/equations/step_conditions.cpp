@@ -12,7 +12,8 @@ namespace grafwire {
 
 void derive_transitions(const Grafcet& grafcet, Equations& equations) {
     Expressions& pool = equations.expressions;
-    equations.receptivity = Table<TransitionId, ExprId>(grafcet.transitions.size(), no_expr);
+    equations.transition_conditions =
+        Table<TransitionId, ExprId>(grafcet.transitions.size(), no_expr);
     equations.clearing = Table<TransitionId, ExprId>(grafcet.transitions.size(), no_expr);
 
     std::vector<ExprId> factors;
@@ -21,9 +22,9 @@ void derive_transitions(const Grafcet& grafcet, Equations& equations) {
         const Transition& transition = grafcet.transitions[id];
         const ExprId frozen = equations.frozen[transition.graph];
 
-        ExprId receptivity = translated(equations, transition.receptivity);
+        ExprId receptivity = translated(equations, transition.condition);
         if (frozen != no_expr) receptivity = and_of(pool, {receptivity, not_of(pool, frozen)});
-        equations.receptivity[id] = receptivity;
+        equations.transition_conditions[id] = receptivity;
 
         factors.clear();
         for (const StepId step : grafcet.preceding(transition)) {

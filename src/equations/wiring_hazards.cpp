@@ -211,8 +211,8 @@ class HazardSearch {
     void find_edges(StepId step, TransitionId out) {
         for (const TransitionId into : links_.into_step(step)) {
             const ExprId edge =
-                SharedEdge(grafcet_.expressions, grafcet_.transitions[into].receptivity,
-                           grafcet_.transitions[out].receptivity)
+                SharedEdge(grafcet_.expressions, grafcet_.transitions[into].condition,
+                           grafcet_.transitions[out].condition)
                     .find();
             if (edge == no_expr) continue;
             hazards_.push_back({WiringHazard::Kind::repeated_edge, step, out, into, edge});

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "evolution/bits.h"
+#include "grafcet/relations.h"
 
 namespace grafwire {
 
@@ -86,11 +87,11 @@ bool Evaluator::variable(Variable variable) const {
             return state_.situation.test(variable.index);
         case VariableKind::macro: {
             const Macro& macro = grafcet_.macros[MacroId{variable.index}];
-            return any_in_range(state_.situation, macro.first_step, macro.step_count);
+            return any_in_range(state_.situation, macro.steps.first, macro.steps.count);
         }
         case VariableKind::graph: {
             const Graph& graph = grafcet_.graphs[GraphId{variable.index}];
-            return any_in_range(state_.situation, graph.first_step, graph.step_count);
+            return any_in_range(state_.situation, graph.steps.first, graph.steps.count);
         }
         case VariableKind::counter:
             break;
@@ -109,23 +110,7 @@ ExactSum Evaluator::sum(const Sum& terms) const {
 }
 
 bool Evaluator::comparison(const Comparison& comparison) const {
-    const int order = sum(comparison.left).compare(sum(comparison.right));
-    switch (comparison.relation) {
-        case Relation::equal:
-            return order == 0;
-        case Relation::not_equal:
-            return order != 0;
-        case Relation::less:
-            return order < 0;
-        case Relation::less_equal:
-            return order <= 0;
-        case Relation::greater:
-            return order > 0;
-        case Relation::greater_equal:
-            return order >= 0;
-    }
-    assert(false);
-    return false;
+    return holds(sum(comparison.left).compare(sum(comparison.right)), comparison.relation, 0);
 }
 
 }  // namespace grafwire

@@ -55,7 +55,7 @@ void list_cleared(const ScanContext& scan, ClearedList& cleared) {
         for (const StepId step : grafcet.preceding(transition)) {
             if (!before.test(index_of(step))) return;
         }
-        if (scan.read.value(transition.receptivity)) cleared.push_back(id);
+        if (scan.read.value(transition.condition)) cleared.push_back(id);
     };
     for_each_bit(before, [&](std::size_t step) {
         for (const TransitionId id : scan.tables.answered_by(step)) consider(id);

@@ -18,7 +18,7 @@ namespace grafwire {
 
 namespace {
 
-using OrderList = SmallList<std::uint32_t, 32>;
+using OrderList = SmallList<OrderId, 32>;
 
 void list_orders(const ScanContext& scan, OrderList& orders) {
     for_each_common_bit(scan.state.situation, scan.tables.giving_orders, [&](std::size_t s) {
@@ -31,7 +31,7 @@ void list_orders(const ScanContext& scan, OrderList& orders) {
 
 void force_to_0(const ScanContext& scan, const OrderList& orders) {
     SmallList<GraphId, 32> forced;
-    for (const std::uint32_t o : orders) {
+    for (const OrderId o : orders) {
         const Order& order = scan.grafcet.orders[o];
         if (order.kind != OrderKind::freeze) forced.push_back(order.graph);
     }
@@ -39,17 +39,17 @@ void force_to_0(const ScanContext& scan, const OrderList& orders) {
     GraphId* const end = std::unique(forced.begin(), forced.end());
     for (const GraphId* graph = forced.begin(); graph != end; ++graph) {
         const Graph& g = scan.grafcet.graphs[*graph];
-        clear_range(scan.state.situation, g.first_step, g.step_count);
+        clear_range(scan.state.situation, g.steps.first, g.steps.count);
     }
 }
 
 void force_to_1(const ScanContext& scan, const OrderList& orders) {
-    for (const std::uint32_t o : orders) {
+    for (const OrderId o : orders) {
         const Order& order = scan.grafcet.orders[o];
         if (order.kind == OrderKind::initial) {
             const Graph& graph = scan.grafcet.graphs[order.graph];
-            add_range(scan.state.situation, scan.tables.initial, graph.first_step,
-                      graph.step_count);
+            add_range(scan.state.situation, scan.tables.initial, graph.steps.first,
+                      graph.steps.count);
         } else if (order.kind == OrderKind::listed) {
             for (const StepId step : order.steps) scan.state.situation.set(index_of(step));
         }
@@ -60,19 +60,19 @@ void force_to_1(const ScanContext& scan, const OrderList& orders) {
 bool some_order_bears_on(const ScanContext& scan, const OrderList& orders, GraphId graph) {
     if (orders.empty()) return false;
     const auto on_graph = scan.tables.orders_on(graph);
-    return std::any_of(on_graph.begin(), on_graph.end(), [&](std::uint32_t order) {
+    return std::any_of(on_graph.begin(), on_graph.end(), [&](OrderId order) {
         return std::binary_search(orders.begin(), orders.end(), order);
     });
 }
 
 void apply_enclosures(const ScanContext& scan, const OrderList& orders, bool init) {
     BitTable& situation = scan.state.situation;
-    for (const std::uint32_t e : scan.tables.enclosures_inwards) {
+    for (const EnclosureId e : scan.tables.enclosures_inwards) {
         const Enclosure& enclosure = scan.grafcet.enclosures[e];
         const std::size_t step = index_of(enclosure.step);
         if (!situation.test(step)) {
             const Graph& graph = scan.grafcet.graphs[enclosure.graph];
-            clear_range(situation, graph.first_step, graph.step_count);
+            clear_range(situation, graph.steps.first, graph.steps.count);
         } else if (!init && !scan.state.previous.test(step) &&
                    !some_order_bears_on(scan, orders, enclosure.graph)) {
             for (const StepId link : enclosure.links) situation.set(index_of(link));

@@ -54,7 +54,7 @@ void list_changed(const ScanContext& scan, const BitTable& candidates, const Bit
 void list_clearing(const ScanContext& scan, const ClearedList& cleared, PendingWrites& writes) {
     ClearedList with_actions;
     for (const TransitionId id : cleared) {
-        if (scan.grafcet.transitions[id].clearing_count != 0) with_actions.push_back(id);
+        if (scan.grafcet.transitions[id].clearing.count != 0) with_actions.push_back(id);
     }
     std::sort(with_actions.begin(), with_actions.end());
     for (const TransitionId id : with_actions) {

@@ -50,21 +50,21 @@ void sort_steps(const Grafcet& grafcet, EvolutionTables& tables) {
 }
 
 /// Breadth first from the graphs that nothing encloses: an enclosure comes after the one around it.
-std::vector<std::uint32_t> inwards(const Grafcet& grafcet) {
+std::vector<EnclosureId> inwards(const Grafcet& grafcet) {
     const auto around = [&](std::size_t e) {
-        const GraphId graph = grafcet.steps[grafcet.enclosures[e].step].graph;
-        return grafcet.graphs[graph].enclosed_by;
+        const StepId step = grafcet.enclosures[grafcet.enclosures.id_at(e)].step;
+        return static_cast<std::uint32_t>(grafcet.graphs[grafcet.steps[step].graph].enclosed_by);
     };
     std::vector<std::uint32_t> begin;
-    std::vector<std::uint32_t> inside;
+    std::vector<EnclosureId> inside;
     group_by(grafcet.enclosures.size(), grafcet.enclosures.size(), around, begin, inside);
 
-    std::vector<std::uint32_t> order;
+    std::vector<EnclosureId> order;
     for (std::size_t e = 0; e < grafcet.enclosures.size(); ++e) {
-        if (around(e) == none) order.push_back(static_cast<std::uint32_t>(e));
+        if (around(e) == none) order.push_back(grafcet.enclosures.id_at(e));
     }
     for (std::size_t done = 0; done < order.size(); ++done) {
-        const std::uint32_t e = order[done];
+        const std::size_t e = index_of(order[done]);
         order.insert(order.end(), inside.begin() + begin[e], inside.begin() + begin[e + 1]);
     }
     assert(order.size() == grafcet.enclosures.size());  // a circle of enclosures is refused
@@ -99,7 +99,7 @@ EvolutionTables::EvolutionTables(const Grafcet& grafcet)
 
     const auto first_preceding = [&](std::size_t t) {
         const auto steps = grafcet.preceding(grafcet.transitions[grafcet.transitions.id_at(t)]);
-        return steps.empty() ? none : static_cast<std::uint32_t>(index_of(steps.front()));
+        return static_cast<std::uint32_t>(steps.empty() ? StepId(none) : steps.front());
     };
     group_by(grafcet.steps.size(), grafcet.transitions.size(), first_preceding, answered_begin,
              answered);
@@ -107,7 +107,7 @@ EvolutionTables::EvolutionTables(const Grafcet& grafcet)
         if (first_preceding(t) == none) sources.push_back(grafcet.transitions.id_at(t));
     }
     const auto bears_on = [&](std::size_t o) {
-        return static_cast<std::uint32_t>(index_of(grafcet.orders[o].graph));
+        return static_cast<std::uint32_t>(index_of(grafcet.orders[grafcet.orders.id_at(o)].graph));
     };
     group_by(grafcet.graphs.size(), grafcet.orders.size(), bears_on, orders_begin, orders_by_graph);
 

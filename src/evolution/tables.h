@@ -22,7 +22,7 @@ struct EvolutionTables {
                 answered_begin[step + 1] - answered_begin[step]};
     }
     /// The orders (indices into Grafcet::orders, ascending) that bear on a graph.
-    std::span<const std::uint32_t> orders_on(GraphId graph) const {
+    std::span<const OrderId> orders_on(GraphId graph) const {
         const std::size_t g = index_of(graph);
         return {orders_by_graph.data() + orders_begin[g], orders_begin[g + 1] - orders_begin[g]};
     }
@@ -44,9 +44,8 @@ struct EvolutionTables {
     bool any_stored_step_action = false;
 
     std::vector<std::uint32_t> orders_begin;
-    std::vector<std::uint32_t> orders_by_graph;
-    /// Indices into Grafcet::enclosures, the outermost first.
-    std::vector<std::uint32_t> enclosures_inwards;
+    std::vector<OrderId> orders_by_graph;
+    std::vector<EnclosureId> enclosures_inwards;
 
     /// Per expression node: its number among the edges or among the time conditions.
     std::vector<std::uint32_t> ordinals;

@@ -175,7 +175,7 @@ class CauseSearch {
         for (const TransitionId into : links_.into_step(wrong.step)) {
             if (facts_.reference.clears(into)) continue;
             std::vector<ExprId> edges;
-            collect_edges(grafcet_.transitions[into].receptivity, edges);
+            collect_edges(grafcet_.transitions[into].condition, edges);
             for (const ExprId edge : edges) {
                 std::vector<NetId> nets;
                 collect_variables(edge, nets);

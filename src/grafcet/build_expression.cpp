@@ -6,7 +6,7 @@ namespace grafwire {
 
 namespace {
 
-Sum sum_of(const Syntax& syntax, Range range) {
+Sum sum_of(const Syntax& syntax, Range<> range) {
     Sum sum;
     for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
         const TermSyntax& term = syntax.terms[i];

@@ -93,7 +93,7 @@ class ModelBuilder {
 
     void add_steps(std::uint32_t graph_block) {
         Graph& graph = grafcet_.graphs[GraphId{graph_ids_[graph_block]}];
-        graph.first_step = step_count();
+        graph.steps.first = step_count();
         struct Place {
             std::uint32_t block;
             std::uint32_t next;
@@ -101,7 +101,7 @@ class ModelBuilder {
         std::vector<Place> open = {{graph_block, 0}};
         while (!open.empty()) {
             Place& place = open.back();
-            const Range nodes = syntax_.blocks[place.block].nodes;
+            const Range<> nodes = syntax_.blocks[place.block].nodes;
             if (place.next == nodes.count) {
                 close_expansion(place.block);
                 open.pop_back();
@@ -115,7 +115,7 @@ class ModelBuilder {
                 add_step(node);
             }
         }
-        graph.step_count = step_count() - graph.first_step;
+        graph.steps.count = step_count() - graph.steps.first;
     }
 
     void add_macro(std::uint32_t node) {
@@ -125,7 +125,7 @@ class ModelBuilder {
         macro.block = BlockId{item.block};
         macro.graph = grafcet_.blocks[macro.block].graph;
         macro.expansion = BlockId{item.resolved};
-        macro.first_step = step_count();
+        macro.steps.first = step_count();
         macro.where = item.name.where;
         node_ids_[node] = static_cast<std::uint32_t>(grafcet_.macros.add(std::move(macro)));
         grafcet_.blocks[BlockId{item.block}].nodes.push_back({true, node_ids_[node]});
@@ -135,7 +135,7 @@ class ModelBuilder {
         const BlockSyntax& item = syntax_.blocks[block];
         if (!item.is_expansion) return;
         Macro& macro = grafcet_.macros[MacroId{node_ids_[item.macro]}];
-        macro.step_count = step_count() - macro.first_step;
+        macro.steps.count = step_count() - macro.steps.first;
         macro.entry = StepId{node_ids_[item.entry]};
         macro.exit = StepId{node_ids_[item.exit]};
     }
@@ -162,13 +162,12 @@ class ModelBuilder {
         if (item.extra != none) {
             const EnclosureSyntax& enclosure = syntax_.enclosures[item.extra];
             const GraphId graph{graph_ids_[enclosure.resolved]};
-            step.enclosure = static_cast<std::uint32_t>(grafcet_.enclosures.size());
-            grafcet_.graphs[graph].enclosed_by = step.enclosure;
-            grafcet_.enclosures.push_back(
+            step.enclosure = grafcet_.enclosures.add(
                 {StepId{index}, graph, steps_of(enclosure.links), enclosure.graph.where});
+            grafcet_.graphs[graph].enclosed_by = step.enclosure;
         }
-        step.first_action = static_cast<std::uint32_t>(grafcet_.actions.size());
-        step.action_count = item.actions.count;
+        step.actions.first = static_cast<std::uint32_t>(grafcet_.actions.size());
+        step.actions.count = item.actions.count;
         for (std::uint32_t i = 0; i < item.actions.count; ++i)
             add_action(StepId{index}, syntax_.actions[item.actions.first + i]);
     }
@@ -183,9 +182,8 @@ class ModelBuilder {
         if (item.kind == ActionKind::stored) action.write = write_of(syntax_.writes[item.write]);
         if (item.expression.is_present()) action.expression = build(item.expression);
         if (item.kind == ActionKind::order) {
-            action.order = static_cast<std::uint32_t>(grafcet_.orders.size());
-            grafcet_.orders.push_back({step, GraphId{graph_ids_[item.resolved]}, item.order,
-                                       steps_of(item.steps), item.where});
+            action.order = grafcet_.orders.add({step, GraphId{graph_ids_[item.resolved]},
+                                                item.order, steps_of(item.steps), item.where});
         }
         grafcet_.actions.push_back(action);
     }
@@ -204,12 +202,11 @@ class ModelBuilder {
             const TermSyntax& term = syntax_.terms[i];
             sum.push_back({term.negative, term.counter, term.value});
         }
-        write.sum = static_cast<std::uint32_t>(grafcet_.sums.size());
-        grafcet_.sums.push_back(std::move(sum));
+        write.sum = grafcet_.sums.add(std::move(sum));
         return write;
     }
 
-    std::vector<StepId> steps_of(Range list) const {
+    std::vector<StepId> steps_of(Range<> list) const {
         std::vector<StepId> steps;
         for (std::uint32_t i = list.first; i < list.first + list.count; ++i)
             steps.push_back(StepId{node_ids_[syntax_.word_nodes[i]]});
@@ -218,7 +215,7 @@ class ModelBuilder {
 
     void add_transitions(std::uint32_t graph_block) {
         Graph& graph = grafcet_.graphs[GraphId{graph_ids_[graph_block]}];
-        graph.first_transition = static_cast<std::uint32_t>(grafcet_.transitions.size());
+        graph.transitions.first = static_cast<std::uint32_t>(grafcet_.transitions.size());
         std::vector<std::uint32_t> open = {graph_block};
         while (!open.empty()) {
             const std::uint32_t block = open.back();
@@ -231,8 +228,8 @@ class ModelBuilder {
                 if (node.kind == NodeKind::macro) open.push_back(node.resolved);
             }
         }
-        graph.transition_count =
-            static_cast<std::uint32_t>(grafcet_.transitions.size()) - graph.first_transition;
+        graph.transitions.count =
+            static_cast<std::uint32_t>(grafcet_.transitions.size()) - graph.transitions.first;
     }
 
     void add_transition(std::uint32_t block, std::uint32_t rank) {
@@ -242,15 +239,15 @@ class ModelBuilder {
         transition.name = item.labelled ? string_of(item.label) : std::to_string(rank);
         transition.block = BlockId{block};
         transition.graph = grafcet_.blocks[transition.block].graph;
-        transition.receptivity = build(item.receptivity);
-        transition.first_preceding = static_cast<std::uint32_t>(grafcet_.links.size());
-        transition.preceding_count = item.preceding.count;
+        transition.condition = build(item.condition);
+        transition.preceding.first = static_cast<std::uint32_t>(grafcet_.links.size());
+        transition.preceding.count = item.preceding.count;
         add_links(item.preceding, true);
-        transition.first_following = static_cast<std::uint32_t>(grafcet_.links.size());
-        transition.following_count = item.following.count;
+        transition.following.first = static_cast<std::uint32_t>(grafcet_.links.size());
+        transition.following.count = item.following.count;
         add_links(item.following, false);
-        transition.first_clearing = static_cast<std::uint32_t>(grafcet_.clearing_actions.size());
-        transition.clearing_count = item.writes.count;
+        transition.clearing.first = static_cast<std::uint32_t>(grafcet_.clearing_actions.size());
+        transition.clearing.count = item.writes.count;
         transition.where = item.where;
         const TransitionId id = grafcet_.transitions.add(std::move(transition));
         for (std::uint32_t i = 0; i < item.writes.count; ++i) {
@@ -260,7 +257,7 @@ class ModelBuilder {
         grafcet_.blocks[BlockId{block}].transitions.push_back(id);
     }
 
-    void add_links(Range list, bool is_preceding) {
+    void add_links(Range<> list, bool is_preceding) {
         for (std::uint32_t i = list.first; i < list.first + list.count; ++i) {
             const std::uint32_t node = syntax_.word_nodes[i];
             StepId step{node_ids_[node]};

@@ -155,17 +155,17 @@ class Description {
         write_title(words_.graphs);
         for (const Graph& graph : grafcet_.graphs) {
             out_ += fmt::format("  {}{}{}, {}\n", quoted_where_needed(graph.name), colon_,
-                                counted(graph.step_count, words_.step),
-                                counted(graph.transition_count, words_.transition));
-            if (graph.step_count != 0)
+                                counted(graph.steps.count, words_.step),
+                                counted(graph.transitions.count, words_.transition));
+            if (graph.steps.count != 0)
                 out_ += fmt::format("    {}{}{}\n", words_.steps_list, colon_,
-                                    listed(graph.step_count, [&](std::size_t i) {
-                                        return step_in_list(graph.first_step + i);
+                                    listed(graph.steps.count, [&](std::size_t i) {
+                                        return step_in_list(graph.steps.first + i);
                                     }));
-            if (graph.transition_count != 0)
+            if (graph.transitions.count != 0)
                 out_ += fmt::format("    {}{}{}\n", words_.transitions_list, colon_,
-                                    listed(graph.transition_count, [&](std::size_t i) {
-                                        return transition_in_list(graph.first_transition + i);
+                                    listed(graph.transitions.count, [&](std::size_t i) {
+                                        return transition_in_list(graph.transitions.first + i);
                                     }));
         }
     }
@@ -189,7 +189,7 @@ class Description {
                             quoted_where_needed(grafcet_.blocks[macro.block].name),
                             quoted_where_needed(grafcet_.blocks[macro.expansion].name),
                             step_name(macro.entry), step_name(macro.exit),
-                            counted(macro.step_count, words_.step)));
+                            counted(macro.steps.count, words_.step)));
     }
 
     void write_enclosures() {

@@ -51,25 +51,6 @@ struct Variable {
 
 enum class Relation : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal };
 
-/// The relation that holds exactly where the given one does not.
-constexpr Relation complement(Relation relation) {
-    switch (relation) {
-        case Relation::equal:
-            return Relation::not_equal;
-        case Relation::not_equal:
-            return Relation::equal;
-        case Relation::less:
-            return Relation::greater_equal;
-        case Relation::less_equal:
-            return Relation::greater;
-        case Relation::greater:
-            return Relation::less_equal;
-        case Relation::greater_equal:
-            return Relation::less;
-    }
-    return relation;
-}
-
 /// One signed term of a sum: a counter, or a whole number where `counter` is no_counter.
 struct SumTerm {
     static constexpr std::uint32_t no_counter = 0xffffffffU;

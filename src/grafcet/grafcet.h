@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ enum class BlockId : std::uint32_t {};
 enum class StepId : std::uint32_t {};
 enum class MacroId : std::uint32_t {};
 enum class TransitionId : std::uint32_t {};
+enum class EnclosureId : std::uint32_t {};
+enum class OrderId : std::uint32_t {};
+enum class SumId : std::uint32_t {};
 
 struct Input {
     std::string name;
@@ -61,17 +65,14 @@ struct Assumption {
 
 enum class StepRole : std::uint8_t { ordinary, entry, exit };
 
-inline constexpr std::uint32_t none = 0xffffffffU;
-
 struct Step {
     std::string name;  ///< without the X of its variable
     GraphId graph{};
     BlockId block{};
     StepRole role = StepRole::ordinary;
     bool initial = false;
-    std::uint32_t enclosure = none;  ///< index into Grafcet::enclosures of what the step encloses
-    std::uint32_t first_action = 0;  ///< the step's actions: a range of Grafcet::actions
-    std::uint32_t action_count = 0;
+    EnclosureId enclosure = none;  ///< what the step encloses
+    Range<> actions;               ///< of Grafcet::actions
     Location where;
 };
 
@@ -82,8 +83,7 @@ struct Macro {
     BlockId expansion{};  ///< the block that expands it
     StepId entry{};
     StepId exit{};
-    std::uint32_t first_step = 0;  ///< its steps, nested expansions included: a range of steps
-    std::uint32_t step_count = 0;
+    Range<StepId> steps;  ///< those of its expansion, nested expansions included
     Location where;
 };
 
@@ -106,11 +106,9 @@ struct Block {
 struct Graph {
     std::string name;
     BlockId block{};
-    std::uint32_t first_step = 0;
-    std::uint32_t step_count = 0;
-    std::uint32_t first_transition = 0;
-    std::uint32_t transition_count = 0;
-    std::uint32_t enclosed_by = none;  ///< index into Grafcet::enclosures
+    Range<StepId> steps;
+    Range<TransitionId> transitions;
+    EnclosureId enclosed_by = none;
 };
 
 /// `step 50 encloses G3{60}`.
@@ -127,8 +125,8 @@ enum class WriteOperation : std::uint8_t { set, reset, assign };
 struct Write {
     Variable target;  ///< output, var or counter
     WriteOperation operation = WriteOperation::set;
-    ExprId value = no_expr;    ///< of `:=` to an output or var
-    std::uint32_t sum = none;  ///< of `:=` to a counter: index into Grafcet::sums
+    ExprId value = no_expr;  ///< of `:=` to an output or var
+    SumId sum = none;        ///< of `:=` to a counter
 };
 
 enum class ActionKind : std::uint8_t { continuous, stored, order };
@@ -143,7 +141,7 @@ struct Action {
     ExprId expression =
         no_expr;  ///< continuous: its condition or no_expr; stored on event: the event
     Write write;  ///< of a stored action
-    std::uint32_t order = none;  ///< of an order: index into Grafcet::orders
+    OrderId order = none;
     Location where;
 };
 
@@ -170,13 +168,10 @@ struct Transition {
     bool labelled = false;  ///< false: the name is the rank
     GraphId graph{};
     BlockId block{};
-    ExprId receptivity = no_expr;
-    std::uint32_t first_preceding = 0;  ///< ranges of Grafcet::links
-    std::uint32_t preceding_count = 0;
-    std::uint32_t first_following = 0;
-    std::uint32_t following_count = 0;
-    std::uint32_t first_clearing = 0;  ///< a range of Grafcet::clearing_actions
-    std::uint32_t clearing_count = 0;
+    ExprId condition = no_expr;
+    Range<> preceding;  ///< of Grafcet::links
+    Range<> following;  ///< of Grafcet::links
+    Range<> clearing;   ///< of Grafcet::clearing_actions
     Location where;
 };
 
@@ -198,25 +193,25 @@ struct Grafcet {
     std::vector<StepId> links;
 
     std::vector<Action> actions;                   ///< in the order of their steps, then as written
-    std::vector<Order> orders;                     ///< in the order of their steps, then as written
+    Table<OrderId, Order> orders;                  ///< in the order of their steps, then as written
     std::vector<ClearingAction> clearing_actions;  ///< in the order of the transitions
-    std::vector<Enclosure> enclosures;             ///< in the order of their steps
-    std::vector<Sum> sums;
+    Table<EnclosureId, Enclosure> enclosures;      ///< in the order of their steps
+    Table<SumId, Sum> sums;
     Expressions expressions;
 
     /// The steps before a transition; those of a macro-step are replaced by its exit step.
     std::span<const StepId> preceding(const Transition& transition) const {
-        return {links.data() + transition.first_preceding, transition.preceding_count};
+        return {links.data() + transition.preceding.first, transition.preceding.count};
     }
     /// The steps after a transition; those of a macro-step are replaced by its entry step.
     std::span<const StepId> following(const Transition& transition) const {
-        return {links.data() + transition.first_following, transition.following_count};
+        return {links.data() + transition.following.first, transition.following.count};
     }
     std::span<const Action> actions_of(const Step& step) const {
-        return {actions.data() + step.first_action, step.action_count};
+        return {actions.data() + step.actions.first, step.actions.count};
     }
     std::span<const ClearingAction> clearing_actions_of(const Transition& transition) const {
-        return {clearing_actions.data() + transition.first_clearing, transition.clearing_count};
+        return {clearing_actions.data() + transition.clearing.first, transition.clearing.count};
     }
     /// The number of inputs with the control inputs, which follow the declared ones wherever inputs
     /// are numbered together (ports, stimuli, traces).
@@ -228,5 +223,20 @@ std::string variable_name(const Grafcet& grafcet, Variable variable);
 
 /// The name of input number `index`, declared inputs first, then Init, AUdur, AUdoux.
 std::string_view input_name(const Grafcet& grafcet, std::size_t index);
+
+/// What a chart gives a name, in the order in which a ladder diagram and a sequential function
+/// chart declare it: inputs, Init, AUdur, AUdoux, outputs, steps (`X5`), vars, counters.
+/// Identifiers made of these names in this order are the same everywhere.
+std::vector<std::string> declared_names(const Grafcet& grafcet);
+
+/// The enclosures with the outermost first, those of one depth in the order of the file: the order
+/// in which they act.
+std::vector<EnclosureId> enclosures_inwards(const Grafcet& grafcet);
+
+/// Per graph, how deep it is in the hierarchy of forcing orders: 0 where nothing forces it, else
+/// one more than the deepest of the graphs whose steps do. Freezing orders do not count. All orders
+/// of a scan are read before any is obeyed (one pass, Cordier, section 5.6): a program that obeys
+/// them one by one takes the deepest graphs first.
+std::vector<std::size_t> forcing_depths(const Grafcet& grafcet);
 
 }  // namespace grafwire

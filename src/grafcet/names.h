@@ -83,13 +83,13 @@ void check_circles(const Checking& checking);
 enum class ExpressionUse : std::uint8_t { receptivity, condition, event, value, assumption };
 void resolve_expression(const Checking& checking, const ExpressionSyntax& expression,
                         ExpressionUse use);
-void resolve_sum(const Checking& checking, Range sum);
+void resolve_sum(const Checking& checking, Range<> sum);
 
 /// Names each of a list of steps; those that are none are reported, as are those named twice.
 /// `accept` may report a step that does not belong in the list.
 template <typename Accept>
-void resolve_steps(const Checking& checking, Range list, const Accept& accept);
-void report_repeated_steps(const Checking& checking, Range list);
+void resolve_steps(const Checking& checking, Range<> list, const Accept& accept);
+void report_repeated_steps(const Checking& checking, Range<> list);
 
 /// The model of a file without errors.
 Grafcet build_model(const Syntax& syntax);
@@ -99,7 +99,7 @@ ExprId build_expression(const Syntax& syntax, const ExpressionSyntax& expression
                         const std::vector<std::uint32_t>& graph_ids, Expressions& expressions);
 
 template <typename Accept>
-void resolve_steps(const Checking& checking, Range list, const Accept& accept) {
+void resolve_steps(const Checking& checking, Range<> list, const Accept& accept) {
     Syntax& syntax = checking.syntax;
     for (std::uint32_t i = list.first; i < list.first + list.count; ++i) {
         const std::string_view name = syntax.text(syntax.words[i]);

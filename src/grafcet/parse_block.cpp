@@ -216,7 +216,7 @@ bool SyntaxParser::parse_transition() {
     return is_good;
 }
 
-bool SyntaxParser::parse_transition_names(Range& names, bool is_preceding) {
+bool SyntaxParser::parse_transition_names(Range<>& names, bool is_preceding) {
     names.first = size_of(syntax_.words);
     if (!is_preceding && (at(TokenKind::colon) || at(TokenKind::assign))) return true;
     if (is_preceding && take_if(TokenKind::arrow)) return true;
@@ -239,7 +239,7 @@ bool SyntaxParser::parse_receptivity(TransitionSyntax& transition) {
         take_if(TokenKind::equal);
     else if (!expect(TokenKind::assign, "',' or ':' and the transition condition"))
         return false;
-    if (!parse_expression(transition.receptivity)) return false;
+    if (!parse_expression(transition.condition)) return false;
     if (!take_if(TokenKind::kw_do)) return true;
     bool is_good = true;
     do {
@@ -251,7 +251,7 @@ bool SyntaxParser::parse_receptivity(TransitionSyntax& transition) {
     return is_good;
 }
 
-bool SyntaxParser::parse_actions(Range& actions) {
+bool SyntaxParser::parse_actions(Range<>& actions) {
     actions.first = size_of(syntax_.actions);
     bool is_good = true;
     do {

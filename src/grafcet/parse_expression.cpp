@@ -204,7 +204,7 @@ bool SyntaxParser::parse_comparison() {
     return true;
 }
 
-bool SyntaxParser::parse_sum(Range& sum) {
+bool SyntaxParser::parse_sum(Range<>& sum) {
     sum.first = static_cast<std::uint32_t>(syntax_.terms.size());
     if (!parse_term(take_if(TokenKind::minus))) return false;
     while (at(TokenKind::plus) || at(TokenKind::minus)) {

@@ -196,13 +196,13 @@ bool SyntaxParser::parse_name(Word& name, std::string_view what, bool may_be_int
     return fail(fmt::format("expected {}, got {}", what, shown()));
 }
 
-bool SyntaxParser::parse_names(Range& names, std::string_view what, bool may_be_integer) {
+bool SyntaxParser::parse_names(Range<>& names, std::string_view what, bool may_be_integer) {
     names.first = static_cast<std::uint32_t>(syntax_.words.size());
     names.count = 0;
     return parse_more_names(names, what, may_be_integer);
 }
 
-bool SyntaxParser::parse_more_names(Range& names, std::string_view what, bool may_be_integer) {
+bool SyntaxParser::parse_more_names(Range<>& names, std::string_view what, bool may_be_integer) {
     do {
         Word word;
         if (!parse_name(word, what, may_be_integer)) return false;

@@ -162,7 +162,7 @@ class ActionResolver {
     }
 
     // Steps of one graph, those of its expansions included; `graph` is none if it is not known.
-    void resolve_listed(std::uint32_t graph, Range list, std::string_view what) {
+    void resolve_listed(std::uint32_t graph, Range<> list, std::string_view what) {
         resolve_steps(checking_, list, [&](std::uint32_t node, const Word& word) {
             const NodeSyntax& step = syntax_.nodes[node];
             const std::uint32_t root = syntax_.blocks[step.block].root;

@@ -106,7 +106,7 @@ void resolve_expression(const Checking& checking, const ExpressionSyntax& expres
         resolve_node(checking, checking.syntax.expression_nodes[i], use);
 }
 
-void resolve_sum(const Checking& checking, Range sum) {
+void resolve_sum(const Checking& checking, Range<> sum) {
     Syntax& syntax = checking.syntax;
     for (std::uint32_t i = sum.first; i < sum.first + sum.count; ++i) {
         TermSyntax& term = syntax.terms[i];

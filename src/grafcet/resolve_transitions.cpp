@@ -8,7 +8,7 @@ namespace grafwire {
 
 namespace {
 
-void resolve_side(const Checking& checking, std::uint32_t block, Range list) {
+void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
     resolve_steps(checking, list, [&](std::uint32_t node, const Word& word) {
         const NodeSyntax& step = checking.syntax.nodes[node];
         if (step.block == block) return true;
@@ -28,7 +28,7 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range list) {
 
 }  // namespace
 
-void report_repeated_steps(const Checking& checking, Range list) {
+void report_repeated_steps(const Checking& checking, Range<> list) {
     if (list.count < 2) return;
     const Syntax& syntax = checking.syntax;
     std::vector<std::uint32_t> places;
@@ -52,7 +52,7 @@ void report_repeated_steps(const Checking& checking, Range list) {
 void resolve_transitions(const Checking& checking) {
     const Syntax& syntax = checking.syntax;
     for (std::uint32_t block = 0; block < syntax.blocks.size(); ++block) {
-        const Range range = syntax.blocks[block].transitions;
+        const Range<> range = syntax.blocks[block].transitions;
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             const TransitionSyntax& transition = syntax.transitions[i];
             resolve_side(checking, block, transition.preceding);
@@ -61,7 +61,7 @@ void resolve_transitions(const Checking& checking) {
                 checking.error(Code::transition_without_step, transition.where,
                                "this transition has no step before it and none after it; name at "
                                "least one, as in 1 -> 2");
-            resolve_expression(checking, transition.receptivity, ExpressionUse::receptivity);
+            resolve_expression(checking, transition.condition, ExpressionUse::receptivity);
         }
     }
 }

@@ -13,11 +13,6 @@ namespace grafwire {
 // large vectors. Fields marked `resolved` are left empty by the parser and filled by
 // resolve_names().
 
-struct Range {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-};
-
 /// A name: a piece of the source text, without quotation marks.
 struct Word {
     std::uint32_t offset = 0;
@@ -59,8 +54,8 @@ struct TermSyntax {
 };
 
 struct ComparisonSyntax {
-    Range left;
-    Range right;
+    Range<> left;
+    Range<> right;
     Relation relation = Relation::equal;
 };
 
@@ -69,7 +64,7 @@ struct WriteSyntax {
     bool is_sum = false;
     Word target;
     ExpressionSyntax value;  ///< of `:=`, unless is_sum
-    Range sum;               ///< of `:=`, if is_sum
+    Range<> sum;             ///< of `:=`, if is_sum
     Location where;
     Variable resolved;
 };
@@ -81,14 +76,14 @@ struct ActionSyntax {
     std::uint32_t write = 0;      ///< stored: place in Syntax::writes
     Word name;                    ///< continuous: the output; order: the graph
     ExpressionSyntax expression;  ///< after `if` or `on`
-    Range steps;                  ///< order: of Syntax::words
+    Range<> steps;                ///< order: of Syntax::words
     Location where;
     std::uint32_t resolved = none;  ///< output, or block of the graph
 };
 
 struct EnclosureSyntax {
     Word graph;
-    Range links;                    ///< of Syntax::words
+    Range<> links;                  ///< of Syntax::words
     std::uint32_t resolved = none;  ///< block of the graph
 };
 
@@ -100,25 +95,25 @@ struct NodeSyntax {
     std::uint32_t block = 0;
     std::uint32_t extra = none;  ///< step: place in Syntax::enclosures; macro: in Syntax::words
     Word name;
-    Range actions;
+    Range<> actions;
     std::uint32_t resolved = none;  ///< macro: its expansion, a block
 };
 
 struct TransitionSyntax {
     bool labelled = false;
     Word label;
-    Range preceding;  ///< of Syntax::words
-    Range following;  ///< of Syntax::words
-    ExpressionSyntax receptivity;
-    Range writes;
+    Range<> preceding;  ///< of Syntax::words
+    Range<> following;  ///< of Syntax::words
+    ExpressionSyntax condition;
+    Range<> writes;
     Location where;
 };
 
 struct BlockSyntax {
     bool is_expansion = false;
     Word name;
-    Range nodes;
-    Range transitions;
+    Range<> nodes;
+    Range<> transitions;
     // Resolved:
     std::uint32_t root = none;   ///< the block of the graph that it is, or belongs to
     std::uint32_t macro = none;  ///< expansion: the first macro-step that names it

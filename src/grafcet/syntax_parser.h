@@ -45,9 +45,9 @@ class SyntaxParser {
     bool parse_enclosure(NodeSyntax& node);
     bool parse_entry_or_exit();
     bool parse_transition();
-    bool parse_transition_names(Range& names, bool is_preceding);
+    bool parse_transition_names(Range<>& names, bool is_preceding);
     bool parse_receptivity(TransitionSyntax& transition);
-    bool parse_actions(Range& actions);
+    bool parse_actions(Range<>& actions);
     bool parse_action(ActionSyntax& action);
     bool parse_stored(ActionSyntax& action, const Word* target);
     bool parse_order(ActionSyntax& action);
@@ -67,7 +67,7 @@ class SyntaxParser {
     bool parse_time_condition();
     bool parse_delay(Time& delay);
     bool parse_comparison();
-    bool parse_sum(Range& sum);
+    bool parse_sum(Range<>& sum);
     bool parse_term(bool negative);
     bool parse_number(std::int64_t& value);
     bool parse_constant_or_variable();
@@ -85,8 +85,8 @@ class SyntaxParser {
     bool take_if(TokenKind kind);
     bool expect(TokenKind kind, std::string_view expected);
     bool parse_name(Word& name, std::string_view what, bool may_be_integer);
-    bool parse_names(Range& names, std::string_view what, bool may_be_integer);
-    bool parse_more_names(Range& names, std::string_view what, bool may_be_integer);
+    bool parse_names(Range<>& names, std::string_view what, bool may_be_integer);
+    bool parse_more_names(Range<>& names, std::string_view what, bool may_be_integer);
     Word word_of(const Token& token) const { return {token.offset, token.length, token.where}; }
     std::string_view text_of(const Token& token) const {
         return source_.substr(token.offset, token.length);

@@ -66,7 +66,7 @@ std::vector<bool> single_token_graphs(const Grafcet& grafcet) {
         if (step.initial && ++initial[index_of(step.graph)] > 1)
             single[index_of(step.graph)] = false;
     for (const Transition& transition : grafcet.transitions)
-        if (transition.preceding_count != 1 || transition.following_count > 1)
+        if (transition.preceding.count != 1 || transition.following.count > 1)
             single[index_of(transition.graph)] = false;
     for (const Order& order : grafcet.orders)
         if (order.steps.size() > 1) single[index_of(order.graph)] = false;

@@ -46,8 +46,8 @@ class Reachability {
         std::vector<std::uint32_t> next(first_transition_.begin(), first_transition_.end() - 1);
         for (std::size_t i = 0; i < grafcet_.transitions.size(); ++i) {
             const Transition& transition = grafcet_.transitions.items()[i];
-            missing_[i] = transition.preceding_count;
-            if (constants.is_never_true(transition.receptivity)) ++missing_[i];
+            missing_[i] = transition.preceding.count;
+            if (constants.is_never_true(transition.condition)) ++missing_[i];
             for (const StepId step : grafcet_.preceding(transition))
                 transitions_[next[index_of(step)]++] = static_cast<TransitionId>(i);
         }
@@ -101,7 +101,7 @@ std::vector<bool> graphs_without_start(const Grafcet& grafcet) {
         if (order.kind != OrderKind::freeze) result[index_of(order.graph)] = false;
     for (const Enclosure& enclosure : grafcet.enclosures) result[index_of(enclosure.graph)] = false;
     for (const Transition& transition : grafcet.transitions)
-        if (transition.preceding_count == 0) result[index_of(transition.graph)] = false;
+        if (transition.preceding.count == 0) result[index_of(transition.graph)] = false;
     return result;
 }
 
@@ -131,7 +131,7 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
 void warn_receptivities(const Grafcet& grafcet, const ConstantExpressions& constants,
                         Diagnostics& diagnostics) {
     for (const Transition& transition : grafcet.transitions)
-        if (constants.is_never_true(transition.receptivity))
+        if (constants.is_never_true(transition.condition))
             diagnostics.warning(Code::constant_receptivity, transition.where,
                                 fmt::format("the receptivity of transition {} is constantly 0, so "
                                             "it is never cleared",

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "grafcet/lexer.h"
+#include "grafcet/relations.h"
 #include "grafcet/write_grafcet.h"
 #include "grafcet/written.h"
 
@@ -133,10 +134,11 @@ class ExpressionWriter {
     }
 
     void write_comparison(const Comparison& comparison) {
-        constexpr std::string_view signs[] = {" = ", " <> ", " < ", " <= ", " > ", " >= "};
         out_ += '[';
         append_sum(out_, grafcet_, comparison.left);
-        out_ += signs[static_cast<std::size_t>(comparison.relation)];
+        out_ += ' ';
+        out_ += text_of(comparison.relation);
+        out_ += ' ';
         append_sum(out_, grafcet_, comparison.right);
         out_ += ']';
     }

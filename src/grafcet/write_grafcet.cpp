@@ -187,10 +187,10 @@ class GrafcetWriter {
         }
         if (write_side(grafcet_.preceding(transition), transition.block, true)) out_ += ' ';
         out_ += "->";
-        if (transition.following_count != 0) out_ += ' ';
+        if (transition.following.count != 0) out_ += ' ';
         write_side(grafcet_.following(transition), transition.block, false);
         out_ += " : ";
-        expression(transition.receptivity);
+        expression(transition.condition);
         std::string_view separator = " do ";
         for (const ClearingAction& action : grafcet_.clearing_actions_of(transition)) {
             out_ += separator;

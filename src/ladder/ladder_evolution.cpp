@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "grafcet/forcing_hierarchy.h"
+#include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/ladder_build.h"
 

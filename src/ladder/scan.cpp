@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "grafcet/relations.h"
+
 namespace grafwire::ladder {
 
 namespace {
@@ -76,23 +78,7 @@ Signal Scan::contact(const Power& power) {
 }
 
 bool Scan::compare(const Power& power) {
-    const std::int64_t left = number(power.left);
-    const std::int64_t right = number(power.right);
-    switch (power.relation) {
-        case Relation::equal:
-            return left == right;
-        case Relation::not_equal:
-            return left != right;
-        case Relation::less:
-            return left < right;
-        case Relation::less_equal:
-            return left <= right;
-        case Relation::greater:
-            return left > right;
-        case Relation::greater_equal:
-            return left >= right;
-    }
-    return false;
+    return holds(number(power.left), power.relation, number(power.right));
 }
 
 Signal Scan::flow(const Power& power) {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/declared_names.h"
+#include "grafcet/grafcet.h"
 #include "iec/identifiers.h"
 
 namespace grafwire {

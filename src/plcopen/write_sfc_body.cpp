@@ -290,10 +290,10 @@ void SfcBody::write_condition(TransitionId id) {
     pugi::xml_node node = transitions_[index_of(id)].node;
     pugi::xml_node condition = node.append_child("condition").append_child("inline");
     condition.append_attribute("name") = "";
-    add_text(condition.append_child("ST"), text_.expression(transition.receptivity));
+    add_text(condition.append_child("ST"), text_.expression(transition.condition));
     add_text(node.append_child("documentation"),
              fmt::format("({}) {}", quoted_where_needed(transition.name),
-                         write_expression(grafcet, grafcet.expressions, transition.receptivity)));
+                         write_expression(grafcet, grafcet.expressions, transition.condition)));
 }
 
 void SfcBody::make_observer() {

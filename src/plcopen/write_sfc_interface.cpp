@@ -99,21 +99,21 @@ void add_times(const Grafcet& grafcet, const sfc::Names& names, Interface& inter
 /// Copies begin with what they are copies of.
 void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* integer,
                 Interface& interface) {
-    const auto any_initial = [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (grafcet.steps[StepId{first + i}].initial) return true;
+    const auto any_initial = [&](Range<StepId> steps) {
+        for (const StepId step : steps) {
+            if (grafcet.steps[step].initial) return true;
         }
         return false;
     };
     const auto starts_true = [&](grafwire::Variable variable) {
-        if (variable.kind == VariableKind::step) return any_initial(variable.index, 1);
+        if (variable.kind == VariableKind::step) return any_initial({variable.index, 1});
         if (variable.kind == VariableKind::macro) {
             const Macro& macro = grafcet.macros[MacroId{variable.index}];
-            return any_initial(macro.first_step, macro.step_count);
+            return any_initial(macro.steps);
         }
         if (variable.kind != VariableKind::graph) return false;
         const Graph& graph = grafcet.graphs[GraphId{variable.index}];
-        return any_initial(graph.first_step, graph.step_count);
+        return any_initial(graph.steps);
     };
     for (const auto& [variable, name] : names.copies) {
         const bool is_counter = variable.kind == VariableKind::counter;

@@ -66,12 +66,10 @@ Condition or_condition(std::vector<Condition> operands) {
     return folded(Condition::Kind::disjunction, false, std::move(operands));
 }
 
-Condition ChartConditions::any_step(std::uint32_t first, std::uint32_t count) {
-    std::vector<Condition> steps;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        steps.push_back(bit_condition({BitKind::step, first + i}));
-    }
-    return or_condition(std::move(steps));
+Condition ChartConditions::any_step(Range<StepId> steps) {
+    std::vector<Condition> active;
+    for (const StepId step : steps) active.push_back(bit_condition(step_bit(BitKind::step, step)));
+    return or_condition(std::move(active));
 }
 
 Condition ChartConditions::control(ControlInput control) const {
@@ -93,11 +91,11 @@ Condition ChartConditions::of(Variable variable) const {
             return bit_condition({BitKind::step, variable.index});
         case VariableKind::macro: {
             const Macro& macro = grafcet_.macros[MacroId{variable.index}];
-            return any_step(macro.first_step, macro.step_count);
+            return any_step(macro.steps);
         }
         case VariableKind::graph: {
             const Graph& graph = grafcet_.graphs[GraphId{variable.index}];
-            return any_step(graph.first_step, graph.step_count);
+            return any_step(graph.steps);
         }
         case VariableKind::counter:
             break;  // never a Boolean operand

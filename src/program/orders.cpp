@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "grafcet/enclosures.h"
+#include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "program/program_parts.h"
 
@@ -17,18 +17,16 @@ namespace {
 
 std::vector<Bit> graph_bits(BitKind table, const Graph& graph) {
     std::vector<Bit> bits;
-    for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-        bits.push_back({table, graph.first_step + i});
-    }
+    for (const StepId step : graph.steps) bits.push_back(step_bit(table, step));
     return bits;
 }
 
 /// Per enclosure whose graph some order applies to: the bit that says so in this scan.
-std::map<std::uint32_t, Bit> note_ordered_enclosures(const Grafcet& grafcet, ScanProgram& program,
-                                                     SectionWriter& section) {
-    std::map<std::uint32_t, Bit> noted;
+std::map<EnclosureId, Bit> note_ordered_enclosures(const Grafcet& grafcet, ScanProgram& program,
+                                                   SectionWriter& section) {
+    std::map<EnclosureId, Bit> noted;
     for (std::uint32_t e = 0; e < grafcet.enclosures.size(); ++e) {
-        const GraphId graph = grafcet.enclosures[e].graph;
+        const GraphId graph = grafcet.enclosures[EnclosureId{e}].graph;
         std::vector<Condition> givers;
         for (const Order& order : grafcet.orders) {
             if (order.graph != graph) continue;
@@ -36,7 +34,7 @@ std::map<std::uint32_t, Bit> note_ordered_enclosures(const Grafcet& grafcet, Sca
         }
         if (givers.empty()) continue;
         const Bit ordered = new_scratch(program);
-        noted.emplace(e, ordered);
+        noted.emplace(EnclosureId{e}, ordered);
         section.assign(ordered, or_condition(std::move(givers)),
                        "an order bears on " + quoted_where_needed(grafcet.graphs[graph].name));
     }
@@ -47,11 +45,12 @@ std::map<std::uint32_t, Bit> note_ordered_enclosures(const Grafcet& grafcet, Sca
 /// cas de forçage étape par étape".
 void add_forcing(const Grafcet& grafcet, SectionWriter& section) {
     bool any = false;
-    for (std::size_t at = 0; at < grafcet.orders.size();) {
-        const StepId giver = grafcet.orders[at].step;
+    const std::vector<Order>& orders = grafcet.orders.items();
+    for (std::size_t at = 0; at < orders.size();) {
+        const StepId giver = orders[at].step;
         std::vector<Bit> forced;
-        for (; at < grafcet.orders.size() && grafcet.orders[at].step == giver; ++at) {
-            const Order& order = grafcet.orders[at];
+        for (; at < orders.size() && orders[at].step == giver; ++at) {
+            const Order& order = orders[at];
             if (order.kind == OrderKind::freeze) continue;
             const Graph& graph = grafcet.graphs[order.graph];
             for (const Bit bit : graph_bits(BitKind::forced_off, graph)) forced.push_back(bit);
@@ -73,8 +72,8 @@ void add_forcing(const Grafcet& grafcet, SectionWriter& section) {
 }
 
 void add_enclosures(const Grafcet& grafcet, const ChartConditions& conditions,
-                    const std::map<std::uint32_t, Bit>& ordered, SectionWriter& section) {
-    for (const std::uint32_t e : enclosures_inwards(grafcet)) {
+                    const std::map<EnclosureId, Bit>& ordered, SectionWriter& section) {
+    for (const EnclosureId e : enclosures_inwards(grafcet)) {
         const Enclosure& enclosure = grafcet.enclosures[e];
         const Graph& graph = grafcet.graphs[enclosure.graph];
         const std::string name = quoted_where_needed(graph.name);

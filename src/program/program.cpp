@@ -184,12 +184,12 @@ void ProgramBuild::make_receptivities() {
         const TransitionId id{t};
         const Transition& transition = grafcet_.transitions[id];
         std::vector<Condition> parts;
-        parts.push_back(conditions_.of(transition.receptivity));
+        parts.push_back(conditions_.of(transition.condition));
         parts.push_back(bit_condition(
             {BitKind::may_evolve, static_cast<std::uint32_t>(index_of(transition.graph))}));
         section.assign({BitKind::transition, t}, and_condition(std::move(parts)),
                        transition_text(grafcet_, id) + " : " +
-                           write_expression(grafcet_, grafcet_.expressions, transition.receptivity),
+                           write_expression(grafcet_, grafcet_.expressions, transition.condition),
                        transition.where);
     }
 }

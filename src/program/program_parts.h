@@ -45,7 +45,7 @@ class ChartConditions {
 
   private:
     Condition of(Variable variable) const;
-    static Condition any_step(std::uint32_t first, std::uint32_t count);
+    static Condition any_step(Range<StepId> steps);
 
     const Grafcet& grafcet_;
     bool has_modes_;

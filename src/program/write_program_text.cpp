@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grafcet/relations.h"
 #include "program/bit_names.h"
 
 namespace grafwire {
@@ -74,7 +75,6 @@ std::string ProgramText::text(const Sum& sum) const {
 }
 
 std::string ProgramText::text(const Condition& condition, bool in_product) const {
-    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
     switch (condition.kind) {
         case Condition::Kind::constant:
             return condition.value ? "1" : "0";
@@ -84,7 +84,7 @@ std::string ProgramText::text(const Condition& condition, bool in_product) const
             return "/" + text(condition.operands.front(), true);
         case Condition::Kind::comparison:
             return fmt::format("[{} {} {}]", text(condition.comparison.left),
-                               relations[static_cast<std::size_t>(condition.comparison.relation)],
+                               text_of(condition.comparison.relation),
                                text(condition.comparison.right));
         default:
             break;

@@ -193,7 +193,7 @@ FaultLocalizer::Deviation FaultLocalizer::in_freezing(const Transition& transiti
 /// Where a var that the transition condition reads has been wrong since an earlier scan.
 FaultLocalizer::Deviation FaultLocalizer::in_vars(const Transition& transition) {
     std::vector<ExprId> parts;
-    collect(transition.receptivity, ExprKind::variable, parts);
+    collect(transition.condition, ExprKind::variable, parts);
     for (const ExprId id : parts) {
         const Variable variable = grafcet_.expressions.variable_of(id);
         if (variable.kind != VariableKind::var) continue;
@@ -208,7 +208,7 @@ FaultLocalizer::Deviation FaultLocalizer::in_vars(const Transition& transition) 
 FaultLocalizer::Deviation FaultLocalizer::in_timer(const Diagnosis& receptivity,
                                                    const Transition& transition) {
     std::vector<ExprId> conditions;
-    collect(transition.receptivity, ExprKind::time_condition, conditions);
+    collect(transition.condition, ExprKind::time_condition, conditions);
     if (receptivity.networks.empty() || conditions.size() != 1) return std::nullopt;
     const bool expected = before_.time_values.test(grafcet_.expressions.ordinal(conditions[0]));
     for (const s7::Network& network : listing_.networks) {

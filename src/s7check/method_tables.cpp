@@ -29,9 +29,10 @@ void collect_orders(const Grafcet& grafcet, ExpectedTables& tables) {
     for (const Order& order : grafcet.orders) {
         if (order.kind == OrderKind::freeze || !tables.evolved.test(index_of(order.step))) continue;
         const Graph& graph = grafcet.graphs[order.graph];
-        for (std::uint32_t s = graph.first_step; s < graph.first_step + graph.step_count; ++s) {
+        for (const StepId step : graph.steps) {
+            const std::size_t s = index_of(step);
             tables.forced_off.set(s);
-            const bool is_initial = grafcet.steps[static_cast<StepId>(s)].initial;
+            const bool is_initial = grafcet.steps[step].initial;
             if (order.kind == OrderKind::initial && is_initial) tables.forced_on.set(s);
         }
         for (const StepId step : order.steps) tables.forced_on.set(index_of(step));

@@ -6,9 +6,7 @@ Chart::Chart(const Grafcet& grafcet) {
     for (const Step& step : grafcet.steps) initial_.push_back(step.initial);
     for (const Graph& graph : grafcet.graphs) {
         graphs_.emplace_back();
-        for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-            graphs_.back().push_back(StepId{graph.first_step + i});
-        }
+        for (const StepId step : graph.steps) graphs_.back().push_back(step);
     }
     for (std::uint32_t t = 0; t < grafcet.transitions.size(); ++t) {
         const Transition& transition = grafcet.transitions[TransitionId{t}];

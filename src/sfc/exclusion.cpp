@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grafcet/relations.h"
+
 namespace grafwire::sfc {
 
 namespace {
@@ -34,14 +36,13 @@ bool is_never(const Expressions& pool, ExprId id) {
 Exclusion::Exclusion(const Grafcet& grafcet) : grafcet_(grafcet) {
     for (const Graph& graph : grafcet.graphs) {
         std::size_t initial = 0;
-        for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-            if (grafcet.steps[StepId{graph.first_step + i}].initial) ++initial;
+        for (const StepId step : graph.steps) {
+            if (grafcet.steps[step].initial) ++initial;
         }
         bool is_sequence = initial == 1 && graph.enclosed_by == none;
-        for (std::uint32_t i = 0; i < graph.transition_count; ++i) {
-            const Transition& transition =
-                grafcet.transitions[TransitionId{graph.first_transition + i}];
-            if (transition.preceding_count != 1 || transition.following_count != 1) {
+        for (const TransitionId id : graph.transitions) {
+            const Transition& transition = grafcet.transitions[id];
+            if (transition.preceding.count != 1 || transition.following.count != 1) {
                 is_sequence = false;
             }
         }
@@ -69,8 +70,8 @@ bool Exclusion::never_both(const Transition& a, const Transition& b) const {
     const Expressions& pool = grafcet_.expressions;
     std::vector<ExprId> of_a;
     std::vector<ExprId> of_b;
-    collect_conjuncts(pool, a.receptivity, of_a);
-    collect_conjuncts(pool, b.receptivity, of_b);
+    collect_conjuncts(pool, a.condition, of_a);
+    collect_conjuncts(pool, b.condition, of_b);
     const auto never = [&](ExprId id) { return is_never(pool, id); };
     if (std::any_of(of_a.begin(), of_a.end(), never)) return true;
     if (std::any_of(of_b.begin(), of_b.end(), never)) return true;

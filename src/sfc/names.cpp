@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/declared_names.h"
+#include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "iec/identifiers.h"
 #include "text/utf8.h"

@@ -253,7 +253,7 @@ void Planner::walk_stored(std::size_t a) {
 
 void Planner::walk_all() {
     for (const Transition& transition : grafcet_.transitions) {
-        walk(transition.receptivity, Reading());
+        walk(transition.condition, Reading());
     }
     for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
         const Action& action = grafcet_.actions[a];

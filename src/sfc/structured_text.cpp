@@ -8,13 +8,13 @@ namespace grafwire::sfc {
 
 using iec::Precedence;
 
-std::string StructuredText::any_step(std::uint32_t first, std::uint32_t count) const {
-    if (count == 0) return "FALSE";
+std::string StructuredText::any_step(Range<StepId> steps) const {
+    if (steps.empty()) return "FALSE";
     std::string text;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        text += fmt::format("{}{}.X", i == 0 ? "" : " OR ", names_.steps[first + i]);
+    for (const StepId step : steps) {
+        text += fmt::format("{}{}.X", text.empty() ? "" : " OR ", names_.steps[index_of(step)]);
     }
-    return count == 1 ? text : "(" + text + ")";
+    return steps.count == 1 ? text : "(" + text + ")";
 }
 
 std::string StructuredText::variable(Variable variable, const Reading& reading) const {
@@ -34,11 +34,11 @@ std::string StructuredText::variable(Variable variable, const Reading& reading) 
             return names_.steps[variable.index] + ".X";
         case VariableKind::macro: {
             const Macro& macro = grafcet_.macros[MacroId{variable.index}];
-            return any_step(macro.first_step, macro.step_count);
+            return any_step(macro.steps);
         }
         case VariableKind::graph: {
             const Graph& graph = grafcet_.graphs[GraphId{variable.index}];
-            return any_step(graph.first_step, graph.step_count);
+            return any_step(graph.steps);
         }
     }
     return {};

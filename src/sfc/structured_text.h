@@ -30,7 +30,7 @@ class StructuredText {
     std::string edge(ExprId id) const;
     std::string comparison(const Comparison& comparison, const Reading& reading) const;
     std::string sum(const Sum& sum, const Reading& reading) const;
-    std::string any_step(std::uint32_t first, std::uint32_t count) const;
+    std::string any_step(Range<StepId> steps) const;
 
     const Grafcet& grafcet_;
     const Names& names_;

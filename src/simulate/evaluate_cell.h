@@ -36,10 +36,10 @@ constexpr Logic hold_latch_value(Logic data, Logic enable, Logic held) {
 }
 
 /// Whether a net that went from one value to another has risen.
-enum class Edge : std::uint8_t { none, certain, possible };
+enum class Edge : std::uint8_t { absent, certain, possible };
 
 constexpr Edge rise_between(Logic from, Logic to) {
-    if (from == to || from == Logic::one || to == Logic::zero) return Edge::none;
+    if (from == to || from == Logic::one || to == Logic::zero) return Edge::absent;
     return from == Logic::zero && to == Logic::one ? Edge::certain : Edge::possible;
 }
 constexpr Edge fall_between(Logic from, Logic to) {

@@ -65,7 +65,7 @@ std::uint8_t Simulator::Kernel::evaluate_flip_flop(MemoryCell& cell) {
     const Logic clock = values_[cell.control];
     Logic taken = aimed_value(cell.node);
     switch (rise_between(cell.control_seen, clock)) {
-        case Edge::none:
+        case Edge::absent:
             break;
         case Edge::certain:
             taken = cell.data_seen;

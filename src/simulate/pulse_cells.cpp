@@ -54,7 +54,7 @@ void Simulator::Kernel::evaluate_pulse(MemoryCell& cell) {
     if (pulses_held_) {
         if (input != Logic::unknown) pulse.open_from = no_tick;
     } else if (input == Logic::unknown) {
-        const bool is_first_edge_later = seen != Logic::unknown && edge == Edge::none;
+        const bool is_first_edge_later = seen != Logic::unknown && edge == Edge::absent;
         if (pulse.open_from == no_tick) pulse.open_from = is_first_edge_later ? from + 1 : from;
     } else {
         if (pulse.open_from < from) {

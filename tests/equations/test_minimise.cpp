@@ -12,7 +12,7 @@ std::string minimal(const std::string& expression) {
         expression + " }");
     const Equations equations = equations_from(grafcet, without_modes);
     Expressions pool = equations.expressions;
-    const ExprId id = minimised(pool, equations.receptivity[TransitionId{0}]);
+    const ExprId id = minimised(pool, equations.transition_conditions[TransitionId{0}]);
     return id == no_expr ? "none" : write_expression(grafcet, pool, id);
 }
 

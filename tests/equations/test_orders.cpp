@@ -111,13 +111,13 @@ TEST_CASE("the steps of expansions are forced and enclosed with their graph") {
         expansion inner { entry F exit T   F -> T : a })");
     const Equations equations = equations_from(grafcet, with_modes);
     const Graph& enclosed = grafcet.graphs[GraphId{2}];
-    CHECK(enclosed.step_count == 5);
-    for (std::uint32_t i = 0; i < enclosed.step_count; ++i) {
-        const StepEquation& step = equations.steps[StepId{enclosed.first_step + i}];
+    CHECK(enclosed.steps.count == 5);
+    for (const StepId id : enclosed.steps) {
+        const StepEquation& step = equations.steps[id];
         CHECK(write_expression(grafcet, equations.expressions, step.forced_off) == "X1");
         CHECK(step.forced_on == no_expr);
         CHECK(write_expression(grafcet, equations.expressions, step.enclosing) == "X50");
-        CHECK((step.link == no_expr) == (i > 0));
+        CHECK((step.link == no_expr) == (index_of(id) > enclosed.steps.first));
     }
     CHECK(equations.steps[StepId{0}].forced_off == no_expr);
     CHECK(equations.steps[StepId{0}].enclosing == no_expr);

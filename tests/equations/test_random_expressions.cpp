@@ -68,11 +68,11 @@ bool evaluate(const Expressions& pool, ExprId id, const Assignment& values) {
             const Variable variable = pool.variable_of(id);
             if (variable.kind == VariableKind::macro) {
                 const Macro& macro = values.grafcet.macros[MacroId{variable.index}];
-                return any_step(macro.first_step, macro.step_count, values);
+                return any_step(macro.steps.first, macro.steps.count, values);
             }
             if (variable.kind == VariableKind::graph) {
                 const Graph& graph = values.grafcet.graphs[GraphId{variable.index}];
-                return any_step(graph.first_step, graph.step_count, values);
+                return any_step(graph.steps.first, graph.steps.count, values);
             }
             return values.variables.at(variable);
         }
@@ -191,9 +191,9 @@ TEST_CASE("random receptivities keep their meaning") {
         for (int round = 0; round < 40; ++round) {
             const Assignment values = random_assignment(grafcet, equations, random);
             for (const Transition& transition : grafcet.transitions) {
-                const ExprId here = equations.from_grafcet[index_of(transition.receptivity)];
+                const ExprId here = equations.from_grafcet[index_of(transition.condition)];
                 if (round == 0) check_form(equations.expressions, here);
-                CHECK(evaluate(grafcet.expressions, transition.receptivity, values) ==
+                CHECK(evaluate(grafcet.expressions, transition.condition, values) ==
                       evaluate(equations.expressions, here, values));
             }
         }
@@ -209,7 +209,7 @@ TEST_CASE("random expressions: the minimised form is equal") {
         const Equations equations = equations_from(grafcet, without_modes);
         Expressions pool = equations.expressions;
         std::vector<std::pair<ExprId, ExprId>> pairs;
-        for (const ExprId receptivity : equations.receptivity) {
+        for (const ExprId receptivity : equations.transition_conditions) {
             pairs.emplace_back(receptivity, minimised(pool, receptivity));
         }
         for (int round = 0; round < 200; ++round) {

@@ -151,9 +151,9 @@ TEST_CASE("clearing and receptivity of a transition") {
     const auto text = [&](ExprId id) {
         return write_expression(grafcet, equations.expressions, id);
     };
-    CHECK(text(equations.receptivity[TransitionId{2}]) == "(a + b)./X9");
+    CHECK(text(equations.transition_conditions[TransitionId{2}]) == "(a + b)./X9");
     CHECK(text(equations.clearing[TransitionId{2}]) == "X1.X2.(a + b)./X9");
-    CHECK(text(equations.receptivity[TransitionId{3}]) == "/X9");
+    CHECK(text(equations.transition_conditions[TransitionId{3}]) == "/X9");
     CHECK(text(equations.clearing[TransitionId{3}]) == "X3./X9");
     CHECK(equations.frozen[GraphId{0}] == no_expr);
     CHECK(text(equations.frozen[GraphId{1}]) == "X9");

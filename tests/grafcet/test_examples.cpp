@@ -92,10 +92,10 @@ TEST_CASE("the manipulator") {
     CHECK(grafcet.steps.size() == 8);
     CHECK(grafcet.transitions.size() == 8);
     REQUIRE(grafcet.orders.size() == 3);
-    CHECK(grafcet.orders[0].kind == OrderKind::empty);
-    CHECK(grafcet.orders[1].kind == OrderKind::listed);
-    CHECK(grafcet.orders[1].steps == std::vector<StepId>{StepId{4}});
-    CHECK(grafcet.orders[2].kind == OrderKind::freeze);
+    CHECK(grafcet.orders.items()[0].kind == OrderKind::empty);
+    CHECK(grafcet.orders.items()[1].kind == OrderKind::listed);
+    CHECK(grafcet.orders.items()[1].steps == std::vector<StepId>{StepId{4}});
+    CHECK(grafcet.orders.items()[2].kind == OrderKind::freeze);
     CHECK(grafcet.expressions.edges().size() == 1);
     REQUIRE(grafcet.expressions.time_conditions().size() == 1);
     const ExprId time = grafcet.expressions.time_conditions()[0];
@@ -114,15 +114,15 @@ TEST_CASE("the press") {
     const Macro& macro = grafcet.macros[MacroId{0}];
     CHECK(macro.entry == StepId{1});
     CHECK(macro.exit == StepId{3});
-    CHECK(macro.first_step == 1);
-    CHECK(macro.step_count == 3);
+    CHECK(macro.steps.first == 1);
+    CHECK(macro.steps.count == 3);
     CHECK(grafcet.steps[StepId{2}].graph == GraphId{0});
     CHECK(grafcet.following(grafcet.transitions[TransitionId{0}])[0] == macro.entry);
     CHECK(grafcet.preceding(grafcet.transitions[TransitionId{1}])[0] == macro.exit);
     REQUIRE(grafcet.enclosures.size() == 1);
-    CHECK(grafcet.enclosures[0].step == StepId{5});
-    CHECK(grafcet.enclosures[0].links == std::vector<StepId>{StepId{7}});
-    CHECK(grafcet.graphs[GraphId{2}].enclosed_by == 0);
+    CHECK(grafcet.enclosures.items()[0].step == StepId{5});
+    CHECK(grafcet.enclosures.items()[0].links == std::vector<StepId>{StepId{7}});
+    CHECK(grafcet.graphs[GraphId{2}].enclosed_by == EnclosureId{0});
     REQUIRE(grafcet.clearing_actions.size() == 1);
     CHECK(grafcet.clearing_actions[0].write.target == Variable{VariableKind::counter, 0});
     CHECK(grafcet.sums[grafcet.clearing_actions[0].write.sum] ==

@@ -52,13 +52,13 @@ std::string tree_of(const Grafcet& grafcet, ExprId id) {
 
 std::string tree(std::string_view expression) {
     const Grafcet grafcet = parsed(chart_with(expression));
-    return tree_of(grafcet, grafcet.transitions[TransitionId{0}].receptivity);
+    return tree_of(grafcet, grafcet.transitions[TransitionId{0}].condition);
 }
 
 std::string written(std::string_view expression) {
     const Grafcet grafcet = parsed(chart_with(expression));
     return write_expression(grafcet, grafcet.expressions,
-                            grafcet.transitions[TransitionId{0}].receptivity);
+                            grafcet.transitions[TransitionId{0}].condition);
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ graph G {
     CHECK(pool.time_conditions().size() == 1);
     CHECK(pool.ordinal(pool.edges()[1]) == 1);
     CHECK(pool.ordinal(pool.time_conditions()[0]) == 0);
-    const ExprId sum = grafcet.transitions[TransitionId{0}].receptivity;
+    const ExprId sum = grafcet.transitions[TransitionId{0}].condition;
     CHECK(pool.operands(sum).size() == 2);
     CHECK(pool.operands(sum)[0] == pool.operands(sum)[1]);
     for (const ExprId operand : pool.operands(sum)) CHECK(operand < sum);

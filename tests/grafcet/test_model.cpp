@@ -34,8 +34,8 @@ expansion other { entry P1 exit P2 P1 -> P2 : a }
     CHECK(transitions == "1 2 3 4 5 6 0 7 ");
     std::string macros;
     for (const Macro& macro : grafcet.macros)
-        macros += macro.name + ":" + std::to_string(macro.first_step) + "+" +
-                  std::to_string(macro.step_count) + " ";
+        macros += macro.name + ":" + std::to_string(macro.steps.first) + "+" +
+                  std::to_string(macro.steps.count) + " ";
     CHECK(macros == "M1:1+4 N:2+2 M2:6+2 ");
     CHECK(grafcet.blocks.items()[0].name == "inner");
     CHECK(grafcet.blocks.items()[0].graph == GraphId{0});
@@ -76,8 +76,8 @@ graph H { initial 6 step 7 6 -> 7 : a 7 -> 6 : a }
     CHECK(grafcet.actions[5].write.target == Variable{VariableKind::counter, 0});
     CHECK(grafcet.sums[grafcet.actions[5].write.sum] ==
           Sum{{true, 0, 0}, {false, SumTerm::no_counter, 3}});
-    CHECK(grafcet.orders[0].kind == OrderKind::initial);
-    CHECK(grafcet.orders[1].steps.size() == 2);
+    CHECK(grafcet.orders.items()[0].kind == OrderKind::initial);
+    CHECK(grafcet.orders.items()[1].steps.size() == 2);
     CHECK_FALSE(grafcet.outputs[OutputId{0}].stored);
     CHECK(grafcet.outputs[OutputId{2}].stored);
     CHECK(grafcet.counters[CounterId{0}].low == -2);
@@ -100,14 +100,14 @@ graph G {
 )");
     const auto shape = [&](std::uint32_t i) {
         const Transition& transition = grafcet.transitions[TransitionId{i}];
-        return std::to_string(transition.preceding_count) + ">" +
-               std::to_string(transition.following_count) + " " + transition.name;
+        return std::to_string(transition.preceding.count) + ">" +
+               std::to_string(transition.following.count) + " " + transition.name;
     };
     CHECK(shape(0) == "0>1 0");
     CHECK(shape(1) == "1>0 end");
     CHECK(shape(2) == "1>2 2");
     CHECK(shape(3) == "2>1 3");
-    CHECK(grafcet.expressions.kind(grafcet.transitions[TransitionId{2}].receptivity) ==
+    CHECK(grafcet.expressions.kind(grafcet.transitions[TransitionId{2}].condition) ==
           ExprKind::constant);
     CHECK(grafcet.transitions[TransitionId{1}].labelled);
 }
@@ -138,8 +138,8 @@ TEST_CASE("a quoted INIT in braces is a step") {
 graph G { initial 1 : H{INIT} step 2 : H{"INIT"} 1 -> 2 : 1 2 -> 1 : 1 }
 graph H { initial INIT INIT -> INIT : 1 }
 )");
-    CHECK(grafcet.orders[0].kind == OrderKind::initial);
-    CHECK(grafcet.orders[1].kind == OrderKind::listed);
+    CHECK(grafcet.orders.items()[0].kind == OrderKind::initial);
+    CHECK(grafcet.orders.items()[1].kind == OrderKind::listed);
 }
 
 TEST_CASE("a file with nothing but a step") {

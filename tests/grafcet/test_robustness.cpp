@@ -30,8 +30,7 @@ TEST_CASE("nesting is limited, chains are not") {
     CHECK(gives_only(chart_with(repeated("1s/", 100000)), Code::nested_too_deep));
     CHECK(gives_only(chart_with(repeated("rise(", 100000)), Code::nested_too_deep));
     const Grafcet grafcet = parsed(chart_with(repeated("a + ", 100000) + "a"));
-    CHECK(grafcet.expressions.operands(grafcet.transitions.items()[0].receptivity).size() ==
-          100001);
+    CHECK(grafcet.expressions.operands(grafcet.transitions.items()[0].condition).size() == 100001);
     const std::string written = write_grafcet(grafcet);
     CHECK(write_grafcet(parsed(written)) == written);
 }
@@ -51,7 +50,7 @@ TEST_CASE("expansions may be nested as deep as the file is long") {
     }
     const Grafcet grafcet = parsed(text);
     CHECK(grafcet.steps.size() == 2 * depth + 1);
-    CHECK(grafcet.macros.items()[0].step_count == 2 * depth);
+    CHECK(grafcet.macros.items()[0].steps.count == 2 * depth);
     CHECK(grafcet.steps.items()[2].name == "S0");
     CHECK(parsed(write_grafcet(grafcet)).steps.size() == grafcet.steps.size());
 }

@@ -89,17 +89,17 @@ void check_same(const Grafcet& a, const Grafcet& b) {
         CHECK(s.role == t.role);
         CHECK(s.initial == t.initial);
         CHECK(s.enclosure == t.enclosure);
-        CHECK(s.first_action == t.first_action);
-        CHECK(s.action_count == t.action_count);
+        CHECK(s.actions.first == t.actions.first);
+        CHECK(s.actions.count == t.actions.count);
     }
     for (std::size_t i = 0; i < a.transitions.size(); ++i) {
         const Transition& s = a.transitions.items()[i];
         const Transition& t = b.transitions.items()[i];
         CHECK(s.name == t.name);
         CHECK(s.labelled == t.labelled);
-        CHECK(s.receptivity == t.receptivity);
-        CHECK(s.first_following == t.first_following);
-        CHECK(s.clearing_count == t.clearing_count);
+        CHECK(s.condition == t.condition);
+        CHECK(s.following.first == t.following.first);
+        CHECK(s.clearing.count == t.clearing.count);
     }
     for (std::size_t i = 0; i < a.blocks.size(); ++i) {
         CHECK(a.blocks.items()[i].nodes == b.blocks.items()[i].nodes);
@@ -114,8 +114,8 @@ void check_same(const Grafcet& a, const Grafcet& b) {
         CHECK(a.actions[i].write.sum == b.actions[i].write.sum);
     }
     for (std::size_t i = 0; i < a.orders.size(); ++i) {
-        CHECK(a.orders[i].kind == b.orders[i].kind);
-        CHECK(a.orders[i].steps == b.orders[i].steps);
+        CHECK(a.orders.items()[i].kind == b.orders.items()[i].kind);
+        CHECK(a.orders.items()[i].steps == b.orders.items()[i].steps);
     }
 }
 

@@ -39,9 +39,10 @@ class ModelComparison {
   private:
     std::string structure() {
         if (!all(a_.graphs, b_.graphs, [](const Graph& x, const Graph& y) {
-                return x.name == y.name && x.block == y.block && x.first_step == y.first_step &&
-                       x.step_count == y.step_count && x.first_transition == y.first_transition &&
-                       x.transition_count == y.transition_count && x.enclosed_by == y.enclosed_by;
+                return x.name == y.name && x.block == y.block && x.steps.first == y.steps.first &&
+                       x.steps.count == y.steps.count &&
+                       x.transitions.first == y.transitions.first &&
+                       x.transitions.count == y.transitions.count && x.enclosed_by == y.enclosed_by;
             })) {
             return "graphs";
         }
@@ -54,14 +55,14 @@ class ModelComparison {
         if (!all(a_.macros, b_.macros, [](const Macro& x, const Macro& y) {
                 return x.name == y.name && x.graph == y.graph && x.block == y.block &&
                        x.expansion == y.expansion && x.entry == y.entry && x.exit == y.exit &&
-                       x.first_step == y.first_step && x.step_count == y.step_count;
+                       x.steps.first == y.steps.first && x.steps.count == y.steps.count;
             })) {
             return "macro-steps";
         }
         if (!all(a_.steps, b_.steps, [](const Step& x, const Step& y) {
                 return x.name == y.name && x.graph == y.graph && x.block == y.block &&
                        x.role == y.role && x.initial == y.initial && x.enclosure == y.enclosure &&
-                       x.first_action == y.first_action && x.action_count == y.action_count;
+                       x.actions.first == y.actions.first && x.actions.count == y.actions.count;
             })) {
             return "steps";
         }
@@ -82,12 +83,12 @@ class ModelComparison {
     std::string behaviour() {
         if (!all(a_.transitions, b_.transitions, [this](const Transition& x, const Transition& y) {
                 return x.name == y.name && x.labelled == y.labelled && x.graph == y.graph &&
-                       x.block == y.block && same(x.receptivity, y.receptivity) &&
-                       x.first_preceding == y.first_preceding &&
-                       x.preceding_count == y.preceding_count &&
-                       x.first_following == y.first_following &&
-                       x.following_count == y.following_count &&
-                       x.first_clearing == y.first_clearing && x.clearing_count == y.clearing_count;
+                       x.block == y.block && same(x.condition, y.condition) &&
+                       x.preceding.first == y.preceding.first &&
+                       x.preceding.count == y.preceding.count &&
+                       x.following.first == y.following.first &&
+                       x.following.count == y.following.count &&
+                       x.clearing.first == y.clearing.first && x.clearing.count == y.clearing.count;
             })) {
             return "transitions";
         }

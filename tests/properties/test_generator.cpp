@@ -55,7 +55,7 @@ TEST_CASE("random charts hold every part of the language, and most of them move"
             }
         }
         for (const Transition& transition : grafcet->transitions) {
-            sources += transition.preceding_count == 0;
+            sources += transition.preceding.count == 0;
         }
         for (const ExprId id : grafcet->expressions.time_conditions()) {
             off_delays += grafcet->expressions.time_condition_of(id).off_delay != 0;

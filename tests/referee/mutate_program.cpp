@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "grafcet/relations.h"
+
 namespace grafwire::testing {
 
 namespace {

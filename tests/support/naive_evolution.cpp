@@ -51,7 +51,7 @@ bool NaiveEvolution::value(ExprId id, const NaiveState& s, const InputValues& in
         const Macro* macro = x.kind == VariableKind::macro ? &g_.macros[MacroId{x.index}] : nullptr;
         const bool belongs =
             macro != nullptr
-                ? i >= macro->first_step && i - macro->first_step < macro->step_count
+                ? macro->steps.contains(StepId{static_cast<std::uint32_t>(i)})
                 : index_of(g_.steps[StepId{static_cast<std::uint32_t>(i)}].graph) == x.index;
         if (belongs) return true;
     }
@@ -103,7 +103,7 @@ void NaiveEvolution::edges(NaiveState& s, const InputValues& in) const {
 std::vector<bool> NaiveEvolution::cleared_now(const NaiveState& s, const InputValues& in) const {
     std::vector<bool> tt;
     for (const Transition& t : g_.transitions) {
-        tt.push_back(value(t.receptivity, s, in) && s.tfig[index_of(t.graph)]);
+        tt.push_back(value(t.condition, s, in) && s.tfig[index_of(t.graph)]);
     }
     std::vector<bool> cleared;
     for (std::size_t i = 0; i < tt.size(); ++i) {
@@ -145,14 +145,15 @@ void NaiveEvolution::enclosures(NaiveState& s, const std::vector<bool>& after_4,
     for (std::size_t e = 0; e < g_.enclosures.size(); ++e) left.insert(e);
     const auto is_outermost = [&](std::size_t e) {
         for (const std::size_t other : left) {
-            if (g_.enclosures[other].graph == g_.steps[g_.enclosures[e].step].graph) return false;
+            if (g_.enclosures.items()[other].graph == g_.steps[g_.enclosures.items()[e].step].graph)
+                return false;
         }
         return true;
     };
     while (!left.empty()) {
         const std::size_t e = *std::find_if(left.begin(), left.end(), is_outermost);
         left.erase(e);
-        const Enclosure& enclosure = g_.enclosures[e];
+        const Enclosure& enclosure = g_.enclosures.items()[e];
         const std::size_t outer = index_of(enclosure.step);
         bool ordered = false;
         for (const Order& order : g_.orders) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "grafcet/relations.h"
 #include "text/utf8.h"
 
 namespace grafwire::ladder {
@@ -79,10 +80,9 @@ Piece PieceMaker::symbol(Drawing::Symbol::Kind kind, const std::string& name, st
 }
 
 Piece PieceMaker::comparison(const Power& power) {
-    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
-    const std::string text = fmt::format("{} {} {}", operand_text(ladder_, power.left),
-                                         relations[static_cast<std::size_t>(power.relation)],
-                                         operand_text(ladder_, power.right));
+    const std::string text =
+        fmt::format("{} {} {}", operand_text(ladder_, power.left), text_of(power.relation),
+                    operand_text(ladder_, power.right));
     Piece piece{{}, 1, 1};
     Drawing& drawing = piece.drawing;
     const int width = length(text) + 4;

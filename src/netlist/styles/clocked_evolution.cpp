@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "grafcet/enclosures.h"
+#include "grafcet/grafcet.h"
 #include "netlist/styles/clocked.h"
 
 namespace grafwire {
@@ -75,7 +75,7 @@ void ClockedEvolution::make_clearing() {
         for (const StepId step : grafcet_.preceding(transition)) {
             pins.push_back(build_.now.steps[index_of(step)]);
         }
-        const ExprId receptivity = build_.equations.from_grafcet[index_of(transition.receptivity)];
+        const ExprId receptivity = build_.equations.from_grafcet[index_of(transition.condition)];
         const bool always =
             pool.kind(receptivity) == ExprKind::constant && pool.constant_value(receptivity);
         if (!always) pins.push_back(build_.net(build_.now, receptivity, at));
@@ -115,8 +115,7 @@ void ClockedEvolution::apply_forcing(const std::vector<NetId>& before_orders,
         for (const StepId step : order.steps) on[index_of(step)].push_back(giver);
         if (order.kind != OrderKind::initial) continue;
         const Graph& graph = grafcet_.graphs[order.graph];
-        for (std::uint32_t i = 0; i < graph.step_count; ++i) {
-            const StepId step = grafcet_.steps.id_at(graph.first_step + i);
+        for (const StepId step : graph.steps) {
             if (grafcet_.steps[step].initial) on[index_of(step)].push_back(giver);
         }
     }
@@ -133,7 +132,7 @@ void ClockedEvolution::apply_forcing(const std::vector<NetId>& before_orders,
 void ClockedEvolution::force(const Graph& graph, const GateMaker& gates, NetId free,
                              const std::vector<std::vector<NetId>>& forced_on,
                              std::vector<NetId>& situation) {
-    for (std::uint32_t i = graph.first_step; i < graph.first_step + graph.step_count; ++i) {
+    for (std::uint32_t i = graph.steps.first; i < graph.steps.first + graph.steps.count; ++i) {
         const GateMaker own = gates.named(x_of(i));
         situation[i] = own.gate(CellType::and_gate, {situation[i], free}, "unforced");
         if (forced_on[i].empty()) continue;
@@ -147,7 +146,7 @@ void ClockedEvolution::force(const Graph& graph, const GateMaker& gates, NetId f
 /// the activation links where it has just been activated and no order bears on the graph.
 void ClockedEvolution::apply_enclosures(const std::vector<NetId>& before_orders,
                                         std::vector<NetId>& situation) {
-    for (const std::uint32_t index : enclosures_inwards(grafcet_)) {
+    for (const EnclosureId index : enclosures_inwards(grafcet_)) {
         const Enclosure& enclosure = grafcet_.enclosures[index];
         const Graph& graph = grafcet_.graphs[enclosure.graph];
         const NetId enclosing = situation[index_of(enclosure.step)];
@@ -161,7 +160,7 @@ void ClockedEvolution::apply_enclosures(const std::vector<NetId>& before_orders,
             pins.push_back(gates.inverted(before_orders[index_of(other.step)]));
         }
         const NetId link = gates.gate(CellType::and_gate, pins, "link");
-        for (std::uint32_t i = graph.first_step; i < graph.first_step + graph.step_count; ++i) {
+        for (std::uint32_t i = graph.steps.first; i < graph.steps.first + graph.steps.count; ++i) {
             situation[i] = gates.named(x_of(i)).gate(CellType::and_gate, {situation[i], enclosing},
                                                      "enclosed");
         }

@@ -67,10 +67,10 @@ void Pl7Objects::number_steps() {
     const auto any = [&](auto&& holds) {
         return std::any_of(grafcet_.transitions.begin(), grafcet_.transitions.end(), holds);
     };
-    if (any([](const Transition& transition) { return transition.preceding_count == 0; })) {
+    if (any([](const Transition& transition) { return transition.preceding.count == 0; })) {
         source_step_ = fmt::format("X{}", lowest_left());
     }
-    if (any([](const Transition& transition) { return transition.following_count == 0; })) {
+    if (any([](const Transition& transition) { return transition.following.count == 0; })) {
         sink_step_ = fmt::format("X{}", lowest_left());
     }
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include "grafcet/relations.h"
+
 namespace grafwire {
 
 namespace {
@@ -100,11 +102,9 @@ std::string Pl7Rungs::series_or_parallel(const Condition& condition, bool in_ser
 }
 
 std::string Pl7Rungs::compare(const Comparison& comparison) {
-    static constexpr const char* relations[] = {"=", "<>", "<", "<=", ">", ">="};
     const std::string left = value(comparison.left);
     const std::string right = value(comparison.right);
-    return fmt::format("[{} {} {}]", left, relations[static_cast<std::size_t>(comparison.relation)],
-                       right);
+    return fmt::format("[{} {} {}]", left, text_of(comparison.relation), right);
 }
 
 bool Pl7Rungs::has_sums(const Condition& condition) {

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "grafcet/forcing_hierarchy.h"
+#include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
@@ -186,11 +186,11 @@ Condition Situation::any_changed(const std::vector<Bit>& steps, bool sets) {
 
 /// Ts . /Tf0 + Tf1. Every order on a graph has all its steps in Tf0.
 void Situation::force(const Graph& graph) {
-    if (graph.step_count == 0 || forced_off_[graph.first_step].empty()) return;
-    const Condition forced = or_condition(forced_off_[graph.first_step]);
+    if (graph.steps.count == 0 || forced_off_[graph.steps.first].empty()) return;
+    const Condition forced = or_condition(forced_off_[graph.steps.first]);
     std::vector<Condition> deactivated;
     std::vector<Condition> changes;
-    for (std::uint32_t s = graph.first_step; s < graph.first_step + graph.step_count; ++s) {
+    for (std::uint32_t s = graph.steps.first; s < graph.steps.first + graph.steps.count; ++s) {
         const Condition on = or_condition(forced_on_[s]);
         deactivated.push_back(and_condition({step_is_to_be_active(s), not_condition(on)}));
         changes.push_back(and_condition({on, not_condition(step_is_to_be_active(s))}));
@@ -198,7 +198,7 @@ void Situation::force(const Graph& graph) {
     changes.insert(changes.begin(), and_condition({forced, or_condition(std::move(deactivated))}));
     rungs_.label("forcing orders on " + quoted_where_needed(graph.name));
     note_change(or_condition(std::move(changes)));
-    for (std::uint32_t s = graph.first_step; s < graph.first_step + graph.step_count; ++s) {
+    for (std::uint32_t s = graph.steps.first; s < graph.steps.first + graph.steps.count; ++s) {
         const Condition stays = and_condition({step_is_to_be_active(s), not_condition(forced)});
         rungs_.rung(or_condition({stays, or_condition(forced_on_[s])}),
                     "( ) " + objects_.of(to_be_active(s)));

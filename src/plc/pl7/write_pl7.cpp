@@ -158,7 +158,7 @@ void Pl7Writer::write_transitions() {
         const Transition& transition =
             grafcet_.transitions[TransitionId{statement.targets.front().index}];
         std::string after = steps(grafcet_.following(transition), sink);
-        if (transition.preceding_count == 0) after = source + " " + after;
+        if (transition.preceding.count == 0) after = source + " " + after;
         transitions_ +=
             fmt::format("\n** {} --> {}   {}\n", steps(grafcet_.preceding(transition), source),
                         after, statement.comment);

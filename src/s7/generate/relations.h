@@ -1,19 +1,21 @@
 #pragma once
 
-#include <cstdint>
-
-#include "grafcet/expression.h"
+#include "grafcet/relations.h"
 #include "s7/listing.h"
 
 namespace grafwire::s7 {
 
 // The controllers compare with =, >= and <= only; <>, < and > are the complements of these.
 
-bool is_complement(Relation relation);
+constexpr bool is_complement(Relation relation) {
+    return relation == Relation::not_equal || relation == Relation::less ||
+           relation == Relation::greater;
+}
+
 /// Of a relation that is no complement.
-Compare compare_of(Relation relation);
-/// The relation that holds with left and right exchanged.
-Relation mirrored(Relation relation);
-bool holds(std::int64_t left, Relation relation, std::int64_t right);
+constexpr Compare compare_of(Relation relation) {
+    if (relation == Relation::equal) return Compare::equal;
+    return relation == Relation::less_equal ? Compare::less_equal : Compare::greater_equal;
+}
 
 }  // namespace grafwire::s7

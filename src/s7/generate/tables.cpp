@@ -139,7 +139,7 @@ std::vector<std::uint32_t> step_places(const Grafcet& grafcet, const TableLayout
             places.take_if_free(s, *place);
         }
     }
-    for (const Graph& graph : grafcet.graphs) places.fill(graph.first_step, graph.step_count);
+    for (const Graph& graph : grafcet.graphs) places.fill(graph.steps.first, graph.steps.count);
     return places.finish();
 }
 
@@ -152,7 +152,7 @@ std::vector<std::uint32_t> transition_places(const Grafcet& grafcet, const Table
         if (const auto place = numbered_place(transition.name)) places.take_if_free(t, *place);
     }
     for (const Graph& graph : grafcet.graphs) {
-        places.fill(graph.first_transition, graph.transition_count);
+        places.fill(graph.transitions.first, graph.transitions.count);
     }
     return places.finish();
 }
@@ -202,10 +202,10 @@ TableLayout standard_tables() {
 
 TableLayout wide_tables(const Grafcet& grafcet) {
     TableLayout layout;
-    layout.step_bytes = bytes_of(grafcet, [](const Graph& graph) { return graph.step_count; });
+    layout.step_bytes = bytes_of(grafcet, [](const Graph& graph) { return graph.steps.count; });
     layout.transitions = layout.steps + 7 * layout.step_bytes;
     layout.transition_bytes =
-        bytes_of(grafcet, [](const Graph& graph) { return graph.transition_count; });
+        bytes_of(grafcet, [](const Graph& graph) { return graph.transitions.count; });
     if (grafcet.graphs.size() <= 16) return layout;
     layout.graphs = layout.end();
     layout.graph_bytes = static_cast<std::uint32_t>((grafcet.graphs.size() + 15) / 16 * 2);
