@@ -1,6 +1,6 @@
-// What the scans look up, worked out once per GRAFCET: transitions by the step that answers for them,
-// steps by the actions they have, orders by the graph they apply to. So a scan looks at the active
-// steps, and at no others.
+// What the scans look up, worked out once per GRAFCET: transitions by the step that answers for
+// them, steps by the actions they have, orders by the graph they apply to. So a scan looks at the
+// active steps, and at no others.
 
 #include "evolution/tables.h"
 

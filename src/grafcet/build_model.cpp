@@ -5,46 +5,102 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/names.h"
+#include <cassert>
+
+#include "grafcet/checking.h"
 
 namespace grafwire {
 
 namespace {
 
+Sum sum_of(const Draft& draft, Range<> range) {
+    Sum sum;
+    for (const std::uint32_t i : range) {
+        const DraftTerm& term = draft.terms[i];
+        sum.push_back({term.negative, term.counter, term.value});
+    }
+    return sum;
+}
+
+Variable variable_of(const ExpressionNode& node, const std::vector<std::uint32_t>& node_ids,
+                     const std::vector<std::uint32_t>& graph_ids) {
+    switch (node.variable) {
+        case VariableKind::step:
+        case VariableKind::macro:
+            return {node.variable, node_ids[node.value]};
+        case VariableKind::graph:
+            return {node.variable, graph_ids[node.value]};
+        default:
+            return {node.variable, node.value};
+    }
+}
+
+/// Replaces the topmost operands by the n-ary node over them.
+void reduce(std::vector<ExprId>& stack, const ExpressionNode& node, Expressions& expressions) {
+    assert(stack.size() >= node.value);
+    const std::span<const ExprId> operands(stack.data() + stack.size() - node.value, node.value);
+    ExprId id = no_expr;
+    switch (node.kind) {
+        case ExprKind::negation:
+            id = expressions.negation(operands[0]);
+            break;
+        case ExprKind::rise:
+            id = expressions.rise(operands[0]);
+            break;
+        case ExprKind::fall:
+            id = expressions.fall(operands[0]);
+            break;
+        case ExprKind::conjunction:
+            id = expressions.conjunction(operands);
+            break;
+        case ExprKind::disjunction:
+            id = expressions.disjunction(operands);
+            break;
+        default:
+            id = expressions.exclusive_or(operands);
+            break;
+    }
+    stack.resize(stack.size() - node.value);
+    stack.push_back(id);
+}
+
 class ModelBuilder {
   public:
-    explicit ModelBuilder(const Syntax& syntax)
-        : syntax_(syntax),
-          node_ids_(syntax.nodes.size(), none),
-          graph_ids_(syntax.blocks.size(), none) {}
+    explicit ModelBuilder(const Draft& draft)
+        : draft_(draft),
+          node_ids_(draft.nodes.size(), none),
+          graph_ids_(draft.blocks.size(), none) {}
 
     Grafcet build() {
-        if (syntax_.has_name) {
-            grafcet_.name = syntax_.text(syntax_.name);
-            grafcet_.title = syntax_.text(syntax_.title);
+        if (draft_.has_name) {
+            grafcet_.name = draft_.text(draft_.name);
+            grafcet_.title = draft_.text(draft_.title);
         }
         add_declarations();
         reserve();
         add_blocks();
-        for (std::uint32_t block = 0; block < syntax_.blocks.size(); ++block)
-            if (!syntax_.blocks[block].is_expansion) add_steps(block);
-        for (const ExpressionSyntax& assumption : syntax_.assumptions)
-            grafcet_.assumptions.push_back({build(assumption), assumption.where});
+        for (std::uint32_t block = 0; block < draft_.blocks.size(); ++block) {
+            if (!draft_.blocks[block].is_expansion) add_steps(block);
+        }
+        for (const DraftAssumption& assumption : draft_.assumptions) {
+            grafcet_.assumptions.push_back({build(assumption.expression), assumption.where});
+        }
         for (std::uint32_t index = 0; index < grafcet_.steps.size(); ++index) add_actions(index);
-        for (std::uint32_t block = 0; block < syntax_.blocks.size(); ++block)
-            if (!syntax_.blocks[block].is_expansion) add_transitions(block);
+        for (std::uint32_t block = 0; block < draft_.blocks.size(); ++block) {
+            if (!draft_.blocks[block].is_expansion) add_transitions(block);
+        }
         mark_stored_outputs();
         return std::move(grafcet_);
     }
 
   private:
-    std::string string_of(const Word& word) const { return std::string(syntax_.text(word)); }
-    ExprId build(const ExpressionSyntax& expression) {
-        return build_expression(syntax_, expression, node_ids_, graph_ids_, grafcet_.expressions);
+    std::string string_of(const Word& word) const { return std::string(draft_.text(word)); }
+    ExprId build(const DraftExpression& expression) {
+        return build_expression(draft_, expression, node_ids_, graph_ids_, grafcet_.expressions);
     }
 
     void add_declarations() {
-        for (const DeclarationSyntax& item : syntax_.declarations) {
+        for (const DraftDeclaration& item : draft_.declarations) {
             const Location where = item.name.where;
             switch (item.kind) {
                 case VariableKind::output:
@@ -64,31 +120,32 @@ class ModelBuilder {
     }
 
     void reserve() {
-        step_nodes_.reserve(syntax_.nodes.size());
-        grafcet_.steps.items().reserve(syntax_.nodes.size());
-        grafcet_.transitions.items().reserve(syntax_.transitions.size());
-        grafcet_.links.reserve(syntax_.words.size());
-        grafcet_.actions.reserve(syntax_.actions.size());
+        step_nodes_.reserve(draft_.nodes.size());
+        grafcet_.steps.items().reserve(draft_.nodes.size());
+        grafcet_.transitions.items().reserve(draft_.transitions.size());
+        grafcet_.links.reserve(draft_.words.size());
+        grafcet_.actions.reserve(draft_.actions.size());
     }
 
     void add_blocks() {
-        for (std::uint32_t i = 0; i < syntax_.blocks.size(); ++i) {
-            const BlockSyntax& item = syntax_.blocks[i];
+        for (std::uint32_t i = 0; i < draft_.blocks.size(); ++i) {
+            const DraftBlock& item = draft_.blocks[i];
             Block block;
-            block.name = syntax_.text(item.name);
+            block.name = draft_.text(item.name);
             block.is_expansion = item.is_expansion;
-            block.nodes.reserve(item.nodes.count);
-            block.transitions.reserve(item.transitions.count);
+            block.nodes.reserve(draft_.nodes_of_block.of(i).size());
+            block.transitions.reserve(draft_.transitions_of_block.of(i).size());
             block.where = item.name.where;
             const BlockId id = grafcet_.blocks.add(std::move(block));
             if (item.is_expansion) continue;
             Graph graph;
-            graph.name = syntax_.text(item.name);
+            graph.name = draft_.text(item.name);
             graph.block = id;
             graph_ids_[i] = static_cast<std::uint32_t>(grafcet_.graphs.add(std::move(graph)));
         }
-        for (std::uint32_t i = 0; i < syntax_.blocks.size(); ++i)
-            grafcet_.blocks[BlockId{i}].graph = GraphId{graph_ids_[syntax_.blocks[i].root]};
+        for (std::uint32_t i = 0; i < draft_.blocks.size(); ++i) {
+            grafcet_.blocks[BlockId{i}].graph = GraphId{graph_ids_[draft_.blocks[i].root]};
+        }
     }
 
     void add_steps(std::uint32_t graph_block) {
@@ -101,16 +158,16 @@ class ModelBuilder {
         std::vector<Place> open = {{graph_block, 0}};
         while (!open.empty()) {
             Place& place = open.back();
-            const Range<> nodes = syntax_.blocks[place.block].nodes;
-            if (place.next == nodes.count) {
+            const auto nodes = draft_.nodes_of_block.of(place.block);
+            if (place.next == nodes.size()) {
                 close_expansion(place.block);
                 open.pop_back();
                 continue;
             }
-            const std::uint32_t node = nodes.first + place.next++;
-            if (syntax_.nodes[node].kind == NodeKind::macro) {
+            const std::uint32_t node = nodes[place.next++];
+            if (draft_.nodes[node].is_macro) {
                 add_macro(node);
-                open.push_back({syntax_.nodes[node].resolved, 0});
+                open.push_back({draft_.nodes[node].resolved, 0});
             } else {
                 add_step(node);
             }
@@ -119,9 +176,9 @@ class ModelBuilder {
     }
 
     void add_macro(std::uint32_t node) {
-        const NodeSyntax& item = syntax_.nodes[node];
+        const DraftNode& item = draft_.nodes[node];
         Macro macro;
-        macro.name = syntax_.text(item.name);
+        macro.name = draft_.text(item.name);
         macro.block = BlockId{item.block};
         macro.graph = grafcet_.blocks[macro.block].graph;
         macro.expansion = BlockId{item.resolved};
@@ -132,7 +189,7 @@ class ModelBuilder {
     }
 
     void close_expansion(std::uint32_t block) {
-        const BlockSyntax& item = syntax_.blocks[block];
+        const DraftBlock& item = draft_.blocks[block];
         if (!item.is_expansion) return;
         Macro& macro = grafcet_.macros[MacroId{node_ids_[item.macro]}];
         macro.steps.count = step_count() - macro.steps.first;
@@ -141,14 +198,12 @@ class ModelBuilder {
     }
 
     void add_step(std::uint32_t node) {
-        const NodeSyntax& item = syntax_.nodes[node];
+        const DraftNode& item = draft_.nodes[node];
         Step step;
-        step.name = syntax_.text(item.name);
+        step.name = draft_.text(item.name);
         step.block = BlockId{item.block};
         step.graph = grafcet_.blocks[step.block].graph;
-        step.role = item.kind == NodeKind::entry  ? StepRole::entry
-                    : item.kind == NodeKind::exit ? StepRole::exit
-                                                  : StepRole::ordinary;
+        step.role = item.role;
         step.initial = item.initial;
         step.where = item.name.where;
         node_ids_[node] = static_cast<std::uint32_t>(grafcet_.steps.add(std::move(step)));
@@ -157,30 +212,32 @@ class ModelBuilder {
     }
 
     void add_actions(std::uint32_t index) {
-        const NodeSyntax& item = syntax_.nodes[step_nodes_[index]];
+        const DraftNode& item = draft_.nodes[step_nodes_[index]];
         Step& step = grafcet_.steps[StepId{index}];
         if (item.extra != none) {
-            const EnclosureSyntax& enclosure = syntax_.enclosures[item.extra];
+            const DraftEnclosure& enclosure = draft_.enclosures[item.extra];
             const GraphId graph{graph_ids_[enclosure.resolved]};
             step.enclosure = grafcet_.enclosures.add(
                 {StepId{index}, graph, steps_of(enclosure.links), enclosure.graph.where});
             grafcet_.graphs[graph].enclosed_by = step.enclosure;
         }
         step.actions.first = static_cast<std::uint32_t>(grafcet_.actions.size());
-        step.actions.count = item.actions.count;
-        for (std::uint32_t i = 0; i < item.actions.count; ++i)
-            add_action(StepId{index}, syntax_.actions[item.actions.first + i]);
+        const auto actions = draft_.actions_of_node.of(step_nodes_[index]);
+        step.actions.count = static_cast<std::uint32_t>(actions.size());
+        for (const std::uint32_t action : actions) {
+            add_action(StepId{index}, draft_.actions[action]);
+        }
     }
 
-    void add_action(StepId step, const ActionSyntax& item) {
+    void add_action(StepId step, const DraftAction& item) {
         Action action;
         action.kind = item.kind;
         action.trigger = item.trigger;
         action.step = step;
         action.where = item.where;
         if (item.kind == ActionKind::continuous) action.output = OutputId{item.resolved};
-        if (item.kind == ActionKind::stored) action.write = write_of(syntax_.writes[item.write]);
-        if (item.expression.is_present()) action.expression = build(item.expression);
+        if (item.kind == ActionKind::stored) action.write = write_of(draft_.writes[item.write]);
+        if (!item.expression.empty()) action.expression = build(item.expression);
         if (item.kind == ActionKind::order) {
             action.order = grafcet_.orders.add({step, GraphId{graph_ids_[item.resolved]},
                                                 item.order, steps_of(item.steps), item.where});
@@ -188,28 +245,24 @@ class ModelBuilder {
         grafcet_.actions.push_back(action);
     }
 
-    Write write_of(const WriteSyntax& item) {
+    Write write_of(const DraftWrite& item) {
         Write write;
         write.target = item.resolved;
         write.operation = item.operation;
         if (item.operation != WriteOperation::assign) return write;
-        if (!item.is_sum) {
+        if (item.sum.empty()) {
             write.value = build(item.value);
             return write;
         }
-        Sum sum;
-        for (std::uint32_t i = item.sum.first; i < item.sum.first + item.sum.count; ++i) {
-            const TermSyntax& term = syntax_.terms[i];
-            sum.push_back({term.negative, term.counter, term.value});
-        }
-        write.sum = grafcet_.sums.add(std::move(sum));
+        write.sum = grafcet_.sums.add(sum_of(draft_, item.sum));
         return write;
     }
 
     std::vector<StepId> steps_of(Range<> list) const {
         std::vector<StepId> steps;
-        for (std::uint32_t i = list.first; i < list.first + list.count; ++i)
-            steps.push_back(StepId{node_ids_[syntax_.word_nodes[i]]});
+        for (const std::uint32_t i : list) {
+            steps.push_back(StepId{node_ids_[draft_.word_nodes[i]]});
+        }
         return steps;
     }
 
@@ -220,12 +273,13 @@ class ModelBuilder {
         while (!open.empty()) {
             const std::uint32_t block = open.back();
             open.pop_back();
-            const BlockSyntax& item = syntax_.blocks[block];
-            for (std::uint32_t i = 0; i < item.transitions.count; ++i)
-                add_transition(block, item.transitions.first + i);
-            for (std::uint32_t i = item.nodes.count; i-- > 0;) {
-                const NodeSyntax& node = syntax_.nodes[item.nodes.first + i];
-                if (node.kind == NodeKind::macro) open.push_back(node.resolved);
+            for (const std::uint32_t rank : draft_.transitions_of_block.of(block)) {
+                add_transition(block, rank);
+            }
+            const auto nodes = draft_.nodes_of_block.of(block);
+            for (std::size_t i = nodes.size(); i-- > 0;) {
+                const DraftNode& node = draft_.nodes[nodes[i]];
+                if (node.is_macro) open.push_back(node.resolved);
             }
         }
         graph.transitions.count =
@@ -233,7 +287,7 @@ class ModelBuilder {
     }
 
     void add_transition(std::uint32_t block, std::uint32_t rank) {
-        const TransitionSyntax& item = syntax_.transitions[rank];
+        const DraftTransition& item = draft_.transitions[rank];
         Transition transition;
         transition.labelled = item.labelled;
         transition.name = item.labelled ? string_of(item.label) : std::to_string(rank);
@@ -250,18 +304,18 @@ class ModelBuilder {
         transition.clearing.count = item.writes.count;
         transition.where = item.where;
         const TransitionId id = grafcet_.transitions.add(std::move(transition));
-        for (std::uint32_t i = 0; i < item.writes.count; ++i) {
-            const WriteSyntax& write = syntax_.writes[item.writes.first + i];
+        for (const std::uint32_t i : item.writes) {
+            const DraftWrite& write = draft_.writes[i];
             grafcet_.clearing_actions.push_back({id, write_of(write), write.where});
         }
         grafcet_.blocks[BlockId{block}].transitions.push_back(id);
     }
 
     void add_links(Range<> list, bool is_preceding) {
-        for (std::uint32_t i = list.first; i < list.first + list.count; ++i) {
-            const std::uint32_t node = syntax_.word_nodes[i];
+        for (const std::uint32_t i : list) {
+            const std::uint32_t node = draft_.word_nodes[i];
             StepId step{node_ids_[node]};
-            if (syntax_.nodes[node].kind == NodeKind::macro) {
+            if (draft_.nodes[node].is_macro) {
                 const Macro& macro = grafcet_.macros[MacroId{node_ids_[node]}];
                 step = is_preceding ? macro.exit : macro.entry;
             }
@@ -271,27 +325,63 @@ class ModelBuilder {
 
     void mark_stored_outputs() {
         const auto mark = [this](const Write& write) {
-            if (write.target.kind == VariableKind::output)
+            if (write.target.kind == VariableKind::output) {
                 grafcet_.outputs[OutputId{write.target.index}].stored = true;
+            }
         };
-        for (const Action& action : grafcet_.actions)
+        for (const Action& action : grafcet_.actions) {
             if (action.kind == ActionKind::stored) mark(action.write);
+        }
         for (const ClearingAction& action : grafcet_.clearing_actions) mark(action.write);
     }
 
     std::uint32_t step_count() const { return static_cast<std::uint32_t>(grafcet_.steps.size()); }
 
-    const Syntax& syntax_;
-    std::vector<std::uint32_t> node_ids_;    // the StepId or MacroId of each of Syntax::nodes
-    std::vector<std::uint32_t> graph_ids_;   // the GraphId of each block that is a graph
-    std::vector<std::uint32_t> step_nodes_;  // the node of each step
+    const Draft& draft_;
+    std::vector<std::uint32_t> node_ids_;    ///< the StepId or MacroId of each of Draft::nodes
+    std::vector<std::uint32_t> graph_ids_;   ///< the GraphId of each block that is a graph
+    std::vector<std::uint32_t> step_nodes_;  ///< the node of each step
     Grafcet grafcet_;
 };
 
 }  // namespace
 
-Grafcet build_model(const Syntax& syntax) {
-    return ModelBuilder(syntax).build();
+ExprId build_expression(const Draft& draft, const DraftExpression& expression,
+                        const std::vector<std::uint32_t>& node_ids,
+                        const std::vector<std::uint32_t>& graph_ids, Expressions& expressions) {
+    std::vector<ExprId> stack;
+    for (const std::uint32_t i : expression) {
+        const ExpressionNode& node = draft.expression_nodes[i];
+        switch (node.kind) {
+            case ExprKind::constant:
+                stack.push_back(expressions.constant(node.value != 0));
+                break;
+            case ExprKind::variable:
+                stack.push_back(expressions.variable(variable_of(node, node_ids, graph_ids)));
+                break;
+            case ExprKind::time_condition: {
+                const TimeCondition& time = draft.times[node.value];
+                stack.back() =
+                    expressions.time_condition({time.on_delay, stack.back(), time.off_delay});
+                break;
+            }
+            case ExprKind::comparison: {
+                const DraftComparison& item = draft.comparisons[node.value];
+                stack.push_back(expressions.comparison(
+                    {sum_of(draft, item.left), item.relation, sum_of(draft, item.right)}));
+                break;
+            }
+            default:
+                reduce(stack, node, expressions);
+                break;
+        }
+    }
+    assert(stack.size() == 1);
+    return stack.back();
+}
+
+Grafcet build_model(const Draft& draft) {
+    return ModelBuilder(draft).build();
 }
 
 }  // namespace grafwire

@@ -18,7 +18,7 @@ constexpr std::array<std::uint64_t, 6> leaf_columns = {0xaaaaaaaaaaaaaaaaU, 0xcc
                                                        0xf0f0f0f0f0f0f0f0U, 0xff00ff00ff00ff00U,
                                                        0xffff0000ffff0000U, 0xffffffff00000000U};
 
-// The truth table of one expression over its leaves, as long as both are few.
+/// The truth table of one expression over its leaves, as long as both are few.
 class TruthTable {
   public:
     explicit TruthTable(const Expressions& expressions) : expressions_(expressions) {}
@@ -54,12 +54,13 @@ class TruthTable {
         for (const ExprId operand : expressions_.operands(id)) {
             const std::uint64_t value = column(operand);
             if (!is_complete_) break;
-            if (kind == ExprKind::conjunction)
+            if (kind == ExprKind::conjunction) {
                 result &= value;
-            else if (kind == ExprKind::disjunction)
+            } else if (kind == ExprKind::disjunction) {
                 result |= value;
-            else
+            } else {
                 result ^= value;
+            }
         }
         return result;
     }
@@ -108,8 +109,9 @@ void add_terms(Interval& interval, const Grafcet& grafcet, const Sum& sum, bool 
 
 ConstantExpressions::ConstantExpressions(const Grafcet& grafcet) : grafcet_(grafcet) {
     values_.reserve(grafcet.expressions.size());
-    for (std::size_t i = 0; i < grafcet.expressions.size(); ++i)
+    for (std::size_t i = 0; i < grafcet.expressions.size(); ++i) {
         values_.push_back(value_of(static_cast<ExprId>(i)));
+    }
 }
 
 bool ConstantExpressions::is_never_true(ExprId id) const {

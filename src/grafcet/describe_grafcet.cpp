@@ -29,8 +29,8 @@ struct Wording {
     std::string_view forced_by, frozen_by, enclosed_by, shown_above;
 };
 
-// The arguments of macro_line: macro-step, graph, expansion, entry, exit, number of steps with its
-// noun. Those of enclosure_line: step, graph of the step, enclosed graph, activation links.
+/// The arguments of macro_line: macro-step, graph, expansion, entry, exit, number of steps with its
+/// noun. Those of enclosure_line: step, graph of the step, enclosed graph, activation links.
 const Wording& wording(Language language) {
     static constexpr Wording english = {{"graph", "graphs"},
                                         {"step", "steps"},
@@ -118,15 +118,17 @@ class Description {
         return quoted_where_needed(grafcet_.graphs[graph].name);
     }
 
-    // The first of `count` texts, separated by commas.
+    /// The first of `count` texts, separated by commas.
     template <typename TextAt>
     std::string listed(std::size_t count, const TextAt& text_at) const {
         std::string result;
-        for (std::size_t i = 0; i < std::min(count, most_listed); ++i)
+        for (std::size_t i = 0; i < std::min(count, most_listed); ++i) {
             result += fmt::format("{}{}", i == 0 ? "" : ", ", text_at(i));
-        if (count > most_listed)
+        }
+        if (count > most_listed) {
             result += fmt::format(", {}",
                                   fmt::format(fmt::runtime(words_.and_more), count - most_listed));
+        }
         return result;
     }
 
@@ -157,16 +159,18 @@ class Description {
             out_ += fmt::format("  {}{}{}, {}\n", quoted_where_needed(graph.name), colon_,
                                 counted(graph.steps.count, words_.step),
                                 counted(graph.transitions.count, words_.transition));
-            if (graph.steps.count != 0)
+            if (graph.steps.count != 0) {
                 out_ += fmt::format("    {}{}{}\n", words_.steps_list, colon_,
                                     listed(graph.steps.count, [&](std::size_t i) {
                                         return step_in_list(graph.steps.first + i);
                                     }));
-            if (graph.transitions.count != 0)
+            }
+            if (graph.transitions.count != 0) {
                 out_ += fmt::format("    {}{}{}\n", words_.transitions_list, colon_,
                                     listed(graph.transitions.count, [&](std::size_t i) {
                                         return transition_in_list(graph.transitions.first + i);
                                     }));
+            }
         }
     }
 
@@ -182,7 +186,7 @@ class Description {
     void write_macros() {
         if (grafcet_.macros.empty()) return;
         write_title(words_.macro_steps);
-        for (const Macro& macro : grafcet_.macros)
+        for (const Macro& macro : grafcet_.macros) {
             out_ += fmt::format(
                 "  {}\n",
                 fmt::format(fmt::runtime(words_.macro_line), quoted_where_needed(macro.name),
@@ -190,12 +194,13 @@ class Description {
                             quoted_where_needed(grafcet_.blocks[macro.expansion].name),
                             step_name(macro.entry), step_name(macro.exit),
                             counted(macro.steps.count, words_.step)));
+        }
     }
 
     void write_enclosures() {
         if (grafcet_.enclosures.empty()) return;
         write_title(words_.enclosures);
-        for (const Enclosure& enclosure : grafcet_.enclosures)
+        for (const Enclosure& enclosure : grafcet_.enclosures) {
             out_ += fmt::format(
                 "  {}\n",
                 fmt::format(fmt::runtime(words_.enclosure_line), step_name(enclosure.step),
@@ -203,43 +208,48 @@ class Description {
                             graph_name(enclosure.graph),
                             listed(enclosure.links.size(),
                                    [&](std::size_t i) { return step_name(enclosure.links[i]); })));
+        }
     }
 
-    // A graph and all that one other graph has over it.
-    struct Bond {
+    /// What one graph does to another: forcing, freezing, enclosing.
+    struct Dominance {
         GraphId over{};
         GraphId under{};
         std::vector<std::string> forced_by, frozen_by, enclosed_by;
     };
 
-    // Bonds by the graph above, then by the graph below.
-    std::vector<Bond> bonds() const {
+    /// Dominances by the graph above, then by the graph below.
+    std::vector<Dominance> dominances() const {
         struct Part {
             GraphId over, under;
             const Order* order;
             StepId step;
         };
         std::vector<Part> parts;
-        for (const Order& order : grafcet_.orders)
+        for (const Order& order : grafcet_.orders) {
             parts.push_back({grafcet_.steps[order.step].graph, order.graph, &order, order.step});
-        for (const Enclosure& enclosure : grafcet_.enclosures)
+        }
+        for (const Enclosure& enclosure : grafcet_.enclosures) {
             parts.push_back(
                 {grafcet_.steps[enclosure.step].graph, enclosure.graph, nullptr, enclosure.step});
+        }
         std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
             return a.over != b.over ? a.over < b.over : a.under < b.under;
         });
-        std::vector<Bond> result;
+        std::vector<Dominance> result;
         for (const Part& part : parts) {
             if (result.empty() || result.back().over != part.over ||
-                result.back().under != part.under)
+                result.back().under != part.under) {
                 result.push_back({part.over, part.under, {}, {}, {}});
-            Bond& bond = result.back();
-            if (part.order == nullptr)
-                bond.enclosed_by.push_back(step_name(part.step));
-            else if (part.order->kind == OrderKind::freeze)
-                bond.frozen_by.push_back(step_name(part.step));
-            else
-                bond.forced_by.push_back(step_name(part.step) + situation_of(*part.order));
+            }
+            Dominance& dominance = result.back();
+            if (part.order == nullptr) {
+                dominance.enclosed_by.push_back(step_name(part.step));
+            } else if (part.order->kind == OrderKind::freeze) {
+                dominance.frozen_by.push_back(step_name(part.step));
+            } else {
+                dominance.forced_by.push_back(step_name(part.step) + situation_of(*part.order));
+            }
         }
         return result;
     }
@@ -253,20 +263,20 @@ class Description {
                "}";
     }
 
-    // A bond of freezing alone is shown but not followed: freezing may go in circles.
-    static bool is_followed(const Bond& bond) {
-        return !bond.forced_by.empty() || !bond.enclosed_by.empty();
+    /// A dominance of freezing alone is shown but not followed: freezing may go in circles.
+    static bool is_followed(const Dominance& dominance) {
+        return !dominance.forced_by.empty() || !dominance.enclosed_by.empty();
     }
 
     void write_hierarchy() {
-        const std::vector<Bond> all = bonds();
+        const std::vector<Dominance> all = dominances();
         if (all.empty()) return;
         write_title(words_.hierarchy);
         std::vector<std::size_t> first(grafcet_.graphs.size() + 1, 0);
         std::vector<bool> is_under(grafcet_.graphs.size(), false);
-        for (const Bond& bond : all) {
-            ++first[index_of(bond.over) + 1];
-            if (is_followed(bond)) is_under[index_of(bond.under)] = true;
+        for (const Dominance& dominance : all) {
+            ++first[index_of(dominance.over) + 1];
+            if (is_followed(dominance)) is_under[index_of(dominance.under)] = true;
         }
         for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
         std::vector<bool> is_shown(grafcet_.graphs.size(), false);
@@ -277,7 +287,7 @@ class Description {
         }
     }
 
-    void write_below(std::size_t top, const std::vector<Bond>& all,
+    void write_below(std::size_t top, const std::vector<Dominance>& all,
                      const std::vector<std::size_t>& first, std::vector<bool>& is_shown) {
         struct Place {
             std::size_t graph, next;
@@ -289,20 +299,20 @@ class Description {
                 open.pop_back();
                 continue;
             }
-            const Bond& bond = all[place.next++];
-            const std::size_t under = index_of(bond.under);
-            const bool has_more = is_followed(bond) && first[under] != first[under + 1];
-            write_bond(bond, open.size(), has_more && is_shown[under]);
+            const Dominance& dominance = all[place.next++];
+            const std::size_t under = index_of(dominance.under);
+            const bool has_more = is_followed(dominance) && first[under] != first[under + 1];
+            write_dominance(dominance, open.size(), has_more && is_shown[under]);
             if (!has_more || is_shown[under]) continue;
             is_shown[under] = true;
             open.push_back({under, first[under]});
         }
     }
 
-    void write_bond(const Bond& bond, std::size_t depth, bool is_shown_above) {
+    void write_dominance(const Dominance& dominance, std::size_t depth, bool is_shown_above) {
         constexpr std::size_t deepest_indent = 20;
         out_.append(2 + 2 * std::min(depth, deepest_indent), ' ');
-        out_ += graph_name(bond.under);
+        out_ += graph_name(dominance.under);
         std::string_view separator = colon_;
         const auto add = [&](std::string_view phrase, const std::vector<std::string>& steps) {
             if (steps.empty()) return;
@@ -311,9 +321,9 @@ class Description {
                                 listed(steps.size(), [&](std::size_t i) { return steps[i]; }));
             separator = semicolon_;
         };
-        add(words_.forced_by, bond.forced_by);
-        add(words_.frozen_by, bond.frozen_by);
-        add(words_.enclosed_by, bond.enclosed_by);
+        add(words_.forced_by, dominance.forced_by);
+        add(words_.frozen_by, dominance.frozen_by);
+        add(words_.enclosed_by, dominance.enclosed_by);
         if (is_shown_above) out_ += fmt::format(" {}", words_.shown_above);
         out_ += '\n';
     }

@@ -16,7 +16,7 @@ namespace grafwire {
 
 namespace {
 
-// One round of the splitmix64 generator: spreads the bits of small numbers over the whole word.
+/// One round of the splitmix64 generator: spreads the bits of small numbers over the whole word.
 std::uint64_t mix(std::uint64_t seed, std::uint64_t value) {
     std::uint64_t z = seed + 0x9e3779b97f4a7c15U + value;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -35,9 +35,9 @@ std::uint64_t hash_of(const Sum& sum) {
     return hash;
 }
 
-// The last bits are those of the first operand, the others come from the rest of it and from how
-// far the other operands are from it: expressions of one shape over neighbouring variables are
-// neighbours. An operand that is far away (an input among steps) counts as it is.
+/// The last bits are those of the first operand, the others come from the rest of it and from how
+/// far the other operands are from it: expressions of one shape over neighbouring variables are
+/// neighbours. An operand that is far away (an input among steps) counts as it is.
 std::uint64_t hash_of(ExprKind kind, std::span<const ExprId> operands) {
     constexpr unsigned neighbour_bits = 6;
     constexpr std::int64_t far = 64;
@@ -54,8 +54,8 @@ std::uint64_t hash_of(ExprKind kind, std::span<const ExprId> operands) {
            (static_cast<std::uint64_t>(first) & ((1U << neighbour_bits) - 1));
 }
 
-// Where the search for a hash begins. Two neighbours begin at one place: at least one id in two is
-// that of something else, a variable above all.
+/// Where the search for a hash begins. Two neighbours begin at one place: at least one id in two is
+/// that of something else, a variable above all.
 std::size_t place_of(std::uint32_t hash) {
     return hash >> 1U;
 }
@@ -67,8 +67,9 @@ ExprId Expressions::find(std::uint64_t hash, const Same& same) const {
     if (slots_.empty()) return no_expr;
     const std::size_t mask = slots_.size() - 1;
     const auto short_hash = static_cast<std::uint32_t>(hash);
-    for (std::size_t i = place_of(short_hash) & mask; slots_[i].id != no_expr; i = (i + 1) & mask)
+    for (std::size_t i = place_of(short_hash) & mask; slots_[i].id != no_expr; i = (i + 1) & mask) {
         if (slots_[i].hash == short_hash && same(node(slots_[i].id))) return slots_[i].id;
+    }
     return no_expr;
 }
 
@@ -82,8 +83,9 @@ void Expressions::insert(const Slot& slot) {
 void Expressions::grow(std::size_t slots) {
     std::vector<Slot> old(slots);
     old.swap(slots_);
-    for (const Slot& slot : old)
+    for (const Slot& slot : old) {
         if (slot.id != no_expr) insert(slot);
+    }
 }
 
 ExprId Expressions::add(const Node& new_node, std::uint64_t hash) {
@@ -108,10 +110,11 @@ void Expressions::clear() {
         variables_[node.detail][node.first] = no_expr;
     }
     // A table that has grown is thrown away rather than wiped each time.
-    if (slots_.size() > smallest_table)
+    if (slots_.size() > smallest_table) {
         slots_.clear();
-    else
+    } else {
         std::fill(slots_.begin(), slots_.end(), Slot());
+    }
     hashed_ = 0;
     nodes_.clear();
     operands_.clear();

@@ -30,8 +30,9 @@ bool is_ascii(char c) {
 
 TokenKind keyword_of(std::string_view word) {
     constexpr std::size_t longest = 12;
-    if (word.size() < 2 || word.size() > longest || word[0] < 'a' || word[0] > 'x')
+    if (word.size() < 2 || word.size() > longest || word[0] < 'a' || word[0] > 'x') {
         return TokenKind::word;
+    }
     const auto place = std::lower_bound(reserved_words.begin(), reserved_words.end(), word);
     if (place == reserved_words.end() || *place != word) return TokenKind::word;
     const auto index = static_cast<std::size_t>(place - reserved_words.begin());
@@ -43,7 +44,7 @@ bool is_wide_space(char32_t c) {
            c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000;
 }
 
-// The bytes of the letter, digit or `_` at `at`: 0 if there is none.
+/// The bytes of the letter, digit or `_` at `at`: 0 if there is none.
 std::size_t name_character(std::string_view text, std::size_t at) {
     if (at >= text.size()) return 0;
     const char c = text[at];
@@ -155,7 +156,7 @@ void Lexer::skip_comment() {
     at_ = end;
 }
 
-// A token of ASCII characters.
+/// A token of ASCII characters.
 Token Lexer::finish(Token token, TokenKind kind, std::size_t bytes) {
     token.kind = kind;
     token.length = static_cast<std::uint32_t>(bytes);
@@ -183,11 +184,14 @@ Token Lexer::number(Token token) {
     };
     const std::size_t whole_end = digits_from(at_ + 1);
     std::size_t end = whole_end;
-    if (end + 1 < text_.size() && text_[end] == '.' && is_digit(text_[end + 1]))
+    if (end + 1 < text_.size() && text_[end] == '.' && is_digit(text_[end + 1])) {
         end = digits_from(end + 2);
-    for (const std::string_view unit : units)
-        if (text_.substr(end, unit.size()) == unit)
+    }
+    for (const std::string_view unit : units) {
+        if (text_.substr(end, unit.size()) == unit) {
             return finish(token, TokenKind::duration, end + unit.size() - at_);
+        }
+    }
     return finish(token, TokenKind::integer, whole_end - at_);
 }
 
@@ -196,9 +200,10 @@ Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     const std::size_t end = std::min(text_.find_first_of("\"\r\n", start), text_.size());
     const bool is_closed = end < text_.size() && text_[end] == '"';
     const std::string_view text = text_.substr(start, end - start);
-    if (!is_closed && diagnostics != nullptr)
+    if (!is_closed && diagnostics != nullptr) {
         diagnostics->error(Code::unterminated_text, token.where,
                            "this quoted text has no end on its line; close it with '\"'");
+    }
     report_control(text, diagnostics);
     token.kind = TokenKind::quoted;
     token.offset = static_cast<std::uint32_t>(start);
@@ -208,7 +213,7 @@ Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     return token;
 }
 
-// Names and titles go into reports and programs, and from there to terminals and compilers.
+/// Names and titles go into reports and programs, and from there to terminals and compilers.
 void Lexer::report_control(std::string_view text, Diagnostics* diagnostics) const {
     const std::size_t at = find_control(text);
     if (at == std::string_view::npos || diagnostics == nullptr) return;
@@ -262,7 +267,7 @@ bool Lexer::symbol(Token& token) {
     return false;
 }
 
-// One report for a run of characters that begin no token.
+/// One report for a run of characters that begin no token.
 void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
     const CodePoint first = decode_utf8(text_, at_);
     while (at_ < text_.size()) {
@@ -270,8 +275,9 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
         const CodePoint code_point = decode_utf8(text_, at_);
         Token ignored;
         if (c == '"' || c == '#' || c == '\n' || is_wide_space(code_point.value) || c == ' ' ||
-            (c >= '\t' && c <= '\r') || is_letter(code_point.value) || is_digit(c))
+            (c >= '\t' && c <= '\r') || is_letter(code_point.value) || is_digit(c)) {
             break;
+        }
         Lexer ahead = *this;
         if (ahead.symbol(ignored)) break;
         at_ += std::max<std::size_t>(code_point.length, 1);
@@ -281,8 +287,9 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
     std::string shown = fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.value));
     const bool is_visible = first.value != ' ' && first.value != 0xa0 && !is_control(first.value) &&
                             (first.value < 0x2000 || first.value > 0x206f) && first.value != 0xfeff;
-    if (is_visible)
+    if (is_visible) {
         shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));
+    }
     diagnostics->error(
         Code::unexpected_character, token.where,
         fmt::format("the character {} has no meaning here; remove it, or write the name it belongs "

@@ -1,43 +1,54 @@
+// The names in actions, forcing orders and enclosures, and how outputs are driven. An output is
+// driven by continuous actions or by stored ones: the first action of each kind is remembered while
+// names are looked up, and afterwards an output with both is refused, and so is the reading of an
+// output that has no memory (IEC 60848 gives a continuous output no value of its own).
+
 #include <fmt/format.h>
 
-#include "grafcet/names.h"
+#include <optional>
+
+#include "grafcet/checking.h"
 
 namespace grafwire {
 
 namespace {
 
-// How an output is driven: the first action of each kind.
+/// How an output is driven: the first action of each kind.
 struct Drive {
-    Location continuous;
-    Location stored;
+    std::optional<Location> continuous;
+    std::optional<Location> stored;
 };
 
 class ActionResolver {
   public:
     explicit ActionResolver(const Checking& checking)
-        : checking_(checking), syntax_(checking.syntax) {
+        : checking_(checking), draft_(checking.draft) {
         std::size_t outputs = 0;
-        for (const DeclarationSyntax& declaration : syntax_.declarations)
+        for (const DraftDeclaration& declaration : draft_.declarations) {
             outputs += declaration.kind == VariableKind::output ? 1U : 0U;
+        }
         drives_.resize(outputs);
     }
 
     void resolve() {
-        for (NodeSyntax& node : syntax_.nodes) {
-            if (node.kind != NodeKind::macro && node.extra != none)
-                resolve_enclosure(syntax_.enclosures[node.extra]);
-            for (std::uint32_t i = 0; i < node.actions.count; ++i)
-                resolve_action(syntax_.actions[node.actions.first + i]);
+        for (std::uint32_t i = 0; i < draft_.nodes.size(); ++i) {
+            const DraftNode& node = draft_.nodes[i];
+            if (!node.is_macro && node.extra != none) {
+                resolve_enclosure(draft_.enclosures[node.extra]);
+            }
+            for (const std::uint32_t action : draft_.actions_of_node.of(i)) {
+                resolve_action(draft_.actions[action]);
+            }
         }
-        for (const TransitionSyntax& transition : syntax_.transitions)
-            for (std::uint32_t i = 0; i < transition.writes.count; ++i)
-                resolve_write(syntax_.writes[transition.writes.first + i]);
+        for (const DraftTransition& transition : draft_.transitions) {
+            for (const std::uint32_t i : transition.writes) resolve_write(draft_.writes[i]);
+        }
         check_drives();
         check_output_reads();
     }
 
   private:
-    void resolve_action(ActionSyntax& action) {
+    void resolve_action(DraftAction& action) {
         switch (action.kind) {
             case ActionKind::continuous:
                 resolve_continuous(action);
@@ -46,19 +57,20 @@ class ActionResolver {
                 resolve_order(action);
                 break;
             case ActionKind::stored:
-                resolve_write(syntax_.writes[action.write]);
-                if (action.trigger == Trigger::event)
+                resolve_write(draft_.writes[action.write]);
+                if (action.trigger == Trigger::event) {
                     resolve_expression(checking_, action.expression, ExpressionUse::event);
+                }
                 break;
         }
     }
 
-    void resolve_continuous(ActionSyntax& action) {
-        const auto* found = checking_.names.variables.find(syntax_.text(action.name));
+    void resolve_continuous(DraftAction& action) {
+        const auto* found = checking_.names.variables.find(draft_.text(action.name));
         if (found != nullptr && found->variable.kind == VariableKind::output) {
             action.resolved = found->variable.index;
-            Location& first = drives_[action.resolved].continuous;
-            if (!first.is_known()) first = action.where;
+            std::optional<Location>& first = drives_[action.resolved].continuous;
+            if (!first) first = action.where;
         } else if (found != nullptr && (found->variable.kind == VariableKind::var ||
                                         found->variable.kind == VariableKind::counter)) {
             const bool is_var = found->variable.kind == VariableKind::var;
@@ -67,18 +79,19 @@ class ActionResolver {
                 fmt::format("continuous action on the {} {}, which changes by stored actions only; "
                             "write '{}', or declare it as an output",
                             is_var ? "var" : "counter", checking_.shown(action.name),
-                            is_var ? fmt::format("set {}", syntax_.text(action.name))
-                                   : fmt::format("{0} := {0} + 1", syntax_.text(action.name))));
+                            is_var ? fmt::format("set {}", draft_.text(action.name))
+                                   : fmt::format("{0} := {0} + 1", draft_.text(action.name))));
         } else {
             report_bad_target(action.name);
         }
-        if (action.expression.is_present())
+        if (!action.expression.empty()) {
             resolve_expression(checking_, action.expression, ExpressionUse::condition);
+        }
     }
 
-    // A name that no action of any kind can be about.
+    /// A name that no action of any kind can be about.
     void report_bad_target(const Word& word) {
-        const std::string_view name = syntax_.text(word);
+        const std::string_view name = draft_.text(word);
         const auto* found = checking_.names.variables.find(name);
         const bool is_step_variable = found == nullptr && name.size() > 1 && name[0] == 'X' &&
                                       (checking_.names.nodes.find(name.substr(1)) != nullptr ||
@@ -97,16 +110,17 @@ class ActionResolver {
                                         checking_.shown(word)));
         } else {
             std::string advice = checking_.suggestions.did_you_mean(name, Meant::written);
-            if (checking_.names.graphs.find(name) != nullptr)
+            if (checking_.names.graphs.find(name) != nullptr) {
                 advice = fmt::format("; an order to graph {0} is written {1}{{…}}",
                                      checking_.shown(word), name);
+            }
             checking_.error(Code::unknown_name, word.where,
                             fmt::format("unknown output {}{}", checking_.shown(word), advice));
         }
     }
 
-    void resolve_write(WriteSyntax& write) {
-        const auto* found = checking_.names.variables.find(syntax_.text(write.target));
+    void resolve_write(DraftWrite& write) {
+        const auto* found = checking_.names.variables.find(draft_.text(write.target));
         const bool is_writable = found != nullptr && found->variable.kind != VariableKind::input &&
                                  found->variable.kind != VariableKind::control;
         if (!is_writable) {
@@ -115,24 +129,38 @@ class ActionResolver {
             write.resolved = found->variable;
             const bool is_counter = write.resolved.kind == VariableKind::counter;
             if (write.resolved.kind == VariableKind::output) {
-                Location& first = drives_[write.resolved.index].stored;
-                if (!first.is_known()) first = write.where;
+                std::optional<Location>& first = drives_[write.resolved.index].stored;
+                if (!first) first = write.where;
             }
-            if (is_counter && write.operation != WriteOperation::assign)
+            if (is_counter && write.operation != WriteOperation::assign) {
                 checking_.error(
                     Code::not_a_boolean, write.target.where,
                     fmt::format("{0} is a counter, which is neither set nor reset; "
                                 "write a value, as in {1} := 0",
-                                checking_.shown(write.target), syntax_.text(write.target)));
+                                checking_.shown(write.target), draft_.text(write.target)));
+            }
         }
         if (write.operation != WriteOperation::assign) return;
-        if (write.is_sum)
-            resolve_sum(checking_, write.sum);
-        else
-            resolve_expression(checking_, write.value, ExpressionUse::value);
+        if (is_writable) check_kind_of_value(write);
+        resolve_sum(checking_, write.sum);
+        resolve_expression(checking_, write.value, ExpressionUse::value);
     }
 
-    void resolve_order(ActionSyntax& action) {
+    /// The text language reads a value as the kind its target asks for; other readers may not.
+    void check_kind_of_value(const DraftWrite& write) {
+        const bool is_counter = write.resolved.kind == VariableKind::counter;
+        if (is_counter && !write.value.empty()) {
+            checking_.error(Code::not_a_counter, write.target.where,
+                            fmt::format("{} is a counter; assign a sum of counters and numbers",
+                                        checking_.shown(write.target)));
+        } else if (!is_counter && !write.sum.empty()) {
+            checking_.error(Code::not_a_boolean, write.target.where,
+                            fmt::format("{} is not a counter; assign a condition",
+                                        checking_.shown(write.target)));
+        }
+    }
+
+    void resolve_order(DraftAction& action) {
         if (const auto* graph = find_graph(action.name, Code::forcing_unknown_graph)) {
             action.resolved = *graph;
             resolve_listed(*graph, action.steps, "a forcing order");
@@ -141,14 +169,15 @@ class ActionResolver {
         }
     }
 
-    void resolve_enclosure(EnclosureSyntax& enclosure) {
-        if (const auto* graph = find_graph(enclosure.graph, Code::unknown_name))
+    void resolve_enclosure(DraftEnclosure& enclosure) {
+        if (const auto* graph = find_graph(enclosure.graph, Code::unknown_name)) {
             enclosure.resolved = *graph;
+        }
         resolve_listed(enclosure.resolved, enclosure.links, "an activation link");
     }
 
     const std::uint32_t* find_graph(const Word& word, Code code) {
-        const std::string_view name = syntax_.text(word);
+        const std::string_view name = draft_.text(word);
         const auto* graph = checking_.names.graphs.find(name);
         if (graph != nullptr) return graph;
         const bool is_expansion = checking_.names.expansions.find(name) != nullptr;
@@ -161,12 +190,12 @@ class ActionResolver {
         return nullptr;
     }
 
-    // Steps of one graph, those of its expansions included; `graph` is none if it is not known.
+    /// Steps of one graph, those of its expansions included; `graph` is none if it is not known.
     void resolve_listed(std::uint32_t graph, Range<> list, std::string_view what) {
         resolve_steps(checking_, list, [&](std::uint32_t node, const Word& word) {
-            const NodeSyntax& step = syntax_.nodes[node];
-            const std::uint32_t root = syntax_.blocks[step.block].root;
-            if (step.kind == NodeKind::macro) {
+            const DraftNode& step = draft_.nodes[node];
+            const std::uint32_t root = draft_.blocks[step.block].root;
+            if (step.is_macro) {
                 checking_.error(Code::macro_not_allowed_here, word.where,
                                 fmt::format("{} is a macro-step; {} names steps, such as the entry "
                                             "step of its expansion",
@@ -179,7 +208,7 @@ class ActionResolver {
                        fmt::format("{} belongs to {}, not to {}; name steps of {}",
                                    checking_.shown_node(node), checking_.shown_block(root),
                                    checking_.shown_block(graph),
-                                   checking_.shown(syntax_.blocks[graph].name)))
+                                   checking_.shown(draft_.blocks[graph].name)))
                 .notes.push_back({step.name.where,
                                   fmt::format("{} is declared here", checking_.shown_node(node))});
             return false;
@@ -187,39 +216,38 @@ class ActionResolver {
     }
 
     void check_drives() {
-        for (const DeclarationSyntax& declaration : syntax_.declarations) {
+        for (const DraftDeclaration& declaration : draft_.declarations) {
             const Drive* drive = drive_of(declaration);
-            if (drive == nullptr || !drive->continuous.is_known() || !drive->stored.is_known())
-                continue;
-            const bool stored_is_later = drive->stored.line != drive->continuous.line
-                                             ? drive->stored.line > drive->continuous.line
-                                             : drive->stored.column > drive->continuous.column;
+            if (drive == nullptr || !drive->continuous || !drive->stored) continue;
+            const bool stored_is_later = is_before(*drive->continuous, *drive->stored);
             checking_
                 .error(Code::output_driven_twice,
-                       stored_is_later ? drive->stored : drive->continuous,
+                       stored_is_later ? *drive->stored : *drive->continuous,
                        fmt::format("output {} is driven by continuous and by stored actions; use "
                                    "one kind only",
                                    checking_.shown(declaration.name)))
-                .notes.push_back({stored_is_later ? drive->continuous : drive->stored,
+                .notes.push_back({stored_is_later ? *drive->continuous : *drive->stored,
                                   stored_is_later ? "a continuous action drives it here"
                                                   : "a stored action drives it here"});
         }
     }
 
-    const Drive* drive_of(const DeclarationSyntax& declaration) const {
+    const Drive* drive_of(const DraftDeclaration& declaration) const {
         if (declaration.kind != VariableKind::output) return nullptr;
-        const auto* found = checking_.names.variables.find(syntax_.text(declaration.name));
-        if (found->declaration == none || &syntax_.declarations[found->declaration] != &declaration)
+        const auto* found = checking_.names.variables.find(draft_.text(declaration.name));
+        if (found->declaration == none ||
+            &draft_.declarations[found->declaration] != &declaration) {
             return nullptr;
+        }
         return &drives_[found->variable.index];
     }
 
     void check_output_reads() {
-        for (const ExpressionNode& node : syntax_.expression_nodes) {
+        for (const ExpressionNode& node : draft_.expression_nodes) {
             if (node.kind != ExprKind::variable || node.variable != VariableKind::output) continue;
             const Drive& drive = drives_[node.value];
-            if (drive.stored.is_known()) continue;
-            if (!drive.continuous.is_known()) {
+            if (drive.stored) continue;
+            if (!drive.continuous) {
                 checking_.error(Code::reads_continuous_output, node.word.where,
                                 fmt::format("output {} is read, but no stored action drives it; "
                                             "only stored outputs can be read",
@@ -231,12 +259,12 @@ class ActionResolver {
                        fmt::format("{} is a continuous output, which cannot be read; write its "
                                    "condition instead",
                                    checking_.shown(node.word)))
-                .notes.push_back({drive.continuous, "this continuous action drives it"});
+                .notes.push_back({*drive.continuous, "this continuous action drives it"});
         }
     }
 
     const Checking& checking_;
-    Syntax& syntax_;
+    Draft& draft_;
     std::vector<Drive> drives_;
 };
 

@@ -5,18 +5,18 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/names.h"
+#include "grafcet/checking.h"
 
 namespace grafwire {
 
 namespace {
 
 void join_macro(const Checking& checking, std::uint32_t index) {
-    Syntax& syntax = checking.syntax;
-    NodeSyntax& macro = syntax.nodes[index];
+    Draft& draft = checking.draft;
+    DraftNode& macro = draft.nodes[index];
     if (macro.extra == none) return;
-    const Word& word = syntax.words[macro.extra];
-    const std::string_view name = syntax.text(word);
+    const Word& word = draft.words[macro.extra];
+    const std::string_view name = draft.text(word);
     const std::uint32_t* expansion = checking.names.expansions.find(name);
     if (expansion == nullptr) {
         const bool is_graph = checking.names.graphs.find(name) != nullptr;
@@ -30,7 +30,7 @@ void join_macro(const Checking& checking, std::uint32_t index) {
         return;
     }
     macro.resolved = *expansion;
-    BlockSyntax& block = syntax.blocks[*expansion];
+    DraftBlock& block = draft.blocks[*expansion];
     if (block.macro == none) {
         block.macro = index;
         return;
@@ -39,17 +39,17 @@ void join_macro(const Checking& checking, std::uint32_t index) {
         .error(Code::expansion_use, word.where,
                fmt::format("expansion {} expands macro-step {} already; each macro-step needs an "
                            "expansion of its own",
-                           checking.shown(word), checking.shown(syntax.nodes[block.macro].name)))
-        .notes.push_back({syntax.nodes[block.macro].name.where, "it is first used here"});
+                           checking.shown(word), checking.shown(draft.nodes[block.macro].name)))
+        .notes.push_back({draft.nodes[block.macro].name.where, "it is first used here"});
 }
 
 void check_ends(const Checking& checking, std::uint32_t index) {
-    Syntax& syntax = checking.syntax;
-    BlockSyntax& block = syntax.blocks[index];
-    for (std::uint32_t i = block.nodes.first; i < block.nodes.first + block.nodes.count; ++i) {
-        const NodeSyntax& node = syntax.nodes[i];
-        if (node.kind != NodeKind::entry && node.kind != NodeKind::exit) continue;
-        const bool is_entry = node.kind == NodeKind::entry;
+    Draft& draft = checking.draft;
+    DraftBlock& block = draft.blocks[index];
+    for (const std::uint32_t i : draft.nodes_of_block.of(index)) {
+        const DraftNode& node = draft.nodes[i];
+        if (node.role == StepRole::ordinary) continue;
+        const bool is_entry = node.role == StepRole::entry;
         std::uint32_t& end = is_entry ? block.entry : block.exit;
         if (end == none) {
             end = i;
@@ -59,45 +59,48 @@ void check_ends(const Checking& checking, std::uint32_t index) {
             .error(Code::expansion_entry_exit, node.name.where,
                    fmt::format("expansion {} has a second {} step; an expansion has exactly one",
                                checking.shown(block.name), is_entry ? "entry" : "exit"))
-            .notes.push_back({syntax.nodes[end].name.where, "the first one is here"});
+            .notes.push_back({draft.nodes[end].name.where, "the first one is here"});
     }
-    for (const bool is_entry : {true, false})
-        if ((is_entry ? block.entry : block.exit) == none)
+    for (const bool is_entry : {true, false}) {
+        if ((is_entry ? block.entry : block.exit) == none) {
             checking.error(Code::expansion_entry_exit, block.name.where,
                            fmt::format("expansion {} has no {} step; declare it with '{} {}'",
                                        checking.shown(block.name), is_entry ? "entry" : "exit",
                                        is_entry ? "entry" : "exit", is_entry ? "E1" : "S1"));
+        }
+    }
 }
 
-// `path` ends with the block at which it met itself.
+/// `path` ends with the block at which it met itself.
 void report_circle(const Checking& checking, const std::vector<std::uint32_t>& path) {
     std::size_t first = path.size() - 1;
     while (path[first - 1] != path.back()) --first;
     --first;
     std::string names;
     // The path leads outwards; the message tells which expansion contains which.
-    for (std::size_t i = path.size(); i-- > first;)
+    for (std::size_t i = path.size(); i-- > first;) {
         names += fmt::format("{}{}", names.empty() ? "" : " → ",
-                             checking.shown(checking.syntax.blocks[path[i]].name));
-    checking.error(Code::expansion_use, checking.syntax.blocks[path.back()].name.where,
+                             checking.shown(checking.draft.blocks[path[i]].name));
+    }
+    checking.error(Code::expansion_use, checking.draft.blocks[path.back()].name.where,
                    fmt::format("expansion {} contains itself ({}); a macro-step must not lead back "
                                "to an expansion it stands in",
-                               checking.shown(checking.syntax.blocks[path.back()].name), names));
+                               checking.shown(checking.draft.blocks[path.back()].name), names));
 }
 
 void find_roots(const Checking& checking) {
-    Syntax& syntax = checking.syntax;
+    Draft& draft = checking.draft;
     enum class State : std::uint8_t { untouched, on_path, settled };
-    std::vector<State> states(syntax.blocks.size(), State::untouched);
+    std::vector<State> states(draft.blocks.size(), State::untouched);
     std::vector<std::uint32_t> path;
-    for (std::uint32_t start = 0; start < syntax.blocks.size(); ++start) {
+    for (std::uint32_t start = 0; start < draft.blocks.size(); ++start) {
         path.clear();
         std::uint32_t block = start;
         std::uint32_t root = none;
         while (true) {
             path.push_back(block);
             if (states[block] == State::settled) {
-                root = syntax.blocks[block].root;
+                root = draft.blocks[block].root;
                 break;
             }
             if (states[block] == State::on_path) {
@@ -105,13 +108,13 @@ void find_roots(const Checking& checking) {
                 break;
             }
             states[block] = State::on_path;
-            if (!syntax.blocks[block].is_expansion) root = block;
-            if (root != none || syntax.blocks[block].macro == none) break;
-            block = syntax.nodes[syntax.blocks[block].macro].block;
+            if (!draft.blocks[block].is_expansion) root = block;
+            if (root != none || draft.blocks[block].macro == none) break;
+            block = draft.nodes[draft.blocks[block].macro].block;
         }
         for (const std::uint32_t item : path) {
             states[item] = State::settled;
-            syntax.blocks[item].root = root;
+            draft.blocks[item].root = root;
         }
     }
 }
@@ -119,19 +122,21 @@ void find_roots(const Checking& checking) {
 }  // namespace
 
 void resolve_expansions(const Checking& checking) {
-    Syntax& syntax = checking.syntax;
-    for (std::uint32_t i = 0; i < syntax.nodes.size(); ++i)
-        if (syntax.nodes[i].kind == NodeKind::macro) join_macro(checking, i);
-    for (std::uint32_t i = 0; i < syntax.blocks.size(); ++i) {
-        const BlockSyntax& block = syntax.blocks[i];
+    Draft& draft = checking.draft;
+    for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
+        if (draft.nodes[i].is_macro) join_macro(checking, i);
+    }
+    for (std::uint32_t i = 0; i < draft.blocks.size(); ++i) {
+        const DraftBlock& block = draft.blocks[i];
         if (!block.is_expansion || block.name.length == 0) continue;
         check_ends(checking, i);
-        const std::uint32_t* named = checking.names.expansions.find(syntax.text(block.name));
-        if (block.macro == none && *named == i)
+        const std::uint32_t* named = checking.names.expansions.find(draft.text(block.name));
+        if (block.macro == none && *named == i) {
             checking.error(Code::expansion_use, block.name.where,
                            fmt::format("no macro-step uses expansion {}; declare one with 'macro M "
                                        "= {}', or remove the expansion",
-                                       checking.shown(block.name), syntax.text(block.name)));
+                                       checking.shown(block.name), draft.text(block.name)));
+        }
     }
     find_roots(checking);
 }

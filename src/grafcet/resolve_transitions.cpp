@@ -1,16 +1,117 @@
+// The names in expressions, in lists of steps and in transitions. An expression is a flat list, so
+// each of its nodes is looked at on its own, without recursion; what may stand in it depends on
+// where it is used: a transition condition reads everything, the condition of a continuous action
+// no edge (it would last one scan only), an assumption the inputs alone.
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "grafcet/names.h"
+#include "grafcet/checking.h"
 
 namespace grafwire {
 
 namespace {
 
+/// The variable of a step, macro-step or graph: `X` and its name.
+bool resolve_step_variable(const Checking& checking, std::string_view name, ExpressionNode& node) {
+    if (name.size() < 2 || name[0] != 'X') return false;
+    if (const auto* found = checking.names.nodes.find(name.substr(1))) {
+        const bool is_macro = checking.draft.nodes[*found].is_macro;
+        node.variable = is_macro ? VariableKind::macro : VariableKind::step;
+        node.value = *found;
+        return true;
+    }
+    if (const auto* found = checking.names.graphs.find(name.substr(1))) {
+        node.variable = VariableKind::graph;
+        node.value = *found;
+        return true;
+    }
+    return false;
+}
+
+void report_unknown(const Checking& checking, const Word& word) {
+    const std::string_view name = checking.draft.text(word);
+    std::string advice = checking.suggestions.did_you_mean(name, Meant::variable);
+    if (const auto* node = checking.names.nodes.find(name)) {
+        advice = fmt::format("; the variable of {} is X{}", checking.shown_node(*node), name);
+    } else if (const auto* graph = checking.names.graphs.find(name)) {
+        advice = fmt::format("; the variable of {} is X{}", checking.shown_block(*graph), name);
+    }
+    checking.error(Code::unknown_name, word.where,
+                   fmt::format("unknown variable {}{}", checking.shown(word), advice));
+}
+
+void report_not_plant(const Checking& checking, Location where, const std::string& what) {
+    checking.error(Code::not_a_plant_condition, where,
+                   fmt::format("{} in 'assume'; an assumption is about the plant, so it is made of "
+                               "inputs and control inputs, without edges, times and comparisons",
+                               what));
+}
+
+void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
+    const std::string_view name = checking.draft.text(node.word);
+    if (const auto* found = checking.names.variables.find(name)) {
+        node.variable = found->variable.kind;
+        node.value = found->variable.index;
+    } else if (!resolve_step_variable(checking, name, node)) {
+        report_unknown(checking, node.word);
+        return;
+    }
+    const bool is_of_plant =
+        node.variable == VariableKind::input || node.variable == VariableKind::control;
+    if (use == ExpressionUse::assumption && !is_of_plant) {
+        report_not_plant(checking, node.word.where,
+                         fmt::format("{} is no input", checking.shown(node.word)));
+    } else if (node.variable == VariableKind::counter) {
+        checking.error(Code::not_a_boolean, node.word.where,
+                       fmt::format("{} is a counter, not a condition; compare it, as in [{} > 0]",
+                                   checking.shown(node.word), name));
+    }
+}
+
+void check_edge(const Checking& checking, const ExpressionNode& node, ExpressionUse use) {
+    if (use == ExpressionUse::assumption) {
+        report_not_plant(checking, node.word.where, "edge");
+    } else if (use == ExpressionUse::condition && !node.inside_time) {
+        checking.error(Code::edge_in_condition, node.word.where,
+                       "edge in the condition of a continuous action: it would last one scan only; "
+                       "use a stored action ('set … on ↑…'), or a time condition around the edge");
+    }
+}
+
+void resolve_node(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
+    switch (node.kind) {
+        case ExprKind::variable:
+            resolve_variable(checking, node, use);
+            break;
+        case ExprKind::rise:
+        case ExprKind::fall:
+            check_edge(checking, node, use);
+            break;
+        case ExprKind::time_condition:
+            if (use == ExpressionUse::assumption) {
+                report_not_plant(checking, node.word.where, "time condition");
+            }
+            break;
+        case ExprKind::comparison: {
+            const DraftComparison& comparison = checking.draft.comparisons[node.value];
+            if (use == ExpressionUse::assumption) {
+                report_not_plant(checking, node.word.where, "comparison");
+                break;
+            }
+            resolve_sum(checking, comparison.left);
+            resolve_sum(checking, comparison.right);
+            break;
+        }
+        default:
+            break;
+    }
+}
+
 void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
     resolve_steps(checking, list, [&](std::uint32_t node, const Word& word) {
-        const NodeSyntax& step = checking.syntax.nodes[node];
+        const DraftNode& step = checking.draft.nodes[node];
         if (step.block == block) return true;
         checking
             .error(
@@ -19,7 +120,7 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
                             "that {} only",
                             checking.shown_node(node), checking.shown_block(step.block),
                             checking.shown_block(block),
-                            checking.syntax.blocks[block].is_expansion ? "expansion" : "graph"))
+                            checking.draft.blocks[block].is_expansion ? "expansion" : "graph"))
             .notes.push_back(
                 {step.name.where, fmt::format("{} is declared here", checking.shown_node(node))});
         return false;
@@ -28,40 +129,71 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
 
 }  // namespace
 
+void resolve_expression(const Checking& checking, const DraftExpression& expression,
+                        ExpressionUse use) {
+    for (const std::uint32_t i : expression) {
+        resolve_node(checking, checking.draft.expression_nodes[i], use);
+    }
+}
+
+void resolve_sum(const Checking& checking, Range<> sum) {
+    Draft& draft = checking.draft;
+    for (const std::uint32_t i : sum) {
+        DraftTerm& term = draft.terms[i];
+        if (!term.is_name) continue;
+        const std::string_view name = draft.text(term.word);
+        ExpressionNode other;
+        const auto* found = checking.names.variables.find(name);
+        if (found != nullptr && found->variable.kind == VariableKind::counter) {
+            term.counter = found->variable.index;
+        } else if (found != nullptr || resolve_step_variable(checking, name, other)) {
+            checking.error(Code::not_a_counter, term.word.where,
+                           fmt::format("{} is not a counter; only counters and numbers are "
+                                       "compared and added",
+                                       checking.shown(term.word)));
+        } else {
+            checking.error(Code::unknown_name, term.word.where,
+                           fmt::format("unknown counter {}{}", checking.shown(term.word),
+                                       checking.suggestions.did_you_mean(name, Meant::counter)));
+        }
+    }
+}
+
 void report_repeated_steps(const Checking& checking, Range<> list) {
     if (list.count < 2) return;
-    const Syntax& syntax = checking.syntax;
+    const Draft& draft = checking.draft;
     std::vector<std::uint32_t> places;
-    for (std::uint32_t i = list.first; i < list.first + list.count; ++i)
-        if (syntax.word_nodes[i] != none) places.push_back(i);
-    std::sort(places.begin(), places.end(), [&syntax](std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t node_a = syntax.word_nodes[a];
-        const std::uint32_t node_b = syntax.word_nodes[b];
+    for (const std::uint32_t i : list) {
+        if (draft.word_nodes[i] != none) places.push_back(i);
+    }
+    std::sort(places.begin(), places.end(), [&draft](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t node_a = draft.word_nodes[a];
+        const std::uint32_t node_b = draft.word_nodes[b];
         return node_a != node_b ? node_a < node_b : a < b;
     });
     for (std::size_t i = 1; i < places.size(); ++i) {
-        if (syntax.word_nodes[places[i - 1]] != syntax.word_nodes[places[i]]) continue;
+        if (draft.word_nodes[places[i - 1]] != draft.word_nodes[places[i]]) continue;
         checking
-            .error(Code::duplicate_name, syntax.words[places[i]].where,
+            .error(Code::duplicate_name, draft.words[places[i]].where,
                    fmt::format("{} is named twice in this list; name it once",
-                               checking.shown_node(syntax.word_nodes[places[i]])))
-            .notes.push_back({syntax.words[places[i - 1]].where, "it is named here too"});
+                               checking.shown_node(draft.word_nodes[places[i]])))
+            .notes.push_back({draft.words[places[i - 1]].where, "it is named here too"});
     }
 }
 
 void resolve_transitions(const Checking& checking) {
-    const Syntax& syntax = checking.syntax;
-    for (std::uint32_t block = 0; block < syntax.blocks.size(); ++block) {
-        const Range<> range = syntax.blocks[block].transitions;
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-            const TransitionSyntax& transition = syntax.transitions[i];
+    const Draft& draft = checking.draft;
+    for (std::uint32_t block = 0; block < draft.blocks.size(); ++block) {
+        for (const std::uint32_t i : draft.transitions_of_block.of(block)) {
+            const DraftTransition& transition = draft.transitions[i];
             resolve_side(checking, block, transition.preceding);
             resolve_side(checking, block, transition.following);
-            if (transition.preceding.count == 0 && transition.following.count == 0)
+            if (transition.preceding.count == 0 && transition.following.count == 0) {
                 checking.error(Code::transition_without_step, transition.where,
                                "this transition has no step before it and none after it; name at "
                                "least one, as in 1 -> 2");
-            resolve_expression(checking, transition.condition, ExpressionUse::receptivity);
+            }
+            resolve_expression(checking, transition.condition, ExpressionUse::transition);
         }
     }
 }

@@ -37,8 +37,8 @@ struct Site {
 
 std::vector<Site> write_sites(const Grafcet& grafcet) {
     std::vector<Site> sites;
-    for (const Action& action : grafcet.actions)
-        if (action.kind == ActionKind::stored)
+    for (const Action& action : grafcet.actions) {
+        if (action.kind == ActionKind::stored) {
             sites.push_back({action.write.target,
                              grafcet.steps[action.step].graph,
                              false,
@@ -46,7 +46,9 @@ std::vector<Site> write_sites(const Grafcet& grafcet) {
                              action.step,
                              {},
                              action.where});
-    for (const ClearingAction& action : grafcet.clearing_actions)
+        }
+    }
+    for (const ClearingAction& action : grafcet.clearing_actions) {
         sites.push_back({action.write.target,
                          grafcet.transitions[action.transition].graph,
                          true,
@@ -54,6 +56,7 @@ std::vector<Site> write_sites(const Grafcet& grafcet) {
                          {},
                          action.transition,
                          action.where});
+    }
     std::stable_sort(sites.begin(), sites.end(),
                      [](const Site& a, const Site& b) { return a.target < b.target; });
     return sites;
@@ -62,24 +65,30 @@ std::vector<Site> write_sites(const Grafcet& grafcet) {
 std::vector<bool> single_token_graphs(const Grafcet& grafcet) {
     std::vector<std::uint32_t> initial(grafcet.graphs.size(), 0);
     std::vector<bool> single(grafcet.graphs.size(), true);
-    for (const Step& step : grafcet.steps)
-        if (step.initial && ++initial[index_of(step.graph)] > 1)
+    for (const Step& step : grafcet.steps) {
+        if (step.initial && ++initial[index_of(step.graph)] > 1) {
             single[index_of(step.graph)] = false;
-    for (const Transition& transition : grafcet.transitions)
-        if (transition.preceding.count != 1 || transition.following.count > 1)
+        }
+    }
+    for (const Transition& transition : grafcet.transitions) {
+        if (transition.preceding.count != 1 || transition.following.count > 1) {
             single[index_of(transition.graph)] = false;
-    for (const Order& order : grafcet.orders)
+        }
+    }
+    for (const Order& order : grafcet.orders) {
         if (order.steps.size() > 1) single[index_of(order.graph)] = false;
-    for (const Enclosure& enclosure : grafcet.enclosures)
+    }
+    for (const Enclosure& enclosure : grafcet.enclosures) {
         if (enclosure.links.size() > 1) single[index_of(enclosure.graph)] = false;
+    }
     return single;
 }
 
-// The transitions into and out of each step that has a stored action.
+/// The transitions into and out of each step that has a stored action.
 struct StepLinks {
     std::vector<std::vector<TransitionId>> into;
     std::vector<std::vector<TransitionId>> out_of;
-    std::vector<std::uint32_t> place;  // of a step in the two, or none
+    std::vector<std::uint32_t> place;  ///< of a step in the two, or none
 
     StepLinks(const Grafcet& grafcet, const std::vector<Site>& sites)
         : place(grafcet.steps.size(), none) {
@@ -99,8 +108,9 @@ struct StepLinks {
   private:
     void add(std::span<const StepId> steps, std::vector<std::vector<TransitionId>>& lists,
              TransitionId transition) const {
-        for (const StepId step : steps)
+        for (const StepId step : steps) {
             if (place[index_of(step)] != none) lists[place[index_of(step)]].push_back(transition);
+        }
     }
 };
 
@@ -127,8 +137,9 @@ class ConflictSearch {
     void report_target(std::size_t first, std::size_t last, Diagnostics& diagnostics) {
         for (std::size_t i = first + 1; i < last; ++i) {
             const bool is_elsewhere = sites_[i].graph != sites_[first].graph;
-            if (is_elsewhere || !single_[index_of(sites_[first].graph)])
+            if (is_elsewhere || !single_[index_of(sites_[first].graph)]) {
                 return report_pair(first, i, diagnostics);
+            }
         }
         for (std::size_t i = first; i < last; ++i) {
             const std::uint32_t other = enter(first, i);
@@ -136,8 +147,8 @@ class ConflictSearch {
         }
     }
 
-    // Enters a write under its transitions and step; gives an earlier write of the same variable
-    // found there, or none.
+    /// Enters a write under its transitions and step; gives an earlier write of the same variable
+    /// found there, or none.
     std::uint32_t enter(std::size_t first, std::size_t index) {
         const Site& site = sites_[index];
         std::uint32_t found = none;
@@ -151,8 +162,10 @@ class ConflictSearch {
         }
         const std::uint32_t place = links_.place[index_of(site.step)];
         const bool is_leaving = site.trigger == Trigger::deactivation;
-        for (const TransitionId transition : is_leaving ? links_.out_of[place] : links_.into[place])
+        for (const TransitionId transition :
+             is_leaving ? links_.out_of[place] : links_.into[place]) {
             enter_at(by_transition_[index_of(transition)]);
+        }
         if (!is_leaving) enter_at(by_step_[index_of(site.step)]);
         return found;
     }
@@ -172,10 +185,10 @@ class ConflictSearch {
     }
 
     const Grafcet& grafcet_;
-    std::vector<Site> sites_;  // by variable
+    std::vector<Site> sites_;  ///< by variable
     std::vector<bool> single_;
     StepLinks links_;
-    // The last write entered; one before the first of the present variable counts as none.
+    /// The last write entered; one before the first of the present variable counts as none.
     std::vector<std::uint32_t> by_transition_;
     std::vector<std::uint32_t> by_step_;
 };

@@ -22,8 +22,9 @@ class Reachability {
           missing_(grafcet.transitions.size(), 0),
           reached_(grafcet.steps.size(), false) {
         index_transitions(constants);
-        for (std::size_t i = 0; i < grafcet.transitions.size(); ++i)
+        for (std::size_t i = 0; i < grafcet.transitions.size(); ++i) {
             if (missing_[i] == 0) fire(static_cast<TransitionId>(i));
+        }
         follow_open();
         // From each initial step as far as it leads before the next: near steps are met together.
         for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
@@ -37,19 +38,23 @@ class Reachability {
 
   private:
     void index_transitions(const ConstantExpressions& constants) {
-        for (const Transition& transition : grafcet_.transitions)
-            for (const StepId step : grafcet_.preceding(transition))
+        for (const Transition& transition : grafcet_.transitions) {
+            for (const StepId step : grafcet_.preceding(transition)) {
                 ++first_transition_[index_of(step) + 1];
-        for (std::size_t i = 1; i < first_transition_.size(); ++i)
+            }
+        }
+        for (std::size_t i = 1; i < first_transition_.size(); ++i) {
             first_transition_[i] += first_transition_[i - 1];
+        }
         transitions_.resize(first_transition_.back());
         std::vector<std::uint32_t> next(first_transition_.begin(), first_transition_.end() - 1);
         for (std::size_t i = 0; i < grafcet_.transitions.size(); ++i) {
             const Transition& transition = grafcet_.transitions.items()[i];
             missing_[i] = transition.preceding.count;
             if (constants.is_never_true(transition.condition)) ++missing_[i];
-            for (const StepId step : grafcet_.preceding(transition))
+            for (const StepId step : grafcet_.preceding(transition)) {
                 transitions_[next[index_of(step)]++] = static_cast<TransitionId>(i);
+            }
         }
     }
 
@@ -73,35 +78,43 @@ class Reachability {
 
     void follow(StepId id) {
         for (std::uint32_t i = first_transition_[index_of(id)];
-             i < first_transition_[index_of(id) + 1]; ++i)
+             i < first_transition_[index_of(id) + 1]; ++i) {
             if (--missing_[index_of(transitions_[i])] == 0) fire(transitions_[i]);
+        }
         const Step& step = grafcet_.steps[id];
-        if (step.enclosure != none)
+        if (step.enclosure != none) {
             for (const StepId link : grafcet_.enclosures[step.enclosure].links) reach(link);
-        for (const Action& action : grafcet_.actions_of(step))
-            if (action.kind == ActionKind::order)
+        }
+        for (const Action& action : grafcet_.actions_of(step)) {
+            if (action.kind == ActionKind::order) {
                 for (const StepId forced : grafcet_.orders[action.order].steps) reach(forced);
+            }
+        }
     }
 
     const Grafcet& grafcet_;
-    std::vector<std::uint32_t> first_transition_;  // of each step in transitions_
-    std::vector<TransitionId> transitions_;        // those after each step
-    std::vector<std::uint32_t> missing_;  // preceding steps not reached yet, one more if never true
+    std::vector<std::uint32_t> first_transition_;  ///< of each step in transitions_
+    std::vector<TransitionId> transitions_;        ///< those after each step
+    std::vector<std::uint32_t>
+        missing_;  ///< preceding steps not reached yet, one more if never true
     std::vector<bool> reached_;
     std::vector<StepId> open_;
 };
 
-// The graphs that have nothing to start with: no initial step, no forcing order, no enclosing step
-// and no source transition.
+/// The graphs that have nothing to start with: no initial step, no forcing order, no enclosing step
+/// and no source transition.
 std::vector<bool> graphs_without_start(const Grafcet& grafcet) {
     std::vector<bool> result(grafcet.graphs.size(), true);
-    for (const Step& step : grafcet.steps)
+    for (const Step& step : grafcet.steps) {
         if (step.initial) result[index_of(step.graph)] = false;
-    for (const Order& order : grafcet.orders)
+    }
+    for (const Order& order : grafcet.orders) {
         if (order.kind != OrderKind::freeze) result[index_of(order.graph)] = false;
+    }
     for (const Enclosure& enclosure : grafcet.enclosures) result[index_of(enclosure.graph)] = false;
-    for (const Transition& transition : grafcet.transitions)
+    for (const Transition& transition : grafcet.transitions) {
         if (transition.preceding.count == 0) result[index_of(transition.graph)] = false;
+    }
     return result;
 }
 
@@ -130,23 +143,26 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
 
 void warn_receptivities(const Grafcet& grafcet, const ConstantExpressions& constants,
                         Diagnostics& diagnostics) {
-    for (const Transition& transition : grafcet.transitions)
-        if (constants.is_never_true(transition.condition))
+    for (const Transition& transition : grafcet.transitions) {
+        if (constants.is_never_true(transition.condition)) {
             diagnostics.warning(Code::constant_receptivity, transition.where,
                                 fmt::format("the receptivity of transition {} is constantly 0, so "
                                             "it is never cleared",
                                             in_quotes(transition.name)));
+        }
+    }
 }
 
-// For each expression whether it has an edge outside of time conditions.
+/// For each expression whether it has an edge outside of time conditions.
 std::vector<bool> expressions_with_edges(const Expressions& expressions) {
     std::vector<bool> result(expressions.size(), false);
     for (std::size_t i = 0; i < expressions.size(); ++i) {
         const auto id = static_cast<ExprId>(i);
         const ExprKind kind = expressions.kind(id);
         result[i] = kind == ExprKind::rise || kind == ExprKind::fall;
-        for (const ExprId operand : expressions.operands(id))
+        for (const ExprId operand : expressions.operands(id)) {
             result[i] = result[i] || result[index_of(operand)];
+        }
     }
     return result;
 }
@@ -170,35 +186,41 @@ void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
                                  std::vector<bool>(grafcet.vars.size()),
                                  std::vector<bool>(grafcet.counters.size())};
     const auto use = [&used](Variable variable) {
-        if (variable.kind != VariableKind::control && variable.kind <= VariableKind::counter)
+        if (variable.kind != VariableKind::control && variable.kind <= VariableKind::counter) {
             used[static_cast<std::size_t>(variable.kind)][variable.index] = true;
+        }
     };
     const auto use_sum = [&use](const Sum& sum) {
-        for (const SumTerm& term : sum)
+        for (const SumTerm& term : sum) {
             if (term.counter != SumTerm::no_counter) use({VariableKind::counter, term.counter});
+        }
     };
     for (std::size_t i = 0; i < grafcet.expressions.size(); ++i) {
         const auto id = static_cast<ExprId>(i);
-        if (grafcet.expressions.kind(id) == ExprKind::variable)
+        if (grafcet.expressions.kind(id) == ExprKind::variable) {
             use(grafcet.expressions.variable_of(id));
+        }
         if (grafcet.expressions.kind(id) != ExprKind::comparison) continue;
         use_sum(grafcet.expressions.comparison_of(id).left);
         use_sum(grafcet.expressions.comparison_of(id).right);
     }
     for (const Sum& sum : grafcet.sums) use_sum(sum);
     for (const Action& action : grafcet.actions) {
-        if (action.kind == ActionKind::continuous)
+        if (action.kind == ActionKind::continuous) {
             use({VariableKind::output, static_cast<std::uint32_t>(action.output)});
+        }
         if (action.kind == ActionKind::stored) use(action.write.target);
     }
     for (const ClearingAction& action : grafcet.clearing_actions) use(action.write.target);
 
     const auto warn = [&](std::string_view what, const auto& items, VariableKind kind) {
-        for (std::size_t i = 0; i < items.size(); ++i)
-            if (!used[static_cast<std::size_t>(kind)][i])
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (!used[static_cast<std::size_t>(kind)][i]) {
                 diagnostics.warning(Code::unused_name, items.items()[i].where,
                                     fmt::format("{} {} is declared and never used", what,
                                                 in_quotes(items.items()[i].name)));
+            }
+        }
     };
     warn("input", grafcet.inputs, VariableKind::input);
     warn("output", grafcet.outputs, VariableKind::output);

@@ -3,13 +3,12 @@
 #include "grafcet/lexer.h"
 #include "grafcet/relations.h"
 #include "grafcet/write_grafcet.h"
-#include "grafcet/written.h"
 
 namespace grafwire {
 
 namespace {
 
-// How tightly an expression holds together, as in the grammar.
+/// How tightly an expression holds together, as in the grammar.
 enum class Rank { sum, exclusive, product, unary };
 
 Rank rank_of(ExprKind kind) {
@@ -25,7 +24,7 @@ Rank rank_of(ExprKind kind) {
     }
 }
 
-// Recursive: expressions are nested a few hundred levels deep at most.
+/// Recursive: expressions are nested a few hundred levels deep at most.
 class ExpressionWriter {
   public:
     ExpressionWriter(const Grafcet& grafcet, const Expressions& expressions)
@@ -76,10 +75,11 @@ class ExpressionWriter {
     }
 
     void write_unary(ExprId id) {
-        if (rank_of(expressions_.kind(id)) == Rank::unary)
+        if (rank_of(expressions_.kind(id)) == Rank::unary) {
             write(id);
-        else
+        } else {
             write_in_parentheses(id);
+        }
     }
 
     void write_prefix(std::string_view sign, ExprId id) {
@@ -87,7 +87,7 @@ class ExpressionWriter {
         write_unary(expressions_.operands(id)[0]);
     }
 
-    // A chain within a chain of the same kind was written with parentheses and keeps them.
+    /// A chain within a chain of the same kind was written with parentheses and keeps them.
     void write_chain(ExprId id, std::string_view sign) {
         const Rank rank = rank_of(expressions_.kind(id));
         bool is_first = true;
@@ -95,10 +95,11 @@ class ExpressionWriter {
             const std::size_t sign_at = out_.size();
             if (!is_first) out_ += sign;
             const std::size_t operand_at = out_.size();
-            if (rank_of(expressions_.kind(operand)) <= rank)
+            if (rank_of(expressions_.kind(operand)) <= rank) {
                 write_in_parentheses(operand);
-            else
+            } else {
                 write(operand);
+            }
             // `1.5s/a` would be read as one duration.
             const bool is_digit = out_[operand_at] >= '0' && out_[operand_at] <= '9';
             if (!is_first && sign == "." && is_digit) out_.replace(sign_at, 1, " . ");
@@ -109,14 +110,15 @@ class ExpressionWriter {
     void write_time(const TimeCondition& time) {
         out_ += format_duration(time.on_delay);
         out_ += '/';
-        if (time.off_delay != 0 && takes_off_delay(time.operand))
+        if (time.off_delay != 0 && takes_off_delay(time.operand)) {
             write_in_parentheses(time.operand);
-        else
+        } else {
             write_unary(time.operand);
+        }
         if (time.off_delay != 0) out_ += '/' + format_duration(time.off_delay);
     }
 
-    // Whether an off-delay written after this operand would be read as part of it.
+    /// Whether an off-delay written after this operand would be read as part of it.
     bool takes_off_delay(ExprId id) const {
         while (true) {
             switch (expressions_.kind(id)) {
@@ -173,14 +175,16 @@ void append_variable_name(std::string& out, std::string_view name) {
 void append_sum(std::string& out, const Grafcet& grafcet, const Sum& sum) {
     bool is_first = true;
     for (const SumTerm& term : sum) {
-        if (is_first)
+        if (is_first) {
             out += term.negative ? "-" : "";
-        else
+        } else {
             out += term.negative ? " - " : " + ";
-        if (term.counter == SumTerm::no_counter)
+        }
+        if (term.counter == SumTerm::no_counter) {
             out += std::to_string(term.value);
-        else
+        } else {
             append_variable_name(out, grafcet.counters.items()[term.counter].name);
+        }
         is_first = false;
     }
 }

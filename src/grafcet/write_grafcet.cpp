@@ -4,7 +4,6 @@
 
 #include <cassert>
 
-#include "grafcet/written.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -19,10 +18,11 @@ void append_steps_in_braces(std::string& out, const Grafcet& grafcet,
     for (const StepId step : steps) {
         out += separator;
         const std::string& text = grafcet.steps[step].name;
-        if (text == "INIT")
+        if (text == "INIT") {
             out += "\"INIT\"";
-        else
+        } else {
             append_name(out, text);
+        }
         separator = ", ";
     }
     out += '}';
@@ -32,9 +32,10 @@ class GrafcetWriter {
   public:
     explicit GrafcetWriter(const Grafcet& grafcet)
         : grafcet_(grafcet), macro_of_block_(grafcet.blocks.size(), none) {
-        for (std::size_t i = 0; i < grafcet.macros.size(); ++i)
+        for (std::size_t i = 0; i < grafcet.macros.size(); ++i) {
             macro_of_block_[index_of(grafcet.macros.items()[i].expansion)] =
                 static_cast<std::uint32_t>(i);
+        }
     }
 
     std::string write() {
@@ -62,8 +63,9 @@ class GrafcetWriter {
 
     void write_declarations() {
         if (grafcet_.inputs.empty() && grafcet_.outputs.empty() && grafcet_.vars.empty() &&
-            grafcet_.counters.empty() && grafcet_.assumptions.empty())
+            grafcet_.counters.empty() && grafcet_.assumptions.empty()) {
             return;
+        }
         separate();
         write_names("input", grafcet_.inputs);
         write_names("output", grafcet_.outputs);
@@ -109,10 +111,11 @@ class GrafcetWriter {
         out_ += " {\n";
         for (const Block::Node& node : block.nodes) {
             out_ += "  ";
-            if (node.is_macro)
+            if (node.is_macro) {
                 write_macro(grafcet_.macros.items()[node.index]);
-            else
+            } else {
                 write_step(grafcet_.steps.items()[node.index]);
+            }
             out_ += '\n';
         }
         if (!block.nodes.empty() && !block.transitions.empty()) out_ += '\n';
@@ -199,7 +202,7 @@ class GrafcetWriter {
         }
     }
 
-    // A step of another block is the entry or exit of a macro-step, which is written in its place.
+    /// A step of another block is the entry or exit of a macro-step, which is written in its place.
     bool write_side(std::span<const StepId> steps, BlockId block, bool is_preceding) {
         std::string_view separator;
         for (const StepId id : steps) {

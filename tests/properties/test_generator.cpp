@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "evolution/run.h"
+#include "grafcet/grafcet_builder.h"
 #include "random/random_cases.h"
 #include "random/random_grafcet.h"
 #include "random/read_text.h"
@@ -39,6 +40,7 @@ TEST_CASE("random charts hold every part of the language, and most of them move"
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
         const RandomCase item = random_case(seed, Features(), 25);
         const auto grafcet = read_grafcet(item.chart);
+        CHECK(fault_of(*grafcet) == "");
         const RunResult run = run_until_stable(*grafcet, *read_stimuli(item.stimuli, *grafcet));
         alive += is_alive(*grafcet, run.trace);
         unstable += run.unstable_at.has_value();

@@ -7,12 +7,15 @@
 // search and linear graph algorithms", 1972; here without recursion). In each component of several
 // graphs a shortest circle through its first graph is found breadth-first and reported; a graph
 // that stands over itself directly is reported on its own.
+//
+// A graph is enclosed by one step at most; if that step is initial the graph starts with it, and so
+// needs an initial step, and if it is not the graph must have none.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "grafcet/names.h"
+#include "grafcet/checking.h"
 
 namespace grafwire {
 
@@ -26,39 +29,41 @@ struct Edge {
     Location where;
 };
 
-// The edges sorted by origin, and where those of each block begin.
+/// The edges sorted by origin, and where those of each block begin.
 struct Hierarchy {
     std::vector<Edge> edges;
     std::vector<std::size_t> first;
 };
 
-Hierarchy hierarchy_of(const Syntax& syntax) {
+Hierarchy hierarchy_of(const Draft& draft) {
     Hierarchy result;
-    for (std::uint32_t i = 0; i < syntax.nodes.size(); ++i) {
-        const NodeSyntax& node = syntax.nodes[i];
-        const std::uint32_t from = syntax.blocks[node.block].root;
+    for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
+        const DraftNode& node = draft.nodes[i];
+        const std::uint32_t from = draft.blocks[node.block].root;
         if (from == none) continue;
-        if (node.kind != NodeKind::macro && node.extra != none) {
-            const EnclosureSyntax& enclosure = syntax.enclosures[node.extra];
-            if (enclosure.resolved != none)
+        if (!node.is_macro && node.extra != none) {
+            const DraftEnclosure& enclosure = draft.enclosures[node.extra];
+            if (enclosure.resolved != none) {
                 result.edges.push_back({from, enclosure.resolved, i, true, enclosure.graph.where});
+            }
         }
-        for (std::uint32_t j = 0; j < node.actions.count; ++j) {
-            const ActionSyntax& action = syntax.actions[node.actions.first + j];
+        for (const std::uint32_t j : draft.actions_of_node.of(i)) {
+            const DraftAction& action = draft.actions[j];
             if (action.kind == ActionKind::order && action.resolved != none &&
-                action.order != OrderKind::freeze)
+                action.order != OrderKind::freeze) {
                 result.edges.push_back({from, action.resolved, i, false, action.where});
+            }
         }
     }
     std::stable_sort(result.edges.begin(), result.edges.end(),
                      [](const Edge& a, const Edge& b) { return a.from < b.from; });
-    result.first.assign(syntax.blocks.size() + 1, 0);
+    result.first.assign(draft.blocks.size() + 1, 0);
     for (const Edge& edge : result.edges) ++result.first[edge.from + 1];
     for (std::size_t i = 1; i < result.first.size(); ++i) result.first[i] += result.first[i - 1];
     return result;
 }
 
-// The component of each block.
+/// The component of each block.
 std::vector<std::uint32_t> components_of(const Hierarchy& hierarchy, std::uint32_t block_count) {
     std::vector<std::uint32_t> component(block_count, none);
     std::vector<std::uint32_t> number(block_count, none);
@@ -79,10 +84,11 @@ std::vector<std::uint32_t> components_of(const Hierarchy& hierarchy, std::uint32
             }
             if (next[block] < hierarchy.first[block + 1]) {
                 const std::uint32_t to = hierarchy.edges[next[block]++].to;
-                if (number[to] == none)
+                if (number[to] == none) {
                     path.push_back(to);
-                else if (component[to] == none)
+                } else if (component[to] == none) {
                     low[block] = std::min(low[block], number[to]);
+                }
                 continue;
             }
             path.pop_back();
@@ -98,7 +104,7 @@ std::vector<std::uint32_t> components_of(const Hierarchy& hierarchy, std::uint32
     return component;
 }
 
-// The edges of a shortest circle through `start` within its component of several blocks.
+/// The edges of a shortest circle through `start` within its component of several blocks.
 std::vector<const Edge*> circle_through(std::uint32_t start, const Hierarchy& hierarchy,
                                         const std::vector<std::uint32_t>& component,
                                         std::vector<const Edge*>& reached_by) {
@@ -134,26 +140,91 @@ void report_self(const Checking& checking, const Edge& edge) {
 void report_circle(const Checking& checking, const std::vector<const Edge*>& circle) {
     const auto verb = [](const Edge& edge) { return edge.is_enclosure ? "encloses" : "forces"; };
     const auto name = [&](std::uint32_t block) {
-        return checking.shown(checking.syntax.blocks[block].name);
+        return checking.shown(checking.draft.blocks[block].name);
     };
     std::string message = "graphs force or enclose one another in a circle: ";
-    for (const Edge* edge : circle)
+    for (const Edge* edge : circle) {
         message += fmt::format("{}{} {} {}", edge == circle.front() ? "" : ", ", name(edge->from),
                                verb(*edge), name(edge->to));
+    }
     Diagnostic& error = checking.error(Code::forcing_circle, circle.front()->where,
                                        message + "; break the circle at one place");
-    for (std::size_t i = 1; i < circle.size(); ++i)
+    for (std::size_t i = 1; i < circle.size(); ++i) {
         error.notes.push_back(
             {circle[i]->where,
              fmt::format("{} of {} {} {} here", checking.shown_node(circle[i]->step),
                          name(circle[i]->from), verb(*circle[i]), name(circle[i]->to))});
+    }
+}
+
+/// For each block of a graph the step that encloses it first, or none.
+std::vector<std::uint32_t> enclosing_steps(const Checking& checking) {
+    const Draft& draft = checking.draft;
+    std::vector<std::uint32_t> result(draft.blocks.size(), none);
+    for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
+        const DraftNode& node = draft.nodes[i];
+        if (node.is_macro || node.extra == none) continue;
+        const DraftEnclosure& enclosure = draft.enclosures[node.extra];
+        if (enclosure.resolved == none) continue;
+        std::uint32_t& first = result[enclosure.resolved];
+        if (first == none) {
+            first = i;
+            continue;
+        }
+        checking
+            .error(
+                Code::enclosed_twice, enclosure.graph.where,
+                fmt::format("{} is enclosed by {} already; a graph is enclosed by one step at "
+                            "most",
+                            checking.shown_block(enclosure.resolved), checking.shown_node(first)))
+            .notes.push_back({draft.nodes[first].name.where, "it is first enclosed here"});
+    }
+    return result;
+}
+
+void report_initial_mismatch(const Checking& checking, std::uint32_t node, std::uint32_t graph,
+                             std::uint32_t enclosing) {
+    const Draft& draft = checking.draft;
+    checking
+        .error(Code::enclosure_initial_mismatch, draft.nodes[node].name.where,
+               fmt::format("{} is initial, but {}, which encloses its graph {}, is not; make both "
+                           "initial or neither",
+                           checking.shown_node(node), checking.shown_node(enclosing),
+                           checking.shown(draft.blocks[graph].name)))
+        .notes.push_back({draft.nodes[enclosing].name.where, "the enclosing step is here"});
 }
 
 }  // namespace
 
+void check_enclosures(const Checking& checking) {
+    const Draft& draft = checking.draft;
+    const std::vector<std::uint32_t> enclosing = enclosing_steps(checking);
+    std::vector<bool> has_initial(draft.blocks.size(), false);
+    for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
+        const std::uint32_t graph = draft.blocks[draft.nodes[i].block].root;
+        if (!draft.nodes[i].initial || graph == none) continue;
+        has_initial[graph] = true;
+        const std::uint32_t step = enclosing[graph];
+        if (step != none && !draft.nodes[step].initial) {
+            report_initial_mismatch(checking, i, graph, step);
+        }
+    }
+    for (std::uint32_t graph = 0; graph < draft.blocks.size(); ++graph) {
+        const std::uint32_t step = enclosing[graph];
+        if (step == none || !draft.nodes[step].initial || has_initial[graph]) continue;
+        checking
+            .error(
+                Code::enclosure_initial_mismatch, draft.nodes[step].name.where,
+                fmt::format("{} is initial, but {}, which it encloses, has no initial step; make "
+                            "both initial or neither",
+                            checking.shown_node(step), checking.shown_block(graph)))
+            .notes.push_back({draft.blocks[graph].name.where, "the enclosed graph is here"});
+    }
+}
+
 void check_circles(const Checking& checking) {
-    const auto block_count = static_cast<std::uint32_t>(checking.syntax.blocks.size());
-    const Hierarchy hierarchy = hierarchy_of(checking.syntax);
+    const auto block_count = static_cast<std::uint32_t>(checking.draft.blocks.size());
+    const Hierarchy hierarchy = hierarchy_of(checking.draft);
     std::vector<bool> reported(block_count, false);
     for (const Edge& edge : hierarchy.edges) {
         if (edge.from != edge.to || reported[edge.from]) continue;

@@ -4,36 +4,36 @@
 #include <string_view>
 #include <vector>
 
+#include "grafcet/draft.h"
 #include "grafcet/name_table.h"
-#include "grafcet/syntax.h"
 #include "text/diagnostics.h"
 
 namespace grafwire {
 
-/// What a file declares, by name. Of a name used twice the first use counts.
+/// What a chart declares, by name. Of a name used twice the first use counts.
 struct Names {
     struct Declared {
         Variable variable;
-        std::uint32_t declaration = none;  ///< place in Syntax::declarations; none: a control input
+        std::uint32_t declaration = none;  ///< place in Draft::declarations; none: a control input
     };
     NameTable<Declared> variables;
-    NameTable<std::uint32_t> nodes;       ///< of Syntax::nodes
-    NameTable<std::uint32_t> graphs;      ///< of Syntax::blocks
-    NameTable<std::uint32_t> expansions;  ///< of Syntax::blocks
+    NameTable<std::uint32_t> nodes;       ///< of Draft::nodes
+    NameTable<std::uint32_t> graphs;      ///< of Draft::blocks
+    NameTable<std::uint32_t> expansions;  ///< of Draft::blocks
 };
 
 /// What an unknown name may have been meant to be.
 enum class Meant : std::uint8_t { variable, written, counter, step, graph, expansion };
 
 /// Finds the nearest declared name for messages. Its lists are made when first asked for; after a
-/// fixed amount of work it suggests nothing more, so that a file full of mistakes is still read in
+/// fixed amount of work it suggests nothing more, so that a chart full of mistakes is still read in
 /// time proportional to its size.
 class Suggestions {
   public:
-    /// `more` are variables that the file does not declare.
-    explicit Suggestions(const Syntax& syntax,
+    /// `more` are variables that the chart does not declare.
+    explicit Suggestions(const Draft& draft,
                          std::vector<std::string_view> more = {"Init", "AUdur", "AUdoux"})
-        : syntax_(syntax), more_(std::move(more)) {}
+        : draft_(draft), more_(std::move(more)) {}
     /// `; did you mean 'x'?`, or nothing.
     std::string did_you_mean(std::string_view name, Meant meant);
 
@@ -44,20 +44,25 @@ class Suggestions {
     };
     void make(List& list, Meant meant);
 
-    const Syntax& syntax_;
+    const Draft& draft_;
     std::vector<std::string_view> more_;
     List lists_[6];
     std::vector<std::string> step_variables_;
     std::size_t work_done_ = 0;
 };
 
+inline bool is_before(Location a, Location b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+}
+
 /// What the checks share.
 struct Checking {
-    Syntax& syntax;
+    Draft& draft;
     Names& names;
     Suggestions& suggestions;
     Diagnostics& diagnostics;
 
+    /// A name in quotation marks.
     std::string shown(const Word& word) const;
     Diagnostic& error(Code code, Location where, std::string message) const {
         return diagnostics.error(code, where, std::move(message));
@@ -80,8 +85,8 @@ void resolve_actions(const Checking& checking);
 void check_enclosures(const Checking& checking);
 void check_circles(const Checking& checking);
 
-enum class ExpressionUse : std::uint8_t { receptivity, condition, event, value, assumption };
-void resolve_expression(const Checking& checking, const ExpressionSyntax& expression,
+enum class ExpressionUse : std::uint8_t { transition, condition, event, value, assumption };
+void resolve_expression(const Checking& checking, const DraftExpression& expression,
                         ExpressionUse use);
 void resolve_sum(const Checking& checking, Range<> sum);
 
@@ -91,25 +96,39 @@ template <typename Accept>
 void resolve_steps(const Checking& checking, Range<> list, const Accept& accept);
 void report_repeated_steps(const Checking& checking, Range<> list);
 
-/// The model of a file without errors.
-Grafcet build_model(const Syntax& syntax);
+/// What other readers than that of the text language might let through; of a draft without errors.
+void check_parts(const Checking& checking);
+
+// Bounds, and what is said by a reader or by the builder, whichever finds them broken first.
+
+inline constexpr int deepest_nesting = 500;  ///< of expressions, in levels
+inline constexpr std::int64_t largest_number = 1'000'000'000'000;
+inline constexpr std::uint32_t longest_sum = 1'000'000;
+std::string nested_too_deep_message();
+std::string number_too_large_message(std::string_view number);
+std::string sum_too_long_message();
+std::string encloses_twice_message(std::string_view step);
+std::string outside_of_expansion_message(bool is_entry);
+
+/// The model of a draft without errors.
+Grafcet build_model(const Draft& draft);
 /// The expression in a model whose steps and so on have the numbers given by `node_ids`.
-ExprId build_expression(const Syntax& syntax, const ExpressionSyntax& expression,
+ExprId build_expression(const Draft& draft, const DraftExpression& expression,
                         const std::vector<std::uint32_t>& node_ids,
                         const std::vector<std::uint32_t>& graph_ids, Expressions& expressions);
 
 template <typename Accept>
 void resolve_steps(const Checking& checking, Range<> list, const Accept& accept) {
-    Syntax& syntax = checking.syntax;
-    for (std::uint32_t i = list.first; i < list.first + list.count; ++i) {
-        const std::string_view name = syntax.text(syntax.words[i]);
+    Draft& draft = checking.draft;
+    for (const std::uint32_t i : list) {
+        const std::string_view name = draft.text(draft.words[i]);
         const std::uint32_t* node = checking.names.nodes.find(name);
         if (node == nullptr) {
-            checking.error(Code::unknown_name, syntax.words[i].where,
-                           "unknown step " + checking.shown(syntax.words[i]) +
+            checking.error(Code::unknown_name, draft.words[i].where,
+                           "unknown step " + checking.shown(draft.words[i]) +
                                checking.suggestions.did_you_mean(name, Meant::step));
-        } else if (accept(*node, syntax.words[i])) {
-            syntax.word_nodes[i] = *node;
+        } else if (accept(*node, draft.words[i])) {
+            draft.word_nodes[i] = *node;
         }
     }
     report_repeated_steps(checking, list);

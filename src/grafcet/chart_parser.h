@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "grafcet/grafcet_builder.h"
+#include "grafcet/name_table.h"
+#include "grafcet/token_reader.h"
+
+namespace grafwire {
+
+/// Reads the text of a chart and tells a builder what stands in it. What it does not understand it
+/// reports, and goes on at the next step, transition, declaration or graph, so that one file gives
+/// all its errors.
+class ChartParser : private TokenReader {
+  public:
+    ChartParser(std::string_view source, GrafcetBuilder& builder, Diagnostics& diagnostics)
+        : TokenReader(source, diagnostics), source_(source), builder_(builder) {}
+
+    void parse_file();
+
+  private:
+    struct OpenBlock {
+        BlockId id{};
+        bool is_expansion = false;
+    };
+    struct NamedEnclosure {
+        Name graph;
+        std::vector<Name> links;
+    };
+
+    void reserve();
+    void parse_header();
+    void parse_item();
+    bool parse_declaration();
+    bool parse_counter();
+    bool parse_bound(std::int64_t& value);
+    bool parse_assumption();
+    void recover_in_file();
+    bool at_declaration() const;
+    bool at_file_item() const;
+    bool at_block_item() const;
+
+    void parse_block();
+    void parse_block_item(OpenBlock block);
+    void recover_in_block();
+    bool looks_like_transition() const;
+    bool parse_step(BlockId block);
+    bool parse_enclosure(std::optional<NamedEnclosure>& enclosure);
+    bool parse_macro(BlockId block);
+    bool parse_entry_or_exit(OpenBlock block);
+    bool parse_transition(BlockId block);
+    bool parse_side(std::vector<Name>& names, bool is_preceding);
+    bool parse_condition(NamedTransition& transition);
+    bool parse_actions(GrafcetBuilder::StepKey step);
+    bool parse_action(GrafcetBuilder::StepKey step);
+    bool parse_stored(GrafcetBuilder::StepKey step, const Name* target);
+    bool parse_order(GrafcetBuilder::StepKey step, Name graph);
+    bool parse_write(NamedWrite& write, const Name* target);
+
+    std::string_view source_;
+    GrafcetBuilder& builder_;
+    bool has_blocks_ = false;
+    /// Of each variable declared so far; tells a sum from a Boolean expression after `:=`.
+    NameTable<bool> is_counter_;
+    std::uint32_t open_brace_line_ = 0;  ///< of the `{` of an order or enclosure being read, or 0
+    // Used again for each part of the text, so that a long chart asks for memory once.
+    NamedTransition transition_;
+    NamedExpression expression_;
+};
+
+}  // namespace grafwire

@@ -1,0 +1,214 @@
+// What the grammar of the text language does not let through, and other readers might: names that
+// cannot be written, numbers and durations out of bounds, parts that are missing. It is looked at
+// only where nothing else has been reported, because a reader leaves out what it has refused.
+//
+// The depth of expressions is bounded since everything that walks one recurses. It is measured in
+// the levels in which the text language writes an expression: a negation, an edge and a time
+// condition are one each, and so is a pair of parentheses.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafcet/checking.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+bool is_chain(ExprKind kind) {
+    return kind == ExprKind::disjunction || kind == ExprKind::exclusive_or ||
+           kind == ExprKind::conjunction;
+}
+
+/// From the weakest to the strongest.
+int strength_of(ExprKind chain) {
+    return chain == ExprKind::disjunction ? 0 : chain == ExprKind::exclusive_or ? 1 : 2;
+}
+
+/// The levels that an operand takes below its operator.
+std::uint32_t levels_below(ExprKind kind, ExprKind operand, std::uint32_t levels) {
+    if (is_chain(kind)) {
+        const bool has_parentheses = is_chain(operand) && strength_of(operand) <= strength_of(kind);
+        return levels + (has_parentheses ? 1 : 0);
+    }
+    const bool is_edge = kind == ExprKind::rise || kind == ExprKind::fall;  // rise(a + b)
+    return levels + 1 + (is_chain(operand) && !is_edge ? 1 : 0);
+}
+
+class PartsCheck {
+  public:
+    explicit PartsCheck(const Checking& checking) : checking_(checking), draft_(checking.draft) {}
+
+    void check() {
+        check_names();
+        check_steps();
+        check_actions();
+        for (const DraftAssumption& assumption : draft_.assumptions) {
+            check_expression(assumption.expression, assumption.where, "this assumption");
+        }
+        for (const DraftTransition& transition : draft_.transitions) {
+            check_expression(transition.condition, transition.where, "this transition");
+            for (const std::uint32_t i : transition.writes) check_write(draft_.writes[i]);
+        }
+        check_numbers();
+    }
+
+  private:
+    void missing(Location where, std::string message) {
+        checking_.error(Code::unexpected_token, where, std::move(message));
+    }
+
+    void check_name(const Word& word, std::string_view what) {
+        const std::string_view name = draft_.text(word);
+        if (name.empty()) missing(word.where, fmt::format("{} has no name", what));
+        if (find_control(name) != name.npos) {
+            checking_.error(Code::unexpected_character, word.where, control_in_name_message(name));
+        }
+        if (name.find('"') != name.npos) {
+            checking_.error(Code::unexpected_character, word.where,
+                            fmt::format("the name {} holds a quotation mark, and no name may",
+                                        in_quotes(name)));
+        }
+    }
+
+    void check_names() {
+        if (draft_.has_name) check_name(draft_.name, "the GRAFCET");
+        if (draft_.title.length != 0) check_name(draft_.title, "the title");
+        for (const DraftDeclaration& declaration : draft_.declarations) {
+            check_name(declaration.name, "a variable");
+        }
+        for (const DraftBlock& block : draft_.blocks) {
+            check_name(block.name, block.is_expansion ? "an expansion" : "a graph");
+        }
+        for (const DraftNode& node : draft_.nodes) {
+            check_name(node.name, node.is_macro ? "a macro-step" : "a step");
+        }
+        for (const DraftTransition& transition : draft_.transitions) {
+            if (transition.labelled) check_name(transition.label, "a transition");
+        }
+    }
+
+    void check_steps() {
+        for (std::uint32_t i = 0; i < draft_.nodes.size(); ++i) {
+            const DraftNode& node = draft_.nodes[i];
+            if (node.is_macro && node.extra == none) {
+                missing(node.name.where,
+                        fmt::format("{} has no expansion", checking_.shown_node(i)));
+            }
+            if (node.is_macro || node.extra == none) continue;
+            const DraftEnclosure& enclosure = draft_.enclosures[node.extra];
+            if (enclosure.links.empty()) {
+                missing(enclosure.graph.where,
+                        fmt::format("{} encloses {} without a step to activate",
+                                    checking_.shown_node(i), checking_.shown(enclosure.graph)));
+            }
+            if (node.role != StepRole::ordinary) {
+                checking_.error(Code::expansion_entry_exit, enclosure.graph.where,
+                                fmt::format("{} is the entry or exit of an expansion, which "
+                                            "encloses nothing",
+                                            checking_.shown_node(i)));
+            }
+        }
+    }
+
+    void check_actions() {
+        for (const DraftAction& action : draft_.actions) {
+            if (action.kind == ActionKind::stored) {
+                check_write(draft_.writes[action.write]);
+                if (action.trigger == Trigger::event) {
+                    check_expression(action.expression, action.where, "the event");
+                }
+            } else if (!action.expression.empty()) {
+                check_depth(action.expression);
+            }
+        }
+    }
+
+    void check_write(const DraftWrite& write) {
+        if (write.operation != WriteOperation::assign || !write.sum.empty()) return;
+        check_expression(write.value, write.where, "the assignment");
+    }
+
+    void check_expression(const DraftExpression& expression, Location where,
+                          std::string_view what) {
+        if (expression.empty()) {
+            missing(where, fmt::format("{} has no condition", what));
+        } else {
+            check_depth(expression);
+        }
+    }
+
+    void check_depth(const DraftExpression& expression) {
+        if (expression.count <= deepest_nesting) return;
+        std::vector<std::pair<ExprKind, std::uint32_t>> stack;
+        for (const std::uint32_t i : expression) {
+            const ExpressionNode& node = draft_.expression_nodes[i];
+            std::uint32_t levels = 1;
+            for (std::uint32_t left = operand_count(node); left > 0; --left) {
+                const auto [kind, below] = stack.back();
+                stack.pop_back();
+                levels = std::max(levels, levels_below(node.kind, kind, below));
+            }
+            stack.emplace_back(node.kind, levels);
+        }
+        if (stack.back().second <= deepest_nesting) return;
+        checking_.error(Code::nested_too_deep, draft_.expression_nodes[expression.first].word.where,
+                        nested_too_deep_message());
+    }
+
+    void check_numbers() {
+        for (const DraftTerm& term : draft_.terms) {
+            if (term.value <= largest_number) continue;
+            checking_.error(Code::number_too_large, term.word.where,
+                            number_too_large_message(std::to_string(term.value)));
+        }
+        for (const ExpressionNode& node : draft_.expression_nodes) {
+            if (node.kind == ExprKind::time_condition) {
+                const TimeCondition& time = draft_.times[node.value];
+                const auto is_duration = [](Time t) { return t >= 0 && t < never; };
+                if (is_duration(time.on_delay) && is_duration(time.off_delay)) continue;
+                checking_.error(Code::duration_out_of_range, node.word.where,
+                                "a duration is negative or too long; durations go up to 106 days");
+            } else if (node.kind == ExprKind::comparison) {
+                const DraftComparison& comparison = draft_.comparisons[node.value];
+                for (const Range<>& sum : {comparison.left, comparison.right}) {
+                    if (sum.empty()) missing(node.word.where, "a side of the comparison is empty");
+                    check_length(sum, node.word.where);
+                }
+            }
+        }
+        for (const DraftWrite& write : draft_.writes) check_length(write.sum, write.where);
+    }
+
+    void check_length(Range<> sum, Location where) {
+        if (sum.count <= longest_sum) return;
+        checking_.error(Code::nested_too_deep, where, sum_too_long_message());
+    }
+
+    const Checking& checking_;
+    const Draft& draft_;
+};
+
+}  // namespace
+
+std::string nested_too_deep_message() {
+    return fmt::format(
+        "this expression is nested more than {} levels deep; give parts of it to vars of their own",
+        deepest_nesting);
+}
+
+std::string number_too_large_message(std::string_view number) {
+    return fmt::format("the number {} is too large; numbers go up to {}", number, largest_number);
+}
+
+std::string sum_too_long_message() {
+    return fmt::format("a sum has {} terms at most", longest_sum);
+}
+
+void check_parts(const Checking& checking) {
+    PartsCheck(checking).check();
+}
+
+}  // namespace grafwire

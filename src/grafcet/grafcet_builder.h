@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafcet/grafcet.h"
+#include "grafcet/named_expression.h"
+#include "text/diagnostics.h"
+
+namespace grafwire {
+
+struct Draft;  // what has been added so far
+
+/// What a stored action writes: `set m`, `reset m`, `m := a . b`, `c := c + 1`.
+struct NamedWrite {
+    WriteOperation operation = WriteOperation::set;
+    Name target;
+    NamedExpression value;  ///< of an assignment to an output or var
+    NamedSum sum;           ///< of an assignment to a counter
+    Location where;
+};
+
+/// A transition. Each side names steps and macro-steps of its own block.
+struct NamedTransition {
+    std::optional<Name> label;
+    std::vector<Name> preceding;
+    std::vector<Name> following;
+    NamedExpression condition;
+    std::vector<NamedWrite> writes;  ///< run when it is cleared
+    Location where;
+};
+
+/// The one way to make a Grafcet. A reader of any notation says what stands in the chart, part by
+/// part and by name; names may be used before they are declared. finish() then looks up all names,
+/// checks every rule of the language and gives the model, or says all that is wrong, each message
+/// with the place that the reader gave.
+///
+/// What a reader could not make sense of, and has reported itself, it leaves out: an empty name, a
+/// transition without a condition. That is no error of its own then.
+///
+/// The order of steps and transitions of a block is that in which they are added; of blocks and
+/// declarations, too.
+class GrafcetBuilder {
+  public:
+    /// Errors and warnings go to `diagnostics`, and so do those of the reader.
+    explicit GrafcetBuilder(Diagnostics& diagnostics);
+    GrafcetBuilder(const GrafcetBuilder&) = delete;
+    GrafcetBuilder& operator=(const GrafcetBuilder&) = delete;
+    ~GrafcetBuilder();
+
+    /// Makes room for so many transitions and about as many steps.
+    void reserve(std::size_t transitions);
+
+    void set_name(std::string_view name, std::string_view title = {});
+
+    void add_input(Name name);
+    void add_output(Name name);
+    void add_var(Name name);
+    /// Holds low..high inclusive.
+    void add_counter(Name name, std::int64_t low, std::int64_t high);
+    void add_assumption(const NamedExpression& expression, Location where);
+
+    BlockId add_graph(Name name);
+    BlockId add_expansion(Name name);
+
+    /// A step, as the builder numbers them: in the order added.
+    enum class StepKey : std::uint32_t {};
+    StepKey add_step(BlockId block, Name name, bool initial = false);
+    StepKey add_entry(BlockId expansion, Name name);
+    StepKey add_exit(BlockId expansion, Name name);
+    void add_macro(BlockId block, Name name, std::optional<Name> expansion);
+
+    /// `where` is the place of the whole action, `condition` empty for one without a condition.
+    void add_continuous(StepKey step, Name output, const NamedExpression& condition,
+                        Location where);
+    /// `event` belongs to the trigger of that name.
+    void add_stored(StepKey step, const NamedWrite& write, Trigger trigger,
+                    const NamedExpression& event = {});
+    /// A forcing order, or freezing; `steps` are those of OrderKind::listed.
+    void add_order(StepKey step, Name graph, OrderKind kind, std::span<const Name> steps,
+                   Location where);
+    /// The step encloses a graph; `links` are activated with it.
+    void add_enclosure(StepKey step, Name graph, std::span<const Name> links);
+
+    void add_transition(BlockId block, const NamedTransition& transition);
+
+    /// The chart, if nothing has been reported since the builder was made. Messages are put in the
+    /// order of their places. The builder is empty afterwards.
+    std::optional<Grafcet> finish();
+
+  private:
+    StepKey add_node(BlockId block, Name name, StepRole role, bool initial);
+
+    Diagnostics& diagnostics_;
+    std::size_t errors_before_;
+    std::unique_ptr<Draft> draft_;
+};
+
+/// The first invariant of the model (grafcet.h) that a chart does not keep, in words; empty where
+/// it keeps them all. finish() gives no chart with a fault.
+std::string fault_of(const Grafcet& grafcet);
+
+/// Adds an assumption, which is over inputs and control inputs, to a chart. What is wrong with it
+/// goes to `diagnostics`; while these hold errors nothing is added.
+void add_assumption(Grafcet& grafcet, const NamedExpression& expression, Location where,
+                    Diagnostics& diagnostics);
+
+}  // namespace grafwire
