@@ -48,6 +48,7 @@ Language language_of_locale() {
 int main(int argc, char** argv) {
     Language language = language_of_locale();
     const ReadCommandLine line = read_command_line(argc, argv, commands, language);
+    show_messages_in(language);
     ExitStatus status = ExitStatus::bad_request;
     if (line.action) {
         status = line.action();

@@ -102,7 +102,7 @@ Json diagnostics(const std::vector<Diagnostic>& items) {
         list.push_back({{"severity", item.severity == Severity::error ? "error" : "warning"},
                         {"line", place(item.where.line)},
                         {"column", place(item.where.column)},
-                        {"message", item.message}});
+                        {"message", item.message.english}});
     }
     return list;
 }

@@ -51,18 +51,18 @@ SourceFile read_source(const std::string& path, Diagnostics& diagnostics) {
     SourceFile source{path == "-" ? "<stdin>" : path, {}};
     if (path == "-") {
         if (!read_all(stdin, source.text)) {
-            diagnostics.error(Code::unreadable_file, {}, "cannot read standard input");
+            diagnostics.error(code::unreadable_file, {}, "cannot read standard input");
         }
         return source;
     }
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
-        diagnostics.error(Code::unreadable_file, {}, "is a directory, not a file");
+        diagnostics.error(code::unreadable_file, {}, "is a directory, not a file");
         return source;
     }
     std::FILE* file = std::fopen(path.c_str(), "rb");
     if (file == nullptr || !read_all(file, source.text)) {
-        diagnostics.error(Code::unreadable_file, {},
+        diagnostics.error(code::unreadable_file, {},
                           fmt::format("cannot read the file: {}", std::strerror(errno)));
     }
     if (file != nullptr) std::fclose(file);

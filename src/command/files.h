@@ -11,7 +11,7 @@
 namespace grafwire {
 
 /// The text of a file, or of standard input for "-". A file that cannot be read is reported in
-/// `diagnostics` (Code::unreadable_file).
+/// `diagnostics` (code::unreadable_file).
 SourceFile read_source(const std::string& path, Diagnostics& diagnostics);
 
 /// The results of a command: they appear all together at the end, whole, or not at all.

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "text/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -20,6 +21,14 @@ constexpr std::size_t most_of_message = 4000;
 /// caught where they leave the program.
 std::string* kept_messages = nullptr;
 
+/// What goes to standard error is in one language, that of the command line.
+Language language_of_messages = Language::english;
+
+void show_message(const Message<>& kind, const std::string& message) {
+    show(fmt::format("grafwire: {}: {}\n", kind.in(language_of_messages),
+                     visible(shortened(message, most_of_message), "\t\n")));
+}
+
 }  // namespace
 
 MessageRecord::MessageRecord() {
@@ -30,13 +39,17 @@ MessageRecord::~MessageRecord() {
     kept_messages = nullptr;
 }
 
+void show_messages_in(Language language) {
+    language_of_messages = language;
+}
+
 void show(std::string_view text) {
     fmt::print(stderr, "{}", text);
     if (kept_messages != nullptr) *kept_messages += text;
 }
 
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
-    show(format_diagnostics(diagnostics, source, most_errors));
+    show(format_diagnostics(diagnostics, source, language_of_messages, most_errors));
 }
 
 void show_messages(const Diagnostics& messages) {
@@ -49,13 +62,12 @@ void show_messages(const Diagnostics& messages) {
     }
 }
 
-void complain(std::string_view message) {
-    show(
-        fmt::format("grafwire: error: {}\n", visible(shortened(message, most_of_message), "\t\n")));
+void complain(const Localized& message) {
+    show_message(messages::text::error, message.in(language_of_messages));
 }
 
-void warn(std::string_view message) {
-    show(fmt::format("grafwire: warning: {}\n", visible(message, "\t\n")));
+void warn(const Localized& message) {
+    show_message(messages::text::warning, message.in(language_of_messages));
 }
 
 ExitStatus finish(OutputFiles& files, ExitStatus status) {

@@ -6,6 +6,8 @@
 #include "command/command_line.h"
 #include "command/files.h"
 #include "text/diagnostics.h"
+#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -25,6 +27,9 @@ class MessageRecord {
     std::string text_;
 };
 
+/// The language of all messages from now on; English before.
+void show_messages_in(Language language);
+
 /// Shows lines as they stand.
 void show(std::string_view text);
 
@@ -35,8 +40,8 @@ void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);
 void show_messages(const Diagnostics& messages);
 
 /// Shows a message of the program itself.
-void complain(std::string_view message);
-void warn(std::string_view message);
+void complain(const Localized& message);
+void warn(const Localized& message);
 
 /// Writes the files; a problem is shown, and turns `status` into bad_request.
 ExitStatus finish(OutputFiles& files, ExitStatus status);

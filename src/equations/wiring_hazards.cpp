@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "equations/concurrent_steps.h"
+#include "equations/messages.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
@@ -252,7 +253,7 @@ class Warnings {
         const Step& step = grafcet_.steps[hazard.step];
         if (hazard.out == hazard.back) {
             diagnostics_.warning(
-                Code::wiring_hazard, place_of(hazard.out),
+                code::wiring_hazard, place_of(hazard.out),
                 fmt::format("step {} follows itself: with --cdx successor it resets itself as soon "
                             "as it is set; use --cdx transition or the clocked style",
                             step.name));
@@ -263,7 +264,7 @@ class Warnings {
         const auto after = grafcet_.following(grafcet_.transitions[hazard.out]);
         diagnostics_
             .warning(
-                Code::wiring_hazard, place_of(hazard.out),
+                code::wiring_hazard, place_of(hazard.out),
                 fmt::format("steps {} and {} follow each other: with --cdx successor either is "
                             "reset by the one from which it is set; put a step between them, "
                             "or use style nand or the clocked style",
@@ -274,7 +275,7 @@ class Warnings {
     void warn_of_tokens(const WiringHazard& hazard) {
         const auto after = grafcet_.following(grafcet_.transitions[hazard.out]);
         diagnostics_.warning(
-            Code::wiring_hazard, place_of(hazard.out),
+            code::wiring_hazard, place_of(hazard.out),
             fmt::format("steps {} and {} can be active together: with --cdx successor step {} is "
                         "then reset without this transition being cleared; use --cdx transition or "
                         "the clocked style",
@@ -285,7 +286,7 @@ class Warnings {
     void warn_of_edge(const WiringHazard& hazard) {
         diagnostics_
             .warning(
-                Code::wiring_hazard, place_of(hazard.out),
+                code::wiring_hazard, place_of(hazard.out),
                 fmt::format("{} is read again right after step {} was activated by it: a pulse "
                             "longer than the passage through the step clears both transitions; "
                             "wait for its end in a step between them, or use the clocked style",

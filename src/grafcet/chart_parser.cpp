@@ -11,6 +11,7 @@
 
 #include "grafcet/checking.h"
 #include "grafcet/expression_parser.h"
+#include "grafcet/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -184,7 +185,7 @@ void ChartParser::parse_block() {
     }
     if (take_if(TokenKind::right_brace) || !has_header) return;
     diagnostics()
-        .error(Code::unexpected_token, token().where,
+        .error(code::unexpected_token, token().where,
                fmt::format("expected '}}' at the end of {} {}, got {}",
                            is_expansion ? "expansion" : "graph", in_quotes(read.text), shown()))
         .notes.push_back({read.where, "it begins here"});
@@ -268,7 +269,7 @@ bool ChartParser::parse_step(BlockId block) {
     bool is_good = true;
     while (is_good && at(TokenKind::kw_encloses)) {
         if (enclosure) {
-            diagnostics().error(Code::encloses_twice, token().where,
+            diagnostics().error(code::encloses_twice, token().where,
                                 encloses_twice_message(read.text));
         }
         is_good = parse_enclosure(enclosure);
@@ -311,7 +312,7 @@ bool ChartParser::parse_macro(BlockId block) {
 bool ChartParser::parse_entry_or_exit(OpenBlock block) {
     const bool is_entry = at(TokenKind::kw_entry);
     if (!block.is_expansion) {
-        diagnostics().error(Code::expansion_entry_exit, token().where,
+        diagnostics().error(code::expansion_entry_exit, token().where,
                             outside_of_expansion_message(is_entry));
     }
     take();
@@ -397,7 +398,7 @@ bool ChartParser::parse_action(GrafcetBuilder::StepKey step) {
     if (!parse_name(read, "an action", true)) return false;
     if (at(TokenKind::left_brace)) return parse_order(step, read);
     if (is_integer) {
-        diagnostics().error(Code::unexpected_token, where,
+        diagnostics().error(code::unexpected_token, where,
                             fmt::format("expected an action, got {}; an output of that name is "
                                         "written between quotation marks",
                                         in_quotes(read.text)));

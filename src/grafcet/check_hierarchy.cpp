@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -131,7 +132,7 @@ std::vector<const Edge*> circle_through(std::uint32_t start, const Hierarchy& hi
 
 void report_self(const Checking& checking, const Edge& edge) {
     checking.error(
-        Code::forcing_circle, edge.where,
+        code::forcing_circle, edge.where,
         fmt::format("{} {} its own {}; only another graph can be forced or enclosed",
                     checking.shown_node(edge.step), edge.is_enclosure ? "encloses" : "forces",
                     checking.shown_block(edge.from)));
@@ -147,7 +148,7 @@ void report_circle(const Checking& checking, const std::vector<const Edge*>& cir
         message += fmt::format("{}{} {} {}", edge == circle.front() ? "" : ", ", name(edge->from),
                                verb(*edge), name(edge->to));
     }
-    Diagnostic& error = checking.error(Code::forcing_circle, circle.front()->where,
+    Diagnostic& error = checking.error(code::forcing_circle, circle.front()->where,
                                        message + "; break the circle at one place");
     for (std::size_t i = 1; i < circle.size(); ++i) {
         error.notes.push_back(
@@ -173,7 +174,7 @@ std::vector<std::uint32_t> enclosing_steps(const Checking& checking) {
         }
         checking
             .error(
-                Code::enclosed_twice, enclosure.graph.where,
+                code::enclosed_twice, enclosure.graph.where,
                 fmt::format("{} is enclosed by {} already; a graph is enclosed by one step at "
                             "most",
                             checking.shown_block(enclosure.resolved), checking.shown_node(first)))
@@ -186,7 +187,7 @@ void report_initial_mismatch(const Checking& checking, std::uint32_t node, std::
                              std::uint32_t enclosing) {
     const Draft& draft = checking.draft;
     checking
-        .error(Code::enclosure_initial_mismatch, draft.nodes[node].name.where,
+        .error(code::enclosure_initial_mismatch, draft.nodes[node].name.where,
                fmt::format("{} is initial, but {}, which encloses its graph {}, is not; make both "
                            "initial or neither",
                            checking.shown_node(node), checking.shown_node(enclosing),
@@ -214,7 +215,7 @@ void check_enclosures(const Checking& checking) {
         if (step == none || !draft.nodes[step].initial || has_initial[graph]) continue;
         checking
             .error(
-                Code::enclosure_initial_mismatch, draft.nodes[step].name.where,
+                code::enclosure_initial_mismatch, draft.nodes[step].name.where,
                 fmt::format("{} is initial, but {}, which it encloses, has no initial step; make "
                             "both initial or neither",
                             checking.shown_node(step), checking.shown_block(graph)))

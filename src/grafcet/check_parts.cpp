@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -57,17 +58,17 @@ class PartsCheck {
 
   private:
     void missing(Location where, std::string message) {
-        checking_.error(Code::unexpected_token, where, std::move(message));
+        checking_.error(code::unexpected_token, where, std::move(message));
     }
 
     void check_name(const Word& word, std::string_view what) {
         const std::string_view name = draft_.text(word);
         if (name.empty()) missing(word.where, fmt::format("{} has no name", what));
         if (find_control(name) != name.npos) {
-            checking_.error(Code::unexpected_character, word.where, control_in_name_message(name));
+            checking_.error(code::unexpected_character, word.where, control_in_name_message(name));
         }
         if (name.find('"') != name.npos) {
-            checking_.error(Code::unexpected_character, word.where,
+            checking_.error(code::unexpected_character, word.where,
                             fmt::format("the name {} holds a quotation mark, and no name may",
                                         in_quotes(name)));
         }
@@ -105,7 +106,7 @@ class PartsCheck {
                                     checking_.shown_node(i), checking_.shown(enclosure.graph)));
             }
             if (node.role != StepRole::ordinary) {
-                checking_.error(Code::expansion_entry_exit, enclosure.graph.where,
+                checking_.error(code::expansion_entry_exit, enclosure.graph.where,
                                 fmt::format("{} is the entry or exit of an expansion, which "
                                             "encloses nothing",
                                             checking_.shown_node(i)));
@@ -154,14 +155,14 @@ class PartsCheck {
             stack.emplace_back(node.kind, levels);
         }
         if (stack.back().second <= deepest_nesting) return;
-        checking_.error(Code::nested_too_deep, draft_.expression_nodes[expression.first].word.where,
+        checking_.error(code::nested_too_deep, draft_.expression_nodes[expression.first].word.where,
                         nested_too_deep_message());
     }
 
     void check_numbers() {
         for (const DraftTerm& term : draft_.terms) {
             if (term.value <= largest_number) continue;
-            checking_.error(Code::number_too_large, term.word.where,
+            checking_.error(code::number_too_large, term.word.where,
                             number_too_large_message(std::to_string(term.value)));
         }
         for (const ExpressionNode& node : draft_.expression_nodes) {
@@ -169,7 +170,7 @@ class PartsCheck {
                 const TimeCondition& time = draft_.times[node.value];
                 const auto is_duration = [](Time t) { return t >= 0 && t < never; };
                 if (is_duration(time.on_delay) && is_duration(time.off_delay)) continue;
-                checking_.error(Code::duration_out_of_range, node.word.where,
+                checking_.error(code::duration_out_of_range, node.word.where,
                                 "a duration is negative or too long; durations go up to 106 days");
             } else if (node.kind == ExprKind::comparison) {
                 const DraftComparison& comparison = draft_.comparisons[node.value];
@@ -184,7 +185,7 @@ class PartsCheck {
 
     void check_length(Range<> sum, Location where) {
         if (sum.count <= longest_sum) return;
-        checking_.error(Code::nested_too_deep, where, sum_too_long_message());
+        checking_.error(code::nested_too_deep, where, sum_too_long_message());
     }
 
     const Checking& checking_;

@@ -124,7 +124,7 @@ void resolve_steps(const Checking& checking, Range<> list, const Accept& accept)
         const std::string_view name = draft.text(draft.words[i]);
         const std::uint32_t* node = checking.names.nodes.find(name);
         if (node == nullptr) {
-            checking.error(Code::unknown_name, draft.words[i].where,
+            checking.error(code::unknown_name, draft.words[i].where,
                            "unknown step " + checking.shown(draft.words[i]) +
                                checking.suggestions.did_you_mean(name, Meant::step));
         } else if (accept(*node, draft.words[i])) {

@@ -9,6 +9,7 @@
 
 #include "grafcet/checking.h"
 #include "grafcet/lexer.h"
+#include "grafcet/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -18,7 +19,7 @@ namespace {
 void report_twice(const Checking& checking, std::string_view what, const Word& word, Location first,
                   std::string_view advice) {
     checking
-        .error(Code::duplicate_name, word.where,
+        .error(code::duplicate_name, word.where,
                fmt::format("{} {} exists already; {}", what, checking.shown(word), advice))
         .notes.push_back({first, "it is first declared here"});
 }
@@ -27,18 +28,18 @@ void check_counter(const Checking& checking, const DraftDeclaration& counter) {
     constexpr std::int64_t most_values = 65'536;
     for (const std::int64_t bound : {counter.low, counter.high}) {
         if (bound >= -largest_number && bound <= largest_number) continue;
-        checking.error(Code::number_too_large, counter.name.where,
+        checking.error(code::number_too_large, counter.name.where,
                        number_too_large_message(std::to_string(bound)));
         return;
     }
     const std::int64_t values = counter.high - counter.low + 1;
     if (values < 1) {
-        checking.error(Code::counter_range, counter.name.where,
+        checking.error(code::counter_range, counter.name.where,
                        fmt::format("the range {}..{} of counter {} is empty; write the lowest "
                                    "value first",
                                    counter.low, counter.high, checking.shown(counter.name)));
     } else if (values > most_values) {
-        checking.error(Code::counter_range, counter.name.where,
+        checking.error(code::counter_range, counter.name.where,
                        fmt::format("the range {}..{} of counter {} spans {} values; a counter has "
                                    "{} at most",
                                    counter.low, counter.high, checking.shown(counter.name), values,
@@ -63,7 +64,7 @@ void collect_variables(const Checking& checking) {
         ++count;
         if (is_new) continue;
         if (first.declaration == none) {
-            checking.error(Code::duplicate_name, declaration.name.where,
+            checking.error(code::duplicate_name, declaration.name.where,
                            fmt::format("{} is a control input, which every GRAFCET has without "
                                        "declaring it; remove this declaration or choose another "
                                        "name",
@@ -130,7 +131,7 @@ void collect_labels(const Checking& checking) {
         const std::uint32_t rank = rank_of(text, draft.transitions.size());
         if (rank == none || draft.transitions[rank].labelled) continue;
         checking
-            .error(Code::duplicate_name, transition.label.where,
+            .error(code::duplicate_name, transition.label.where,
                    fmt::format("the label {} is also the rank of a transition without a label; "
                                "label that one too, or choose another label",
                                checking.shown(transition.label)))
@@ -160,7 +161,7 @@ void report_clash(const Checking& checking, std::string_view variable, const std
                   Location where_a, const std::string& b, Location where_b) {
     const bool a_is_later = is_before(where_b, where_a);
     checking
-        .error(Code::variable_clash, a_is_later ? where_a : where_b,
+        .error(code::variable_clash, a_is_later ? where_a : where_b,
                fmt::format("{} and {} both have the variable {}; rename one of them",
                            a_is_later ? b : a, a_is_later ? a : b, in_quotes(variable)))
         .notes.push_back({a_is_later ? where_b : where_a,

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -114,7 +115,7 @@ bool ExpressionParser::parse_chain(int level) {
 
 bool ExpressionParser::parse_unary() {
     if (++nesting_ > deepest_nesting) {
-        tokens_.diagnostics().error(Code::nested_too_deep, tokens_.token().where,
+        tokens_.diagnostics().error(code::nested_too_deep, tokens_.token().where,
                                     nested_too_deep_message());
         return false;
     }
@@ -203,7 +204,7 @@ bool ExpressionParser::parse_delay(Time& delay) {
     const auto value = parse_duration(tokens_.text());
     if (!value) {
         tokens_.diagnostics().error(
-            Code::duration_out_of_range, tokens_.token().where,
+            code::duration_out_of_range, tokens_.token().where,
             fmt::format("the duration {} is too long or too fine; durations go up to 106 days in "
                         "whole picoseconds",
                         tokens_.shown()));
@@ -265,7 +266,7 @@ bool parse_sum(TokenReader& tokens, NamedSum& sum) {
     while (tokens.at(TokenKind::plus) || tokens.at(TokenKind::minus)) {
         const bool is_negative = tokens.at(TokenKind::minus);
         if (sum.size() >= longest_sum) {
-            tokens.diagnostics().error(Code::nested_too_deep, tokens.token().where,
+            tokens.diagnostics().error(code::nested_too_deep, tokens.token().where,
                                        sum_too_long_message());
             return false;
         }

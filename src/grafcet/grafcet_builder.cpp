@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 #include "grafcet/plant_conditions.h"
 #include "grafcet/warnings.h"
 #include "grafcet/write_grafcet.h"
@@ -42,12 +43,12 @@ void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
     const Assumption& last = grafcet.assumptions[contradicting.back()];
     contradicting.pop_back();
     if (contradicting.empty()) {
-        diagnostics.error(Code::contradicting_assumptions, last.where,
+        diagnostics.error(code::contradicting_assumptions, last.where,
                           "this assumption is never 1, so that no input is left");
         return;
     }
     Diagnostic& error = diagnostics.error(
-        Code::contradicting_assumptions, last.where,
+        code::contradicting_assumptions, last.where,
         contradicting.size() == 1
             ? "this assumption contradicts another, so that no input is left"
             : fmt::format(
@@ -65,7 +66,7 @@ void refuse_no_steps(const Grafcet& grafcet, Diagnostics& diagnostics) {
     if (!grafcet.steps.empty()) return;
     const Location where =
         grafcet.blocks.empty() ? Location{1, 1} : grafcet.blocks.items().front().where;
-    diagnostics.error(Code::no_steps, where,
+    diagnostics.error(code::no_steps, where,
                       "there is no step, and a GRAFCET needs one at least: graph G { initial 0 }");
 }
 
@@ -146,7 +147,7 @@ GrafcetBuilder::StepKey GrafcetBuilder::add_node(BlockId block, Name name, StepR
                                                  bool initial) {
     assert(index_of(block) < draft_->blocks.size());
     if (role != StepRole::ordinary && !draft_->blocks[index_of(block)].is_expansion) {
-        diagnostics_.error(Code::expansion_entry_exit, name.where,
+        diagnostics_.error(code::expansion_entry_exit, name.where,
                            outside_of_expansion_message(role == StepRole::entry));
     }
     DraftNode node;
@@ -216,7 +217,7 @@ void GrafcetBuilder::add_order(StepKey step, Name graph, OrderKind kind,
 void GrafcetBuilder::add_enclosure(StepKey step, Name graph, std::span<const Name> links) {
     DraftNode& node = draft_->nodes[index_of(step)];
     if (node.extra != none) {
-        diagnostics_.error(Code::encloses_twice, graph.where,
+        diagnostics_.error(code::encloses_twice, graph.where,
                            encloses_twice_message(draft_->text(node.name)));
         return;
     }

@@ -201,7 +201,7 @@ Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     const bool is_closed = end < text_.size() && text_[end] == '"';
     const std::string_view text = text_.substr(start, end - start);
     if (!is_closed && diagnostics != nullptr) {
-        diagnostics->error(Code::unterminated_text, token.where,
+        diagnostics->error(code::unterminated_text, token.where,
                            "this quoted text has no end on its line; close it with '\"'");
     }
     report_control(text, diagnostics);
@@ -218,7 +218,7 @@ void Lexer::report_control(std::string_view text, Diagnostics* diagnostics) cons
     const std::size_t at = find_control(text);
     if (at == std::string_view::npos || diagnostics == nullptr) return;
     const auto before = static_cast<std::uint32_t>(count_code_points(text.substr(0, at)));
-    diagnostics->error(Code::unexpected_character, {line_, column_ + 1 + before},
+    diagnostics->error(code::unexpected_character, {line_, column_ + 1 + before},
                        control_in_name_message(text));
 }
 
@@ -291,7 +291,7 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
         shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));
     }
     diagnostics->error(
-        Code::unexpected_character, token.where,
+        code::unexpected_character, token.where,
         fmt::format("the character {} has no meaning here; remove it, or write the name it belongs "
                     "to between quotation marks",
                     shown));

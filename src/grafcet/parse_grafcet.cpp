@@ -16,7 +16,7 @@ namespace {
 
 bool is_readable(const SourceFile& source, Diagnostics& diagnostics) {
     if (source.text.size() >= std::numeric_limits<std::uint32_t>::max()) {
-        diagnostics.error(Code::unreadable_file, {},
+        diagnostics.error(code::unreadable_file, {},
                           "the file is larger than 4 GiB; cut the GRAFCET into several");
         return false;
     }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -75,7 +76,7 @@ class ActionResolver {
                                         found->variable.kind == VariableKind::counter)) {
             const bool is_var = found->variable.kind == VariableKind::var;
             checking_.error(
-                Code::continuous_on_internal, action.where,
+                code::continuous_on_internal, action.where,
                 fmt::format("continuous action on the {} {}, which changes by stored actions only; "
                             "write '{}', or declare it as an output",
                             is_var ? "var" : "counter", checking_.shown(action.name),
@@ -99,12 +100,12 @@ class ActionResolver {
         if (found != nullptr) {
             const bool is_input = found->variable.kind == VariableKind::input;
             checking_.error(
-                Code::assignment_to_input, word.where,
+                code::assignment_to_input, word.where,
                 fmt::format("{} is {}, which the GRAFCET reads and never writes; name "
                             "an output, a var or a counter",
                             checking_.shown(word), is_input ? "an input" : "a control input"));
         } else if (is_step_variable) {
-            checking_.error(Code::assignment_to_input, word.where,
+            checking_.error(code::assignment_to_input, word.where,
                             fmt::format("{} follows the situation and is never written; use a "
                                         "forcing order to change the situation of a graph",
                                         checking_.shown(word)));
@@ -114,7 +115,7 @@ class ActionResolver {
                 advice = fmt::format("; an order to graph {0} is written {1}{{…}}",
                                      checking_.shown(word), name);
             }
-            checking_.error(Code::unknown_name, word.where,
+            checking_.error(code::unknown_name, word.where,
                             fmt::format("unknown output {}{}", checking_.shown(word), advice));
         }
     }
@@ -134,7 +135,7 @@ class ActionResolver {
             }
             if (is_counter && write.operation != WriteOperation::assign) {
                 checking_.error(
-                    Code::not_a_boolean, write.target.where,
+                    code::not_a_boolean, write.target.where,
                     fmt::format("{0} is a counter, which is neither set nor reset; "
                                 "write a value, as in {1} := 0",
                                 checking_.shown(write.target), draft_.text(write.target)));
@@ -150,18 +151,18 @@ class ActionResolver {
     void check_kind_of_value(const DraftWrite& write) {
         const bool is_counter = write.resolved.kind == VariableKind::counter;
         if (is_counter && !write.value.empty()) {
-            checking_.error(Code::not_a_counter, write.target.where,
+            checking_.error(code::not_a_counter, write.target.where,
                             fmt::format("{} is a counter; assign a sum of counters and numbers",
                                         checking_.shown(write.target)));
         } else if (!is_counter && !write.sum.empty()) {
-            checking_.error(Code::not_a_boolean, write.target.where,
+            checking_.error(code::not_a_boolean, write.target.where,
                             fmt::format("{} is not a counter; assign a condition",
                                         checking_.shown(write.target)));
         }
     }
 
     void resolve_order(DraftAction& action) {
-        if (const auto* graph = find_graph(action.name, Code::forcing_unknown_graph)) {
+        if (const auto* graph = find_graph(action.name, code::forcing_unknown_graph)) {
             action.resolved = *graph;
             resolve_listed(*graph, action.steps, "a forcing order");
         } else {
@@ -170,7 +171,7 @@ class ActionResolver {
     }
 
     void resolve_enclosure(DraftEnclosure& enclosure) {
-        if (const auto* graph = find_graph(enclosure.graph, Code::unknown_name)) {
+        if (const auto* graph = find_graph(enclosure.graph, code::unknown_name)) {
             enclosure.resolved = *graph;
         }
         resolve_listed(enclosure.resolved, enclosure.links, "an activation link");
@@ -196,7 +197,7 @@ class ActionResolver {
             const DraftNode& step = draft_.nodes[node];
             const std::uint32_t root = draft_.blocks[step.block].root;
             if (step.is_macro) {
-                checking_.error(Code::macro_not_allowed_here, word.where,
+                checking_.error(code::macro_not_allowed_here, word.where,
                                 fmt::format("{} is a macro-step; {} names steps, such as the entry "
                                             "step of its expansion",
                                             checking_.shown(word), what));
@@ -204,7 +205,7 @@ class ActionResolver {
             }
             if (graph == none || root == none || root == graph) return true;
             checking_
-                .error(Code::forcing_foreign_step, word.where,
+                .error(code::forcing_foreign_step, word.where,
                        fmt::format("{} belongs to {}, not to {}; name steps of {}",
                                    checking_.shown_node(node), checking_.shown_block(root),
                                    checking_.shown_block(graph),
@@ -221,7 +222,7 @@ class ActionResolver {
             if (drive == nullptr || !drive->continuous || !drive->stored) continue;
             const bool stored_is_later = is_before(*drive->continuous, *drive->stored);
             checking_
-                .error(Code::output_driven_twice,
+                .error(code::output_driven_twice,
                        stored_is_later ? *drive->stored : *drive->continuous,
                        fmt::format("output {} is driven by continuous and by stored actions; use "
                                    "one kind only",
@@ -248,14 +249,14 @@ class ActionResolver {
             const Drive& drive = drives_[node.value];
             if (drive.stored) continue;
             if (!drive.continuous) {
-                checking_.error(Code::reads_continuous_output, node.word.where,
+                checking_.error(code::reads_continuous_output, node.word.where,
                                 fmt::format("output {} is read, but no stored action drives it; "
                                             "only stored outputs can be read",
                                             checking_.shown(node.word)));
                 continue;
             }
             checking_
-                .error(Code::reads_continuous_output, node.word.where,
+                .error(code::reads_continuous_output, node.word.where,
                        fmt::format("{} is a continuous output, which cannot be read; write its "
                                    "condition instead",
                                    checking_.shown(node.word)))

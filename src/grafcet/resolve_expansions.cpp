@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -21,7 +22,7 @@ void join_macro(const Checking& checking, std::uint32_t index) {
     if (expansion == nullptr) {
         const bool is_graph = checking.names.graphs.find(name) != nullptr;
         checking.error(
-            Code::unknown_name, word.where,
+            code::unknown_name, word.where,
             is_graph ? fmt::format("{} is a graph; a macro-step is expanded by an "
                                    "expansion, declared with 'expansion {} {{ … }}'",
                                    checking.shown(word), name)
@@ -36,7 +37,7 @@ void join_macro(const Checking& checking, std::uint32_t index) {
         return;
     }
     checking
-        .error(Code::expansion_use, word.where,
+        .error(code::expansion_use, word.where,
                fmt::format("expansion {} expands macro-step {} already; each macro-step needs an "
                            "expansion of its own",
                            checking.shown(word), checking.shown(draft.nodes[block.macro].name)))
@@ -56,14 +57,14 @@ void check_ends(const Checking& checking, std::uint32_t index) {
             continue;
         }
         checking
-            .error(Code::expansion_entry_exit, node.name.where,
+            .error(code::expansion_entry_exit, node.name.where,
                    fmt::format("expansion {} has a second {} step; an expansion has exactly one",
                                checking.shown(block.name), is_entry ? "entry" : "exit"))
             .notes.push_back({draft.nodes[end].name.where, "the first one is here"});
     }
     for (const bool is_entry : {true, false}) {
         if ((is_entry ? block.entry : block.exit) == none) {
-            checking.error(Code::expansion_entry_exit, block.name.where,
+            checking.error(code::expansion_entry_exit, block.name.where,
                            fmt::format("expansion {} has no {} step; declare it with '{} {}'",
                                        checking.shown(block.name), is_entry ? "entry" : "exit",
                                        is_entry ? "entry" : "exit", is_entry ? "E1" : "S1"));
@@ -82,7 +83,7 @@ void report_circle(const Checking& checking, const std::vector<std::uint32_t>& p
         names += fmt::format("{}{}", names.empty() ? "" : " → ",
                              checking.shown(checking.draft.blocks[path[i]].name));
     }
-    checking.error(Code::expansion_use, checking.draft.blocks[path.back()].name.where,
+    checking.error(code::expansion_use, checking.draft.blocks[path.back()].name.where,
                    fmt::format("expansion {} contains itself ({}); a macro-step must not lead back "
                                "to an expansion it stands in",
                                checking.shown(checking.draft.blocks[path.back()].name), names));
@@ -132,7 +133,7 @@ void resolve_expansions(const Checking& checking) {
         check_ends(checking, i);
         const std::uint32_t* named = checking.names.expansions.find(draft.text(block.name));
         if (block.macro == none && *named == i) {
-            checking.error(Code::expansion_use, block.name.where,
+            checking.error(code::expansion_use, block.name.where,
                            fmt::format("no macro-step uses expansion {}; declare one with 'macro M "
                                        "= {}', or remove the expansion",
                                        checking.shown(block.name), draft.text(block.name)));

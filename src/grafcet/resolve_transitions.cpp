@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -38,12 +39,12 @@ void report_unknown(const Checking& checking, const Word& word) {
     } else if (const auto* graph = checking.names.graphs.find(name)) {
         advice = fmt::format("; the variable of {} is X{}", checking.shown_block(*graph), name);
     }
-    checking.error(Code::unknown_name, word.where,
+    checking.error(code::unknown_name, word.where,
                    fmt::format("unknown variable {}{}", checking.shown(word), advice));
 }
 
 void report_not_plant(const Checking& checking, Location where, const std::string& what) {
-    checking.error(Code::not_a_plant_condition, where,
+    checking.error(code::not_a_plant_condition, where,
                    fmt::format("{} in 'assume'; an assumption is about the plant, so it is made of "
                                "inputs and control inputs, without edges, times and comparisons",
                                what));
@@ -64,7 +65,7 @@ void resolve_variable(const Checking& checking, ExpressionNode& node, Expression
         report_not_plant(checking, node.word.where,
                          fmt::format("{} is no input", checking.shown(node.word)));
     } else if (node.variable == VariableKind::counter) {
-        checking.error(Code::not_a_boolean, node.word.where,
+        checking.error(code::not_a_boolean, node.word.where,
                        fmt::format("{} is a counter, not a condition; compare it, as in [{} > 0]",
                                    checking.shown(node.word), name));
     }
@@ -74,7 +75,7 @@ void check_edge(const Checking& checking, const ExpressionNode& node, Expression
     if (use == ExpressionUse::assumption) {
         report_not_plant(checking, node.word.where, "edge");
     } else if (use == ExpressionUse::condition && !node.inside_time) {
-        checking.error(Code::edge_in_condition, node.word.where,
+        checking.error(code::edge_in_condition, node.word.where,
                        "edge in the condition of a continuous action: it would last one scan only; "
                        "use a stored action ('set … on ↑…'), or a time condition around the edge");
     }
@@ -115,7 +116,7 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
         if (step.block == block) return true;
         checking
             .error(
-                Code::step_of_another_graph, word.where,
+                code::step_of_another_graph, word.where,
                 fmt::format("{} belongs to {}; a transition of {} names steps and macro-steps of "
                             "that {} only",
                             checking.shown_node(node), checking.shown_block(step.block),
@@ -147,12 +148,12 @@ void resolve_sum(const Checking& checking, Range<> sum) {
         if (found != nullptr && found->variable.kind == VariableKind::counter) {
             term.counter = found->variable.index;
         } else if (found != nullptr || resolve_step_variable(checking, name, other)) {
-            checking.error(Code::not_a_counter, term.word.where,
+            checking.error(code::not_a_counter, term.word.where,
                            fmt::format("{} is not a counter; only counters and numbers are "
                                        "compared and added",
                                        checking.shown(term.word)));
         } else {
-            checking.error(Code::unknown_name, term.word.where,
+            checking.error(code::unknown_name, term.word.where,
                            fmt::format("unknown counter {}{}", checking.shown(term.word),
                                        checking.suggestions.did_you_mean(name, Meant::counter)));
         }
@@ -174,7 +175,7 @@ void report_repeated_steps(const Checking& checking, Range<> list) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (draft.word_nodes[places[i - 1]] != draft.word_nodes[places[i]]) continue;
         checking
-            .error(Code::duplicate_name, draft.words[places[i]].where,
+            .error(code::duplicate_name, draft.words[places[i]].where,
                    fmt::format("{} is named twice in this list; name it once",
                                checking.shown_node(draft.word_nodes[places[i]])))
             .notes.push_back({draft.words[places[i - 1]].where, "it is named here too"});
@@ -189,7 +190,7 @@ void resolve_transitions(const Checking& checking) {
             resolve_side(checking, block, transition.preceding);
             resolve_side(checking, block, transition.following);
             if (transition.preceding.count == 0 && transition.following.count == 0) {
-                checking.error(Code::transition_without_step, transition.where,
+                checking.error(code::transition_without_step, transition.where,
                                "this transition has no step before it and none after it; name at "
                                "least one, as in 1 -> 2");
             }

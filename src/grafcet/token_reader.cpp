@@ -64,7 +64,7 @@ bool TokenReader::parse_number(std::int64_t& value) {
     for (const char digit : text()) {
         value = value * 10 + (digit - '0');
         if (value <= largest_number) continue;
-        diagnostics_.error(Code::number_too_large, token_.where, number_too_large_message(shown()));
+        diagnostics_.error(code::number_too_large, token_.where, number_too_large_message(shown()));
         value = 0;
         break;
     }
@@ -77,7 +77,7 @@ std::string TokenReader::shown() const {
 }
 
 bool TokenReader::fail(std::string message) {
-    diagnostics_.error(Code::unexpected_token, token_.where, std::move(message));
+    diagnostics_.error(code::unexpected_token, token_.where, std::move(message));
     return false;
 }
 

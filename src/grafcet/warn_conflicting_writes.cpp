@@ -18,6 +18,7 @@
 
 #include <algorithm>
 
+#include "grafcet/messages.h"
 #include "grafcet/warnings.h"
 #include "text/utf8.h"
 
@@ -177,7 +178,7 @@ class ConflictSearch {
         const Site& later = sites_[b_is_later ? b : a];
         const Site& earlier = sites_[b_is_later ? a : b];
         diagnostics
-            .warning(Code::conflicting_writes, later.where,
+            .warning(code::conflicting_writes, later.where,
                      fmt::format("several stored actions may write {} in the same scan; only the "
                                  "last of them then counts",
                                  in_quotes(variable_name(grafcet_, later.target))))

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "grafcet/messages.h"
 #include "grafcet/warnings.h"
 #include "text/utf8.h"
 
@@ -124,7 +125,7 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
     for (std::size_t i = 0; i < grafcet.graphs.size(); ++i) {
         if (!without_start[i]) continue;
         const Graph& graph = grafcet.graphs.items()[i];
-        diagnostics.warning(Code::graph_without_start, grafcet.blocks[graph.block].where,
+        diagnostics.warning(code::graph_without_start, grafcet.blocks[graph.block].where,
                             fmt::format("graph {} has no initial step and nothing forces it, so it "
                                         "never becomes active; make a step initial",
                                         in_quotes(graph.name)));
@@ -134,7 +135,7 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
         const Step& step = grafcet.steps.items()[i];
         if (reachability.is_reached(i) || without_start[index_of(step.graph)]) continue;
         diagnostics.warning(
-            Code::unreachable_step, step.where,
+            code::unreachable_step, step.where,
             fmt::format("nothing can activate step {}: it is not initial, and no transition, "
                         "forcing order or activation link that can come about leads to it",
                         in_quotes(step.name)));
@@ -145,7 +146,7 @@ void warn_receptivities(const Grafcet& grafcet, const ConstantExpressions& const
                         Diagnostics& diagnostics) {
     for (const Transition& transition : grafcet.transitions) {
         if (constants.is_never_true(transition.condition)) {
-            diagnostics.warning(Code::constant_receptivity, transition.where,
+            diagnostics.warning(code::constant_receptivity, transition.where,
                                 fmt::format("the receptivity of transition {} is constantly 0, so "
                                             "it is never cleared",
                                             in_quotes(transition.name)));
@@ -173,7 +174,7 @@ void warn_events(const Grafcet& grafcet, Diagnostics& diagnostics) {
         if (action.kind != ActionKind::stored || action.trigger != Trigger::event) continue;
         if (has_edge[index_of(action.expression)]) continue;
         diagnostics.warning(
-            Code::event_without_edge, action.where,
+            code::event_without_edge, action.where,
             "the event after 'on' has no edge, so this action runs at every scan in which it is 1; "
             "write ↑ or ↓ before what should happen");
     }
@@ -216,7 +217,7 @@ void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const auto warn = [&](std::string_view what, const auto& items, VariableKind kind) {
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (!used[static_cast<std::size_t>(kind)][i]) {
-                diagnostics.warning(Code::unused_name, items.items()[i].where,
+                diagnostics.warning(code::unused_name, items.items()[i].where,
                                     fmt::format("{} {} is declared and never used", what,
                                                 in_quotes(items.items()[i].name)));
             }

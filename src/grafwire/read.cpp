@@ -31,7 +31,7 @@ std::vector<Message> messages_from(const Diagnostics& diagnostics) {
         if (item.severity == grafwire::Severity::warning) {
             message.severity = Message::Severity::warning;
         }
-        message.text = item.message;
+        message.text = item.message.english;
         if (item.where.is_known()) {
             message.line = item.where.line;
             message.column = item.where.column;

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "grafcet/sum_range.h"
+#include "program/messages.h"
 
 namespace grafwire::ladder {
 
@@ -139,7 +140,7 @@ void RungWriter::check_range(const Sum& sum, Location origin) {
         variables_.widen(range->low, range->high);
         return;
     }
-    diagnostics_.error(Code::unsupported_by_language, origin,
+    diagnostics_.error(code::unsupported_by_language, origin,
                        "a sum here can exceed 64 bits, which no ladder diagram holds; use counters "
                        "of smaller ranges");
 }

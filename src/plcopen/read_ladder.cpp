@@ -4,6 +4,7 @@
 
 #include "iec/identifiers.h"
 #include "plcopen/ladder_networks.h"
+#include "plcopen/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::plcopen {
@@ -82,7 +83,7 @@ void add_comments(const LadderElements& elements, ladder::Ladder& ladder) {
 
 std::optional<ladder::Ladder> read_ladder(const SourceFile& file, Diagnostics& diagnostics,
                                           std::string_view program) {
-    const Source source(file, Code::bad_ladder, diagnostics);
+    const Source source(file, code::bad_ladder, diagnostics);
     if (!source.is_read()) return std::nullopt;
     const pugi::xml_node pou = find_program(source, program);
     if (!pou) return std::nullopt;

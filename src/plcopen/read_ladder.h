@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "ladder/ladder.h"
+#include "plcopen/messages.h"
 #include "text/diagnostics.h"
 
 namespace grafwire::plcopen {
@@ -12,7 +13,7 @@ namespace grafwire::plcopen {
 /// empty the project must hold exactly one program in LD. Networks are executed from top to bottom,
 /// or by executionOrderId where every coil and block has one; within a network, what others depend
 /// on comes first. What is not understood (jumps, other blocks, variables of other types) goes into
-/// `diagnostics` as Code::bad_ladder with the place of its element, and the result is empty then.
+/// `diagnostics` as code::bad_ladder with the place of its element, and the result is empty then.
 std::optional<ladder::Ladder> read_ladder(const SourceFile& source, Diagnostics& diagnostics,
                                           std::string_view program = {});
 

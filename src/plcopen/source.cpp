@@ -41,7 +41,7 @@ Location Source::place_of(pugi::xml_node node) const {
 
 void Source::check_name(std::string_view name, pugi::xml_node node) const {
     if (find_control(name) == std::string_view::npos) return;
-    diagnostics_.error(Code::unexpected_character, place_of(node), control_in_name_message(name));
+    diagnostics_.error(code::unexpected_character, place_of(node), control_in_name_message(name));
 }
 
 std::string_view local_name(pugi::xml_node node) {

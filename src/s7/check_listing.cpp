@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "s7/instruction_set.h"
+#include "s7/messages.h"
 #include "s7/outline.h"
 
 namespace grafwire::s7 {
@@ -53,13 +54,13 @@ void check_stack(const Network& network, Diagnostics& diagnostics) {
         const std::string mnemonic = mnemonic_of(instruction, Mnemonics::simatic);
         if (effect.needs > depth) {
             diagnostics.error(
-                Code::bad_stack, instruction.where,
+                code::bad_stack, instruction.where,
                 fmt::format("{} works on {} level{} of the stack, and the network has loaded {}",
                             mnemonic, effect.needs, effect.needs == 1 ? "" : "s", depth));
             return;
         }
         if (effect.needs != 0 && depth - effect.needs < lost) {
-            diagnostics.error(Code::bad_stack, instruction.where,
+            diagnostics.error(code::bad_stack, instruction.where,
                               fmt::format("{} comes too late: the stack has {} levels, and what it "
                                           "needs has been pushed out by later loads",
                                           mnemonic, stack_levels));
@@ -97,7 +98,7 @@ class FlowCheck {
     static constexpr std::size_t being_found = static_cast<std::size_t>(-2);
 
     Diagnostic& error(const Instruction& instruction, std::string message) {
-        return diagnostics_.error(Code::bad_control_flow, instruction.where, std::move(message));
+        return diagnostics_.error(code::bad_control_flow, instruction.where, std::move(message));
     }
 
     const Instruction& first_line(std::size_t block) const {
@@ -129,7 +130,7 @@ class FlowCheck {
         }
         if (end == block.end) {
             diagnostics_.warning(
-                Code::read_leniently, outline_.at(block.end - 1).where,
+                code::read_leniently, outline_.at(block.end - 1).where,
                 fmt::format("{} ends here without {}", name_of(block), is_main ? "MEND" : "RET"));
         } else if (end + 1 < block.end) {
             error(outline_.at(end + 1),
@@ -219,13 +220,13 @@ void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics) {
     // What else is wrong with a listing that has errors may come of them.
     if (diagnostics.has_errors()) return;
     if (is_empty) {
-        diagnostics.error(Code::bad_network, {}, "the listing holds no instruction");
+        diagnostics.error(code::bad_network, {}, "the listing holds no instruction");
         return;
     }
     FlowCheck(listing, diagnostics).check();
     const std::uint32_t size = size_of(listing);
     if (size > row.program_bytes) {
-        diagnostics.error(Code::program_too_long, {},
+        diagnostics.error(code::program_too_long, {},
                           fmt::format("the program takes {} bytes, and the {} holds {}", size,
                                       row.name, row.program_bytes));
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
@@ -129,7 +130,7 @@ class OperandCheck {
 
     void check() {
         if (row_ == nullptr || instruction_.operands.size() != row_->operand_count()) {
-            error(Code::bad_operand, "the instruction is not in the set");
+            error(code::bad_operand, "the instruction is not in the set");
             return;
         }
         bool good = true;
@@ -152,7 +153,7 @@ class OperandCheck {
         const Operand& operand = instruction_.operands[i];
         const std::string text = write_operand(operand, Mnemonics::simatic);
         if (!fits_kind(operand, row_->operands[i], row_->width)) {
-            error(Code::bad_operand,
+            error(code::bad_operand,
                   fmt::format("operand {} of {} is {}, and {} is wanted", i + 1, mnemonic(), text,
                               wanted(row_->operands[i], row_->width)));
             return false;
@@ -160,7 +161,7 @@ class OperandCheck {
         if (operand.area == Area::constant) {
             const Bounds bounds = bounds_of(row_->operands[i], row_->width, cpu_);
             if (operand.address >= bounds.low && operand.address <= bounds.high) return true;
-            error(Code::address_out_of_range,
+            error(code::address_out_of_range,
                   fmt::format("{}: {} is between {} and {} (the {})", text, bounds.what, bounds.low,
                               bounds.high, cpu_.name));
             return false;
@@ -182,7 +183,7 @@ class OperandCheck {
         }
         if (end <= size) return true;
         const std::string text = write_operand(first, Mnemonics::simatic);
-        error(Code::address_out_of_range,
+        error(code::address_out_of_range,
               fmt::format("{}{}: the {} has {} {} of this area", text,
                           count == 1 ? "" : fmt::format(" and the {} behind it", count - 1),
                           cpu_.name, size, is_numbered ? "places" : "bytes"));
@@ -214,7 +215,7 @@ class OperandCheck {
         const bool wants_retentive = instruction_.operation == Operation::retentive_on_delay;
         if (timer_kind(number).retentive == wants_retentive) return;
         error(
-            Code::bad_operand,
+            code::bad_operand,
             fmt::format("T{} is a timer for {}: {} takes T{} … T{}{}", number,
                         wants_retentive ? "TON" : "TONR", mnemonic(), wants_retentive ? 0 : 32,
                         wants_retentive ? 31 : 63,

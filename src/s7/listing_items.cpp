@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "s7/messages.h"
+
 namespace grafwire::s7 {
 
 namespace {
@@ -174,7 +176,7 @@ void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics) {
     if (ascends(items)) return;
     for (const ListingItem& item : items) {
         if (item.is_network || offset_of(item) != Instruction::no_offset) continue;
-        diagnostics.error(Code::bad_offset, item.instruction.where,
+        diagnostics.error(code::bad_offset, item.instruction.where,
                           "the offsets of the listing do not ascend, and this instruction has "
                           "none: write all of them, or none");
         return;
@@ -182,14 +184,14 @@ void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics) {
     const Columns columns(items);
     if (const std::size_t repeated = columns.repeated_offset(); repeated != nowhere) {
         diagnostics.error(
-            Code::bad_offset, items[repeated].instruction.where,
+            code::bad_offset, items[repeated].instruction.where,
             fmt::format("another instruction has the offset {} too", offset_of(items[repeated])));
         return;
     }
     std::vector<std::size_t> lost;
     const std::vector<std::size_t> order = columns.order(lost);
     for (const std::size_t network : lost) {
-        diagnostics.error(Code::bad_network, items[network].network.where,
+        diagnostics.error(code::bad_network, items[network].network.where,
                           fmt::format("the offsets do not tell where network {} begins",
                                       items[network].network.number));
     }
@@ -197,7 +199,7 @@ void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics) {
     while (order[moved] == moved) ++moved;
     const Location where =
         items[moved].is_network ? items[moved].network.where : items[moved].instruction.where;
-    diagnostics.warning(Code::read_leniently, where,
+    diagnostics.warning(code::read_leniently, where,
                         "the offsets do not ascend: from here on the instructions are put in "
                         "their order");
     std::vector<ListingItem> sorted;
@@ -212,7 +214,7 @@ void assemble(std::vector<ListingItem> items, Listing& listing, Diagnostics& dia
                 listing.networks.empty() ? 0 : listing.networks.back().number;
             if (!listing.networks.empty() && item.network.number <= last) {
                 diagnostics.warning(
-                    Code::read_leniently, item.network.where,
+                    code::read_leniently, item.network.where,
                     fmt::format("network {} comes after network {}: their numbers do not ascend",
                                 item.network.number, last));
             }
@@ -220,7 +222,7 @@ void assemble(std::vector<ListingItem> items, Listing& listing, Diagnostics& dia
             continue;
         }
         if (listing.networks.empty()) {
-            diagnostics.error(Code::bad_network, item.instruction.where,
+            diagnostics.error(code::bad_network, item.instruction.where,
                               "an instruction outside a network: begin it with a line NETWORK 1");
             listing.networks.emplace_back();
         }

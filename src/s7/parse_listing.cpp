@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <map>
 
+#include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
 #include "s7/listing_items.h"
 #include "s7/listing_lines.h"
+#include "s7/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -34,7 +36,7 @@ class ListingReader {
     void read_line(std::string_view text, std::uint32_t number) {
         const ListingLine line = split_line(text, number);
         if (line.unterminated.is_known()) {
-            error(Code::unterminated_text, line.unterminated,
+            error(code::unterminated_text, line.unterminated,
                   "the quoted name is not ended on its line");
         }
         if (comment_is_open_ && !line.words.empty() && !begins_item(line.words)) {
@@ -54,7 +56,7 @@ class ListingReader {
     Listing finish() {
         order_columns(items_, diagnostics_);
         for (const auto& [what, found] : lenient_) {
-            diagnostics_.warning(Code::read_leniently, found.first,
+            diagnostics_.warning(code::read_leniently, found.first,
                                  found.count == 1
                                      ? what
                                      : fmt::format("{}, here and in {} more place{}", what,
@@ -147,7 +149,7 @@ class ListingReader {
         }
         add_network(digits.empty() ? last_number_ + 1 : number_of(digits), where, column);
         if (at < words.size() && !begins_second_item(words, at)) {
-            error(Code::unexpected_token, words[at].where,
+            error(code::unexpected_token, words[at].where,
                   "nothing may follow the number of a network but a comment (//)");
             return false;
         }
@@ -191,7 +193,7 @@ class ListingReader {
         const std::size_t wanted = named->row->operand_count();
         for (std::size_t i = 0; i < wanted; ++i, ++at) {
             if (at == words.size()) {
-                error(Code::bad_operand, mnemonic.where,
+                error(code::bad_operand, mnemonic.where,
                       fmt::format("{} takes {} operand{}, and there {} {}", mnemonic.text, wanted,
                                   wanted == 1 ? "" : "s", i == 1 ? "is" : "are",
                                   i == 0 ? "none" : fmt::to_string(i)));
@@ -200,7 +202,7 @@ class ListingReader {
             item.instruction.operands.push_back(read_operand(words[at]));
         }
         if (at < words.size() && !begins_second_item(words, at)) {
-            error(Code::unexpected_token, words[at].where,
+            error(code::unexpected_token, words[at].where,
                   fmt::format("{} takes {} operand{}: {} is one too many", mnemonic.text, wanted,
                               wanted == 1 ? "" : "s", in_quotes(words[at].text)));
             return false;
@@ -214,7 +216,7 @@ class ListingReader {
         // take for ever.
         constexpr std::size_t most_suggestions = 100;
         const bool suggests = suggestion_count_++ < most_suggestions;
-        error(Code::unknown_instruction, word.where,
+        error(code::unknown_instruction, word.where,
               unknown_instruction_message(word.text, suggests));
     }
 
@@ -232,7 +234,7 @@ class ListingReader {
         if (options_.io != nullptr) {
             if (const Operand* assigned = options_.io->operand_of(word.text)) return *assigned;
         }
-        error(Code::bad_operand, word.where,
+        error(code::bad_operand, word.where,
               unknown_operand_message(word.text, word.quoted, options_.io));
         operand.area = Area::text;
         operand.symbol = word.text;
@@ -272,7 +274,7 @@ std::optional<Listing> parse_listing(const SourceFile& source, const ReadingOpti
     const bool is_whole = diagnostics.error_count() == errors_before;
     for (const OffsetDeviation& deviation : offset_deviations(listing)) {
         if (!is_whole) break;  // sizes are missing
-        diagnostics.warning(Code::bad_offset, deviation.where,
+        diagnostics.warning(code::bad_offset, deviation.where,
                             fmt::format("offset {}: the instruction before it ends at {}",
                                         deviation.printed, deviation.computed));
     }

@@ -5,6 +5,7 @@
 #include "s7/addresses/cpu.h"
 #include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
+#include "s7/messages.h"
 #include "text/diagnostics.h"
 
 namespace grafwire::s7 {
@@ -21,7 +22,7 @@ struct ReadingOptions {
 /// offset before each instruction, in SIMATIC or international spelling (mixed, if need be), with
 /// comments that go on in the next line, `KI` for `K1`, and two columns of print side by side or
 /// one behind the other, which are put in order by their offsets. What it puts right it says in a
-/// warning (Code::read_leniently), as it does where an offset does not fit (Code::bad_offset).
+/// warning (code::read_leniently), as it does where an offset does not fit (code::bad_offset).
 ///
 /// All errors are reported in one go, those of check_listing included; the result is empty then.
 std::optional<Listing> parse_listing(const SourceFile& source, const ReadingOptions& options,

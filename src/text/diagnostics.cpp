@@ -5,12 +5,12 @@
 
 namespace grafwire {
 
-Diagnostic& Diagnostics::error(Code code, Location where, std::string message) {
+Diagnostic& Diagnostics::error(Code code, Location where, Localized message) {
     ++error_count_;
     return items_.emplace_back(Diagnostic{Severity::error, code, where, std::move(message), {}});
 }
 
-Diagnostic& Diagnostics::warning(Code code, Location where, std::string message) {
+Diagnostic& Diagnostics::warning(Code code, Location where, Localized message) {
     return items_.emplace_back(Diagnostic{Severity::warning, code, where, std::move(message), {}});
 }
 

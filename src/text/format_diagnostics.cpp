@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "text/diagnostics.h"
+#include "text/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -109,7 +110,7 @@ void append_message(std::string& out, SourceLines& lines, std::string_view file,
 }  // namespace
 
 std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile& source,
-                               std::size_t limit) {
+                               Language language, std::size_t limit) {
     std::string out;
     if (diagnostics.items().empty()) return out;
     SourceLines lines(source.text);
@@ -120,19 +121,24 @@ std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile&
     for (const Diagnostic& item : diagnostics.items()) {
         const bool is_error = item.severity == Severity::error;
         std::size_t& count = is_error ? errors : warnings;
-        if (++count > limit && limit != 0) continue;
-        append_message(out, lines, file, item.where, is_error ? "error" : "warning", item.message);
-        for (const Diagnostic::Note& note : item.notes)
-            append_message(out, note_lines, file, note.where, "note", note.message);
+        if (++count > limit && limit != 0) {
+            continue;
+        }
+        append_message(out, lines, file, item.where,
+                       (is_error ? messages::text::error : messages::text::warning).in(language),
+                       item.message.in(language));
+        for (const Diagnostic::Note& note : item.notes) {
+            append_message(out, note_lines, file, note.where, messages::text::note.in(language),
+                           note.message.in(language));
+        }
     }
-    const auto tell_of_rest = [&](std::size_t count, std::string_view kind) {
-        if (limit == 0 || count <= limit) return;
-        const std::size_t rest = count - limit;
-        out += visible(file);
-        out += fmt::format(": {} more {}{} not shown\n", rest, kind, rest == 1 ? "" : "s");
+    const auto count_rest = [&](std::size_t count, const CountedMessage<>& message) {
+        if (limit != 0 && count > limit) {
+            out += fmt::format("{}: {}\n", visible(file), message.in(language, count - limit));
+        }
     };
-    tell_of_rest(errors, "error");
-    tell_of_rest(warnings, "warning");
+    count_rest(errors, messages::text::more_errors);
+    count_rest(warnings, messages::text::more_warnings);
     return out;
 }
 

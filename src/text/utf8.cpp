@@ -136,7 +136,7 @@ bool check_utf8(std::string_view text, Diagnostics& diagnostics) {
         }
         const auto column =
             static_cast<std::uint32_t>(count_code_points(text.substr(line_start, at - line_start)));
-        diagnostics.error(Code::not_utf8, {line, column + 1},
+        diagnostics.error(code::not_utf8, {line, column + 1},
                           fmt::format("the byte 0x{:02X} is not UTF-8 here; save the file in the "
                                       "encoding UTF-8",
                                       static_cast<unsigned>(code_point.value)));

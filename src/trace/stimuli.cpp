@@ -12,6 +12,7 @@
 #include "grafcet/lexer.h"
 #include "text/utf8.h"
 #include "trace/line_cursor.h"
+#include "trace/messages.h"
 
 namespace grafwire {
 
@@ -33,14 +34,14 @@ class StimuliReader {
         const Location where = cursor.here();
         read_time(cursor);
         if (end_at_.is_known() && !reported_after_end_) {
-            error(Code::time_order, where, "nothing may follow the line that says 'end'")
+            error(code::time_order, where, "nothing may follow the line that says 'end'")
                 .notes.push_back({end_at_, "'end' is here"});
             reported_after_end_ = true;
         }
         last_line_ = where;
         cursor.skip_blanks();
         if (!cursor.skip_if(':')) {
-            error(Code::unexpected_token, cursor.here(),
+            error(code::unexpected_token, cursor.here(),
                   "expected ':' between the time and the assignments");
             return;
         }
@@ -73,25 +74,25 @@ class StimuliReader {
                               (text[text.size() - 2] == 'n' || text[text.size() - 2] == 'p');
         if (!time || is_finer) {
             error(
-                Code::bad_time, where,
+                code::bad_time, where,
                 fmt::format("expected a time such as '100ms', '1.5s' or '+50ms' (units us, ms, s, "
                             "min, h; at most 106 days){}",
                             text.empty() ? "" : ", got " + in_quotes(text)));
             return;
         }
         if (is_relative && !last_line_.is_known()) {
-            error(Code::bad_time, where,
+            error(code::bad_time, where,
                   "a time with '+' counts from the line before, and there is none: leave out the "
                   "'+'");
             return;
         }
         const Time at = is_relative ? add_times(now_, *time) : *time;
         if (at == never) {
-            error(Code::bad_time, where, "the time is beyond the range of 106 days");
+            error(code::bad_time, where, "the time is beyond the range of 106 days");
             return;
         }
         if (at < now_) {
-            error(Code::time_order, where,
+            error(code::time_order, where,
                   fmt::format("{} comes before {}, the time of an earlier line: lines stand in the "
                               "order of time",
                               format_duration(at), format_duration(now_)))
@@ -114,7 +115,7 @@ class StimuliReader {
         cursor.skip(3);
         cursor.skip_blanks();
         if (!cursor.at_end()) {
-            error(Code::unexpected_token, cursor.here(), "nothing may stand behind 'end'");
+            error(code::unexpected_token, cursor.here(), "nothing may stand behind 'end'");
         }
         if (!end_at_.is_known()) end_at_ = where;
     }
@@ -139,7 +140,7 @@ class StimuliReader {
         const std::optional<std::uint32_t> input = find_input(*name, where);
         cursor.skip_blanks();
         if (!cursor.skip_if('=')) {
-            error(Code::unexpected_token, cursor.here(),
+            error(code::unexpected_token, cursor.here(),
                   fmt::format("expected '=' and 0 or 1 after {}", in_quotes(*name)));
             return false;
         }
@@ -147,7 +148,7 @@ class StimuliReader {
         const Location value_at = cursor.here();
         const std::string_view value = cursor.take_until_blank();
         if (value != "0" && value != "1") {
-            error(Code::bad_value, value_at,
+            error(code::bad_value, value_at,
                   fmt::format("expected 0 or 1 for {}{}; assignments are separated by white space",
                               in_quotes(*name), value.empty() ? "" : ", got " + in_quotes(value)));
             return true;
@@ -162,7 +163,7 @@ class StimuliReader {
             const std::string_view rest = cursor.rest();
             const std::size_t length = rest.find('"');
             if (length == std::string_view::npos) {
-                error(Code::unterminated_text, where, "the quoted name is not ended on its line");
+                error(code::unterminated_text, where, "the quoted name is not ended on its line");
                 cursor.skip(rest.size());
                 return std::nullopt;
             }
@@ -171,13 +172,13 @@ class StimuliReader {
         }
         const std::string_view name = cursor.take_word();
         if (name.empty()) {
-            error(Code::unexpected_character, where,
+            error(code::unexpected_character, where,
                   "expected the name of an input (quoted, if it holds other characters than "
                   "letters, digits and '_')");
             return std::nullopt;
         }
         if (!is_letter(decode_utf8(name, 0).value)) {
-            error(Code::unexpected_token, where,
+            error(code::unexpected_token, where,
                   fmt::format("expected the name of an input, got {} (a name that begins with no "
                               "letter is quoted)",
                               in_quotes(name)));
@@ -195,7 +196,7 @@ class StimuliReader {
         if (!nearest.empty()) {
             message += fmt::format("; did you mean {}?", in_quotes(nearest));
         }
-        error(Code::unknown_name, where, std::move(message));
+        error(code::unknown_name, where, std::move(message));
         return std::nullopt;
     }
 

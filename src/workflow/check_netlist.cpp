@@ -7,6 +7,7 @@
 #include "evolution/run.h"
 #include "explain/explain.h"
 #include "explain/write_explanation.h"
+#include "grafcet/messages.h"
 #include "simulate/simulate.h"
 #include "text/utf8.h"
 #include "workflow/check_parts.h"
@@ -67,7 +68,7 @@ bool is_worth_checking(const Chart& chart, const std::string& file, bool has_mod
                        Diagnostics& messages) {
     if (!can_ever_act(chart.grafcet)) {
         messages.error(
-            Code::no_steps, {},
+            code::no_steps, {},
             fmt::format("{}: no step is initial and no source transition activates any, so nothing "
                         "ever happens in this GRAFCET: make a step initial",
                         visible(file)));
@@ -75,7 +76,7 @@ bool is_worth_checking(const Chart& chart, const std::string& file, bool has_mod
     }
     if (!Assumptions(chart.grafcet).can_hold(unassigned_inputs(chart.grafcet, has_modes))) {
         messages.error(
-            Code::contradicting_assumptions, {},
+            code::contradicting_assumptions, {},
             "the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0");
         return false;
     }

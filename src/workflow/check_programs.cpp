@@ -5,7 +5,9 @@
 #include "check/scan_check.h"
 #include "evolution/run.h"
 #include "laddercheck/ladder_device.h"
+#include "plcopen/messages.h"
 #include "plcopen/read_ladder.h"
+#include "s7/addresses/messages.h"
 #include "s7check/explain_listing.h"
 #include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
@@ -62,7 +64,7 @@ bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnost
     const bool french = request.language == Language::french;
     if (!names.missing.empty()) {
         messages.error(
-            Code::bad_ladder, {},
+            code::bad_ladder, {},
             fmt::format(
                 fmt::runtime(french
                                  ? "{}: pas de variable BOOL de ce nom : {} ; chaque étape (X...) "
@@ -74,7 +76,7 @@ bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnost
     }
     if (!names.missing_inputs.empty()) {
         messages.warning(
-            Code::bad_ladder, {},
+            code::bad_ladder, {},
             fmt::format(fmt::runtime(french ? "{}: sans l'entrée {}" : "{}: has no input {}"),
                         request.subject.against, fmt::join(names.missing_inputs, ", ")));
     }
@@ -119,7 +121,7 @@ std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& li
                                        Diagnostics& messages) {
     const Grafcet& grafcet = chart.grafcet;
     if (!has_all_modes_or_none(grafcet, binding)) {
-        messages.error(Code::unassigned_name, {},
+        messages.error(code::unassigned_name, {},
                        "Init, AUdur and AUdoux: give all three an address, or none");
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "evolution/run.h"
+#include "netlist/styles/messages.h"
 
 namespace grafwire {
 
@@ -25,7 +26,7 @@ std::string conflict_in(const NetlistOptions& options) {
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options,
                                     Diagnostics& diagnostics) {
     if (std::string conflict = conflict_in(options); !conflict.empty()) {
-        diagnostics.error(Code::unsupported_by_style, {}, std::move(conflict));
+        diagnostics.error(code::unsupported_by_style, {}, std::move(conflict));
         return std::nullopt;
     }
     const Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "equations/concurrent_steps.h"
+#include "equations/messages.h"
 #include "equations/wiring_hazards.h"
 #include "parsed.h"
 
@@ -21,8 +22,8 @@ std::string warnings(std::string_view text, CdxForm cdx = CdxForm::successor) {
     std::string all;
     for (const Diagnostic& diagnostic : diagnostics.items()) {
         CHECK(diagnostic.severity == Severity::warning);
-        CHECK(diagnostic.code == Code::wiring_hazard);
-        all += diagnostic.message.substr(0, diagnostic.message.find(':')) + "\n";
+        CHECK(diagnostic.code == code::wiring_hazard);
+        all += diagnostic.message.english.substr(0, diagnostic.message.english.find(':')) + "\n";
     }
     return all;
 }

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "formats/blif/read_blif.h"
+#include "formats/shared/messages.h"
 
 using namespace grafwire;
 
@@ -14,7 +15,7 @@ std::string read(const std::string& text) {
     CHECK(netlist.has_value() != diagnostics.has_errors());
     if (!netlist) {
         for (const Diagnostic& item : diagnostics.items()) {
-            CHECK((item.code == Code::bad_netlist || item.code == Code::not_utf8));
+            CHECK((item.code == code::bad_netlist || item.code == code::not_utf8));
         }
         return format_diagnostics(diagnostics, source);
     }

@@ -13,7 +13,7 @@ std::string read(const std::string& text) {
     const std::optional<Netlist> netlist = read_yosys_json(source, diagnostics);
     CHECK(netlist.has_value() != diagnostics.has_errors());
     for (const Diagnostic& item : diagnostics.items()) CHECK(item.where.is_known());
-    if (!netlist) return diagnostics.items().front().message + '\n';
+    if (!netlist) return diagnostics.items().front().message.english + '\n';
     CHECK(fault_of(*netlist) == "");
     return write_netlist_text(*netlist);
 }

@@ -20,9 +20,9 @@ inline std::string messages_of(const Diagnostics& diagnostics) {
     for (const Diagnostic& item : diagnostics.items()) {
         result += place(item.where);
         result += item.severity == Severity::error ? " error: " : " warning: ";
-        result += item.message + "\n";
+        result += item.message.english + "\n";
         for (const Diagnostic::Note& note : item.notes)
-            result += "  " + place(note.where) + " note: " + note.message + "\n";
+            result += "  " + place(note.where) + " note: " + note.message.english + "\n";
     }
     return result;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "grafcet/grafcet_builder.h"
+#include "grafcet/messages.h"
 #include "parsing.h"
 #include "properties/same_model.h"
 #include "text/utf8.h"
@@ -75,7 +76,7 @@ struct SmallChart {
         Diagnostics only;
         for (const Diagnostic& item : diagnostics.items()) {
             if (item.severity != Severity::error) continue;
-            only.error(item.code, item.where, item.message).notes = item.notes;
+            only.error(item.code, item.where, item.message.english).notes = item.notes;
         }
         return messages_of(only);
     }
@@ -352,7 +353,7 @@ TEST_CASE("parts that are missing") {
 
 TEST_CASE("what a reader has refused itself is not refused again") {
     SmallChart chart;
-    chart.diagnostics.error(Code::unexpected_token, {9, 9}, "not understood");
+    chart.diagnostics.error(code::unexpected_token, {9, 9}, "not understood");
     chart.builder.add_transition(chart.graph, transition({{"0", {}}}, {}, {}, {10, 1}));
     chart.builder.add_graph({"", {11, 1}});
     chart.builder.add_macro(chart.graph, {"M", {12, 1}}, std::nullopt);
@@ -361,7 +362,7 @@ TEST_CASE("what a reader has refused itself is not refused again") {
 
 TEST_CASE("errors from before the builder are none of its own") {
     Diagnostics diagnostics;
-    diagnostics.error(Code::unreadable_file, {}, "another file");
+    diagnostics.error(code::unreadable_file, {}, "another file");
     GrafcetBuilder builder(diagnostics);
     builder.add_step(builder.add_graph({"G", {}}), {"0", {}}, true);
     CHECK(builder.finish().has_value());
@@ -426,7 +427,7 @@ TEST_CASE("a graph that forces itself, a transition without steps, a chart witho
     GrafcetBuilder builder(diagnostics);
     builder.add_graph({"G", {1, 1}});
     CHECK_FALSE(builder.finish().has_value());
-    CHECK(diagnostics.items()[0].code == Code::no_steps);
+    CHECK(diagnostics.items()[0].code == code::no_steps);
 }
 
 TEST_CASE("edges and outputs where they cannot be read") {

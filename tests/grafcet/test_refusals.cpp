@@ -1,5 +1,6 @@
 // One test for each thing the language refuses: the exact words, the place, and the other parties.
 
+#include "grafcet/messages.h"
 #include "parsing.h"
 
 using namespace grafwire;
@@ -496,50 +497,50 @@ TEST_CASE("each refusal has its code") {
                     " 2 -> 2 : " + std::string(receptivity) + " }");
     };
     CHECK(messages_of(graph("")).empty());
-    CHECK(gives_only(graph("", "b"), Code::unknown_name));
-    CHECK(gives_only(graph("", "l . "), Code::unexpected_token));
-    CHECK(gives_only(graph("", "l §"), Code::unexpected_character));
-    CHECK(gives_only("grafcet g \"title\n", Code::unterminated_text));
-    CHECK(gives_only("counter c : 0..9999999999999", Code::number_too_large));
-    CHECK(gives_only(graph("", "[c = 9999999999999]"), Code::number_too_large));
-    CHECK(gives_only(graph("", "9999h/a"), Code::duration_out_of_range));
-    CHECK(gives_only(graph("", std::string(600, '/') + "a"), Code::nested_too_deep));
-    CHECK(gives_only(with("graph G { }"), Code::duplicate_name));
+    CHECK(gives_only(graph("", "b"), code::unknown_name));
+    CHECK(gives_only(graph("", "l . "), code::unexpected_token));
+    CHECK(gives_only(graph("", "l §"), code::unexpected_character));
+    CHECK(gives_only("grafcet g \"title\n", code::unterminated_text));
+    CHECK(gives_only("counter c : 0..9999999999999", code::number_too_large));
+    CHECK(gives_only(graph("", "[c = 9999999999999]"), code::number_too_large));
+    CHECK(gives_only(graph("", "9999h/a"), code::duration_out_of_range));
+    CHECK(gives_only(graph("", std::string(600, '/') + "a"), code::nested_too_deep));
+    CHECK(gives_only(with("graph G { }"), code::duplicate_name));
     CHECK(
-        gives_only(with("graph H { initial 2 -> : a 2 -> 2 : a }"), Code::transition_without_step));
-    CHECK(gives_only(graph("1 -> 2 : a"), Code::step_of_another_graph));
-    CHECK(gives_only(graph(": set a"), Code::assignment_to_input));
-    CHECK(gives_only(graph(": v"), Code::continuous_on_internal));
+        gives_only(with("graph H { initial 2 -> : a 2 -> 2 : a }"), code::transition_without_step));
+    CHECK(gives_only(graph("1 -> 2 : a"), code::step_of_another_graph));
+    CHECK(gives_only(graph(": set a"), code::assignment_to_input));
+    CHECK(gives_only(graph(": v"), code::continuous_on_internal));
     CHECK(gives_only("input a output l graph G { initial 1 : l if ↑a 1 -> 1 : a }",
-                     Code::edge_in_condition));
+                     code::edge_in_condition));
     CHECK(gives_only(
         "input a graph G { initial 1 macro M = e 1 -> M : a M -> 1 : a }\n"
         "expansion e { entry E exit S E -> S : a } graph H { initial 9 : G{M} 9 -> 9 : a }",
-        Code::macro_not_allowed_here));
+        code::macro_not_allowed_here));
     CHECK(gives_only("input a output l graph G { initial 1 : l 1 -> 1 : a . l }",
-                     Code::reads_continuous_output));
-    CHECK(gives_only(graph(": l"), Code::output_driven_twice));
-    CHECK(gives_only(graph(": K{}"), Code::forcing_unknown_graph));
-    CHECK(gives_only(graph(": K{*}"), Code::forcing_unknown_graph));
-    CHECK(gives_only(graph(": G{2}"), Code::forcing_foreign_step));
-    CHECK(gives_only(graph(": H{2}"), Code::forcing_circle));
-    CHECK(gives_only("counter d : 3..2", Code::counter_range));
-    CHECK(gives_only(graph("", "[a = 1]"), Code::not_a_counter));
-    CHECK(gives_only(graph("", "c"), Code::not_a_boolean));
+                     code::reads_continuous_output));
+    CHECK(gives_only(graph(": l"), code::output_driven_twice));
+    CHECK(gives_only(graph(": K{}"), code::forcing_unknown_graph));
+    CHECK(gives_only(graph(": K{*}"), code::forcing_unknown_graph));
+    CHECK(gives_only(graph(": G{2}"), code::forcing_foreign_step));
+    CHECK(gives_only(graph(": H{2}"), code::forcing_circle));
+    CHECK(gives_only("counter d : 3..2", code::counter_range));
+    CHECK(gives_only(graph("", "[a = 1]"), code::not_a_counter));
+    CHECK(gives_only(graph("", "c"), code::not_a_boolean));
     CHECK(gives_only(
         graph("encloses K{4} initial 3 encloses K{4}") + "graph K { initial 4 4 -> 4 : a }",
-        Code::enclosed_twice));
+        code::enclosed_twice));
     CHECK(gives_only(graph("encloses L{5} encloses K{4}") + "graph K { initial 4 4 -> 4 : a }" +
                          "graph L { initial 5 5 -> 5 : a }",
-                     Code::encloses_twice));
+                     code::encloses_twice));
     CHECK(gives_only(graph("encloses K{4}") + "graph K { step 4 4 -> 4 : a }",
-                     Code::enclosure_initial_mismatch));
-    CHECK(gives_only(graph("step G"), Code::variable_clash));
-    CHECK(gives_only(with("expansion e { entry E exit S E -> S : a }"), Code::expansion_use));
+                     code::enclosure_initial_mismatch));
+    CHECK(gives_only(graph("step G"), code::variable_clash));
+    CHECK(gives_only(with("expansion e { entry E exit S E -> S : a }"), code::expansion_use));
     CHECK(
         gives_only("input a graph G { initial 1 macro M = e 1 -> M : a M -> 1 : a }\n"
                    "expansion e { entry E }",
-                   Code::expansion_entry_exit));
-    CHECK(gives_only("assume ↑Init", Code::not_a_plant_condition));
-    CHECK(gives_only("input a # \xe9", Code::not_utf8));
+                   code::expansion_entry_exit));
+    CHECK(gives_only("assume ↑Init", code::not_a_plant_condition));
+    CHECK(gives_only("input a # \xe9", code::not_utf8));
 }

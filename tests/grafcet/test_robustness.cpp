@@ -1,6 +1,7 @@
 // Inputs of extreme size, depth or disorder: the parser reports or accepts, and always comes back.
 
 #include "grafcet/describe_grafcet.h"
+#include "grafcet/messages.h"
 #include "parsing.h"
 
 using namespace grafwire;
@@ -26,9 +27,9 @@ TEST_CASE("nesting is limited, chains are not") {
           "2:530 error: this expression is nested more than 500 levels deep; give parts of it to "
           "vars of their own\n");
     CHECK(messages_of(chart_with(repeated("(", 499) + "a" + repeated(")", 499))).empty());
-    CHECK(gives_only(chart_with(repeated("(", 100000)), Code::nested_too_deep));
-    CHECK(gives_only(chart_with(repeated("1s/", 100000)), Code::nested_too_deep));
-    CHECK(gives_only(chart_with(repeated("rise(", 100000)), Code::nested_too_deep));
+    CHECK(gives_only(chart_with(repeated("(", 100000)), code::nested_too_deep));
+    CHECK(gives_only(chart_with(repeated("1s/", 100000)), code::nested_too_deep));
+    CHECK(gives_only(chart_with(repeated("rise(", 100000)), code::nested_too_deep));
     const Grafcet grafcet = parsed(chart_with(repeated("a + ", 100000) + "a"));
     CHECK(grafcet.expressions.operands(grafcet.transitions.items()[0].condition).size() == 100001);
     const std::string written = write_grafcet(grafcet);
@@ -69,7 +70,7 @@ TEST_CASE("a long chain of forcing orders, and the circle that closes it") {
     text.replace(text.find("initial 19999 "), 14, "initial 19999 : G20000{} ");
     CHECK_FALSE(parse_grafcet({"test", text}, diagnostics).has_value());
     REQUIRE(diagnostics.items().size() == 1);
-    CHECK(diagnostics.items()[0].code == Code::forcing_circle);
+    CHECK(diagnostics.items()[0].code == code::forcing_circle);
     CHECK(diagnostics.items()[0].notes.size() == length);
 }
 

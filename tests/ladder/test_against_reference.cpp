@@ -18,7 +18,7 @@ std::string compare(const RandomCase& item) {
     const ScanProgram program = program_from(*grafcet, {});
     Diagnostics diagnostics;
     const ladder::Ladder ladder = ladder::ladder_from(*grafcet, program, diagnostics);
-    if (diagnostics.has_errors()) return "refused: " + diagnostics.items().front().message;
+    if (diagnostics.has_errors()) return "refused: " + diagnostics.items().front().message.english;
     for (const Time period : {millisecond, 1500 * microsecond}) {
         const std::string expected = write_csv(run_scans(*grafcet, *stimuli, period).trace);
         const std::string got = write_csv(run_ladder(*grafcet, ladder, *stimuli, period));

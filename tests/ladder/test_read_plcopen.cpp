@@ -4,6 +4,7 @@
 
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
+#include "plcopen/messages.h"
 #include "plcopen/read_ladder.h"
 #include "plcopen/write_project.h"
 #include "random/random_source.h"
@@ -91,9 +92,9 @@ std::string read(const std::string& text) {
         CHECK(diagnostics.has_errors());
         std::string messages;
         for (const Diagnostic& item : diagnostics.items()) {
-            CHECK(item.code == Code::bad_ladder);
+            CHECK(item.code == code::bad_ladder);
             messages += std::to_string(item.where.line) + ":" + std::to_string(item.where.column) +
-                        ": " + item.message + "\n";
+                        ": " + item.message.english + "\n";
         }
         return messages;
     }

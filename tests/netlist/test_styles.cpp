@@ -1,3 +1,4 @@
+#include "netlist/styles/messages.h"
 #include "support/small_netlists.h"
 
 namespace grafwire::testing {
@@ -207,10 +208,10 @@ graph G { initial 0 : c := c + 1
         CHECK(netlist.has_value() == (row.style == Style::clocked));
         if (netlist) continue;
         REQUIRE(diagnostics.error_count() == 2);
-        CHECK(diagnostics.items()[0].code == Code::unsupported_by_style);
+        CHECK(diagnostics.items()[0].code == code::unsupported_by_style);
         CHECK(diagnostics.items()[0].where.line == 2);
         CHECK(diagnostics.items()[1].where.line == 3);
-        CHECK(diagnostics.items()[0].message ==
+        CHECK(diagnostics.items()[0].message.english ==
               "the " + std::string(row.name) +
                   " style has no registers for the counter 'c'; use --style clocked");
     }

@@ -160,7 +160,7 @@ TEST_CASE("Statement List: what an S7-300 cannot hold is refused") {
         const std::string text =
             plc_format_named("stl")->write(*grafcet, program_from(*grafcet, {}), {}, diagnostics);
         CHECK(text.empty() == diagnostics.has_errors());
-        return diagnostics.has_errors() ? diagnostics.items().front().message : "";
+        return diagnostics.has_errors() ? diagnostics.items().front().message.english : "";
     };
     CHECK(refusal("input a graph G { initial 1 1 -> 1 : 1500us/a }") ==
           "no timer of an S7-300 or S7-400 holds 1.5ms: S5 timers and the IEC timers count whole "
@@ -198,7 +198,7 @@ TEST_CASE("Statement List: inputs and outputs where an assignment puts them") {
               ->write(*grafcet, program_from(*grafcet, {}), options, diagnostics)
               .empty());
     REQUIRE(diagnostics.has_errors());
-    CHECK(diagnostics.items().front().message ==
+    CHECK(diagnostics.items().front().message.english ==
           "'b' is to be a bit of the inputs, E0.0 and so on");
 }
 

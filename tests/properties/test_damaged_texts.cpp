@@ -53,10 +53,10 @@ std::string fault_of_reading(bool has_result, const Diagnostics& diagnostics,
     const auto lines =
         static_cast<std::uint32_t>(1 + std::count(source.text.begin(), source.text.end(), '\n'));
     for (const Diagnostic& item : diagnostics.items()) {
-        if (item.message.empty()) return "an empty message";
-        if (item.where.line > lines) return "a place behind the end: " + item.message;
+        if (item.message.english.empty()) return "an empty message";
+        if (item.where.line > lines) return "a place behind the end: " + item.message.english;
         if (item.severity == Severity::error && !item.where.is_known()) {
-            return "an error without a place: " + item.message;
+            return "an error without a place: " + item.message.english;
         }
     }
     if (!diagnostics.items().empty() && format_diagnostics(diagnostics, source).empty()) {

@@ -21,7 +21,7 @@ MadeListing make_listing(const std::string& chart, const std::string& io,
                                           ? std::to_string(item.where.line) + ":" +
                                                 std::to_string(item.where.column) + ": "
                                           : "";
-            result.messages += place + item.message + "\n";
+            result.messages += place + item.message.english + "\n";
         }
     };
     result.messages.clear();

@@ -7,9 +7,11 @@
 #include <filesystem>
 
 #include "evolution/run.h"
+#include "program/messages.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "s7/check_listing.h"
+#include "s7/messages.h"
 #include "s7/run_generated.h"
 #include "s7/write_listing.h"
 #include "support/listings.h"
@@ -26,7 +28,7 @@ struct Count {
 
 std::string told(const Diagnostics& diagnostics) {
     std::string text;
-    for (const Diagnostic& item : diagnostics.items()) text += item.message + "\n";
+    for (const Diagnostic& item : diagnostics.items()) text += item.message.english + "\n";
     return text;
 }
 
@@ -37,7 +39,7 @@ std::string read_back(s7::Listing listing) {
     Diagnostics diagnostics;
     const auto read = s7::parse_listing({"generated.awl", text}, {}, diagnostics);
     if (!read) {
-        const bool is_long = diagnostics.items().front().code == Code::program_too_long;
+        const bool is_long = diagnostics.items().front().code == code::program_too_long;
         return is_long ? "" : "not read: " + told(diagnostics);
     }
     if (!diagnostics.items().empty()) return "read with warnings: " + told(diagnostics);
@@ -53,8 +55,9 @@ std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
     const auto generated = s7::listing_from(grafcet, program, options, diagnostics);
     if (!generated) {
         for (const Diagnostic& item : diagnostics.items()) {
-            const bool for_timers = item.message.find("timer") != std::string::npos;
-            if (item.code != Code::beyond_limit || !for_timers) return "refused: " + item.message;
+            const bool for_timers = item.message.english.find("timer") != std::string::npos;
+            if (item.code != code::beyond_limit || !for_timers)
+                return "refused: " + item.message.english;
         }
         ++count.refused;
         return {};
@@ -63,7 +66,7 @@ std::string compare(const Grafcet& grafcet, const Stimuli& stimuli,
     Diagnostics checked;
     s7::check_listing(generated->listing, s7::Cpu::cpu_214, checked);
     for (const Diagnostic& item : checked.items()) {
-        if (item.code != Code::program_too_long) return "not accepted: " + told(checked);
+        if (item.code != code::program_too_long) return "not accepted: " + told(checked);
     }
     const std::string reading = read_back(generated->listing);
     if (!reading.empty()) return reading;

@@ -68,8 +68,9 @@ std::string difference(const PlcLanguage& language, const Grafcet& grafcet, cons
         format->write(grafcet, program_from(grafcet, {}), language.options, diagnostics);
     if (diagnostics.has_errors()) {
         if (!text.empty()) return "a refusal with a text";
-        if (diagnostics.items().front().message.empty()) return "a refusal without a message";
-        if (refused == nullptr) return "refused: " + diagnostics.items().front().message;
+        if (diagnostics.items().front().message.english.empty())
+            return "a refusal without a message";
+        if (refused == nullptr) return "refused: " + diagnostics.items().front().message.english;
         ++*refused;
         return {};
     }

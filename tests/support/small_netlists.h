@@ -24,7 +24,7 @@ inline Netlist netlist_of(const Grafcet& grafcet, Style style, bool modes = true
     const Equations equations = equations_from(grafcet, {cdx, modes});
     Diagnostics diagnostics;
     std::optional<Netlist> netlist = netlist_from(grafcet, equations, style, diagnostics);
-    if (!netlist) FAIL("refused: " << diagnostics.items()[0].message);
+    if (!netlist) FAIL("refused: " << diagnostics.items()[0].message.english);
     return std::move(*netlist);
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "grafcet/messages.h"
 #include "text/diagnostics.h"
 
 using namespace grafwire;
@@ -9,7 +10,7 @@ using namespace grafwire;
 TEST_CASE("a message is shown with its line and a caret under the character") {
     const SourceFile source{"chart.grafcet", "graph G {\n  é -> ↑b : x\r\n}"};
     Diagnostics diagnostics;
-    diagnostics.error(Code::unknown_name, {2, 9}, "unknown step 'b'")
+    diagnostics.error(code::unknown_name, {2, 9}, "unknown step 'b'")
         .notes.push_back({{1, 7}, "the graph is here"});
     CHECK(diagnostics.has_errors());
     CHECK(format_diagnostics(diagnostics, source) == R"(chart.grafcet:2:9: error: unknown step 'b'
@@ -24,7 +25,7 @@ graph G {
 TEST_CASE("tabs stay tabs before the caret, and control characters are made visible") {
     const SourceFile source{"-", "\ta\x1b\tb"};
     Diagnostics diagnostics;
-    diagnostics.warning(Code::unused_name, {1, 5}, "a \x1b");
+    diagnostics.warning(code::unused_name, {1, 5}, "a \x1b");
     CHECK_FALSE(diagnostics.has_errors());
     CHECK(format_diagnostics(diagnostics, source) ==
           "<stdin>:1:5: warning: a \xef\xbf\xbd\n\ta\xef\xbf\xbd\tb\n\t  \t^\n");
@@ -35,10 +36,10 @@ TEST_CASE("places at the end of a line and beyond the file are shown as far as t
                             "\xef\xbb\xbf"
                             "ab\n"};
     Diagnostics diagnostics;
-    diagnostics.error(Code::unexpected_token, {1, 3}, "end of line");
-    diagnostics.error(Code::unexpected_token, {2, 1}, "end of file");
-    diagnostics.error(Code::unexpected_token, {9, 1}, "nowhere");
-    diagnostics.error(Code::unreadable_file, {}, "no place");
+    diagnostics.error(code::unexpected_token, {1, 3}, "end of line");
+    diagnostics.error(code::unexpected_token, {2, 1}, "end of file");
+    diagnostics.error(code::unexpected_token, {9, 1}, "nowhere");
+    diagnostics.error(code::unreadable_file, {}, "no place");
     CHECK(format_diagnostics(diagnostics, source) ==
           "f:1:3: error: end of line\nab\n  ^\nf:2:1: error: end of file\n\n^\nf:9:1: error: "
           "nowhere\nf: error: no place\n");
@@ -47,7 +48,7 @@ TEST_CASE("places at the end of a line and beyond the file are shown as far as t
 TEST_CASE("of a long line a part around the place is shown") {
     const SourceFile source{"f", std::string(200, 'a') + "é" + std::string(200, 'b')};
     Diagnostics diagnostics;
-    diagnostics.error(Code::unexpected_token, {1, 201}, "m");
+    diagnostics.error(code::unexpected_token, {1, 201}, "m");
     CHECK(format_diagnostics(diagnostics, source) ==
           "f:1:201: error: m\n…" + std::string(100, 'a') + "é" + std::string(59, 'b') + "…\n" +
               std::string(101, ' ') + "^\n");
@@ -57,18 +58,20 @@ TEST_CASE("errors and warnings beyond the limit are counted") {
     const SourceFile source{"f", ""};
     Diagnostics diagnostics;
     for (const char* text : {"one", "two", "three", "four"})
-        diagnostics.error(Code::unexpected_token, {}, text);
-    diagnostics.warning(Code::unused_name, {}, "five");
+        diagnostics.error(code::unexpected_token, {}, text);
+    diagnostics.warning(code::unused_name, {}, "five");
     CHECK(diagnostics.error_count() == 4);
-    CHECK(format_diagnostics(diagnostics, source, 2) ==
+    CHECK(format_diagnostics(diagnostics, source, Language::english, 2) ==
           "f: error: one\nf: error: two\nf: warning: five\nf: 2 more errors not shown\n");
-    CHECK(format_diagnostics(diagnostics, source, 3).find("f: 1 more error not shown\n") !=
+    CHECK(format_diagnostics(diagnostics, source, Language::english, 3)
+              .find("f: 1 more error not shown\n") != std::string::npos);
+    CHECK(format_diagnostics(diagnostics, source, Language::english, 4).find("not shown") ==
           std::string::npos);
-    CHECK(format_diagnostics(diagnostics, source, 4).find("not shown") == std::string::npos);
-    CHECK(format_diagnostics(diagnostics, source, 0).find("four") != std::string::npos);
-    diagnostics.warning(Code::unused_name, {}, "six");
-    diagnostics.warning(Code::unused_name, {}, "seven");
-    CHECK(format_diagnostics(diagnostics, source, 1) ==
+    CHECK(format_diagnostics(diagnostics, source, Language::english, 0).find("four") !=
+          std::string::npos);
+    diagnostics.warning(code::unused_name, {}, "six");
+    diagnostics.warning(code::unused_name, {}, "seven");
+    CHECK(format_diagnostics(diagnostics, source, Language::english, 1) ==
           "f: error: one\nf: warning: five\nf: 3 more errors not shown\n"
           "f: 2 more warnings not shown\n");
 }
@@ -78,20 +81,20 @@ TEST_CASE("a message without end is cut") {
     Diagnostics diagnostics;
     std::string long_message;
     for (int i = 0; i < 1000; ++i) long_message += "é";
-    diagnostics.error(Code::unexpected_token, {}, long_message);
-    diagnostics.error(Code::unexpected_token, {}, long_message + "é");
+    diagnostics.error(code::unexpected_token, {}, long_message);
+    diagnostics.error(code::unexpected_token, {}, long_message + "é");
     CHECK(format_diagnostics(diagnostics, source) ==
           "f: error: " + long_message + "\nf: error: " + long_message + "…\n");
 }
 
 TEST_CASE("sorting goes by place and keeps the order of what stands in one place") {
     Diagnostics diagnostics;
-    diagnostics.error(Code::unexpected_token, {2, 1}, "d");
-    diagnostics.warning(Code::unused_name, {1, 5}, "b");
-    diagnostics.error(Code::unexpected_token, {1, 5}, "c");
-    diagnostics.error(Code::unreadable_file, {}, "a");
+    diagnostics.error(code::unexpected_token, {2, 1}, "d");
+    diagnostics.warning(code::unused_name, {1, 5}, "b");
+    diagnostics.error(code::unexpected_token, {1, 5}, "c");
+    diagnostics.error(code::unreadable_file, {}, "a");
     diagnostics.sort_by_place();
     std::string order;
-    for (const Diagnostic& item : diagnostics.items()) order += item.message;
+    for (const Diagnostic& item : diagnostics.items()) order += item.message.english;
     CHECK(order == "abcd");
 }

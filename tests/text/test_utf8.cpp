@@ -14,9 +14,9 @@ std::string checked(const std::string& text) {
     Diagnostics diagnostics;
     if (check_utf8(text, diagnostics)) return "good";
     const Diagnostic& item = diagnostics.items().at(0);
-    CHECK(item.code == Code::not_utf8);
+    CHECK(item.code == code::not_utf8);
     return std::to_string(item.where.line) + ":" + std::to_string(item.where.column) + " " +
-           item.message.substr(0, 13);
+           item.message.english.substr(0, 13);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <sstream>
 #include <vector>
 
+#include "trace/messages.h"
 #include "trace/small_grafcet.h"
 #include "trace/stimuli.h"
 
@@ -50,13 +51,13 @@ std::string errors(std::string_view text) {
     std::string result;
     for (const Diagnostic& item : diagnostics.items()) {
         result += std::to_string(item.where.line) + ":" + std::to_string(item.where.column) + " " +
-                  std::to_string(static_cast<int>(item.code)) + "\n";
+                  std::string(item.code.name) + "\n";
     }
     return result;
 }
 
 std::string at(std::string_view place, Code code) {
-    return std::string(place) + " " + std::to_string(static_cast<int>(code)) + "\n";
+    return std::string(place) + " " + std::string(code.name) + "\n";
 }
 
 }  // namespace
@@ -115,13 +116,13 @@ TEST_CASE("errors of time") {
           "99999999h : dcy=1", "+5ms : dcy=1", "+ 5ms : dcy=1", "1e3ms : dcy=1", "++1s : dcy=1"}) {
         CAPTURE(text);
         const std::string first = errors(text).substr(0, 6);
-        CHECK(first == at("1:1", Code::bad_time).substr(0, 6));
+        CHECK(first == at("1:1", code::bad_time).substr(0, 6));
     }
-    CHECK(errors("2548h : dcy=1\n+2548h : dcy=0") == at("2:1", Code::bad_time));
+    CHECK(errors("2548h : dcy=1\n+2548h : dcy=0") == at("2:1", code::bad_time));
     CHECK(errors("2s : dcy=1\n1s : dcy=0\n1.5s : end") ==
-          at("2:1", Code::time_order) + at("3:1", Code::time_order));
-    CHECK(errors("2s : end\n3s : dcy=1\n4s : end\n") == at("2:1", Code::time_order));
-    CHECK(errors("2s : end\n2s : end\n") == at("2:1", Code::time_order));
+          at("2:1", code::time_order) + at("3:1", code::time_order));
+    CHECK(errors("2s : end\n3s : dcy=1\n4s : end\n") == at("2:1", code::time_order));
+    CHECK(errors("2s : end\n2s : end\n") == at("2:1", code::time_order));
 }
 
 TEST_CASE("errors of assignment; all are reported in one go") {
@@ -132,20 +133,20 @@ TEST_CASE("errors of assignment; all are reported in one go") {
                  "5s : dcy 1 dcy\n"
                  "6s : \"a b=1\n"
                  "7s : end dcy=1\n") ==
-          at("1:10", Code::bad_value) + at("2:6", Code::unknown_name) +
-              at("2:12", Code::unknown_name) + at("2:19", Code::unknown_name) +
-              at("2:28", Code::bad_value) + at("3:4", Code::unexpected_token) +
-              at("4:3", Code::unexpected_token) + at("5:10", Code::unexpected_token) +
-              at("5:15", Code::unexpected_token) + at("6:6", Code::unterminated_text) +
-              at("7:10", Code::unexpected_token));
-    CHECK(errors("1s : ,dcy=1") == at("1:6", Code::unexpected_character));
-    CHECK(errors("1s : dcy=1, été=1") == at("1:10", Code::bad_value));
-    CHECK(errors("1s : 5=1") == at("1:6", Code::unexpected_token));
-    CHECK(errors("1s : \"\"=1") == at("1:6", Code::unknown_name));
-    CHECK(errors("1s : été=é") == at("1:10", Code::bad_value));
-    CHECK(errors("1s : dcy=10") == at("1:10", Code::bad_value));
-    CHECK(errors(std::string("1s : dcy=1 \0=1", 14)) == at("1:12", Code::unexpected_character));
-    CHECK(errors("1s : dcy=1\n2s : \xff=1") == at("2:6", Code::not_utf8));
+          at("1:10", code::bad_value) + at("2:6", code::unknown_name) +
+              at("2:12", code::unknown_name) + at("2:19", code::unknown_name) +
+              at("2:28", code::bad_value) + at("3:4", code::unexpected_token) +
+              at("4:3", code::unexpected_token) + at("5:10", code::unexpected_token) +
+              at("5:15", code::unexpected_token) + at("6:6", code::unterminated_text) +
+              at("7:10", code::unexpected_token));
+    CHECK(errors("1s : ,dcy=1") == at("1:6", code::unexpected_character));
+    CHECK(errors("1s : dcy=1, été=1") == at("1:10", code::bad_value));
+    CHECK(errors("1s : 5=1") == at("1:6", code::unexpected_token));
+    CHECK(errors("1s : \"\"=1") == at("1:6", code::unknown_name));
+    CHECK(errors("1s : été=é") == at("1:10", code::bad_value));
+    CHECK(errors("1s : dcy=10") == at("1:10", code::bad_value));
+    CHECK(errors(std::string("1s : dcy=1 \0=1", 14)) == at("1:12", code::unexpected_character));
+    CHECK(errors("1s : dcy=1\n2s : \xff=1") == at("2:6", code::not_utf8));
 }
 
 TEST_CASE("messages show the line and suggest what was meant") {

@@ -13,6 +13,7 @@
 #include "formats/blif/blif_lines.h"
 #include "formats/shared/cover.h"
 #include "formats/shared/helper_cells.h"
+#include "formats/shared/messages.h"
 #include "formats/shared/net_spelling.h"
 #include "formats/shared/netlist_assembly.h"
 #include "text/time.h"
@@ -55,7 +56,7 @@ class BlifReader {
     void read_initial_value(const Words& words);
     void close();
     void refuse(Location where, std::string message) {
-        diagnostics_.error(Code::bad_netlist, where, std::move(message));
+        diagnostics_.error(code::bad_netlist, where, std::move(message));
     }
     NetId net(const BlifWord& word) {
         return assembly_.net(percent_decoded(word.text), word.where);

@@ -9,6 +9,7 @@
 #include <cassert>
 #include <utility>
 
+#include "formats/shared/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -52,7 +53,7 @@ NetId NetlistAssembly::inner_net(NetId owner, Location where) {
 
 void NetlistAssembly::check_name(std::string_view name, Location where) {
     if (find_control(name) == std::string_view::npos) return;
-    diagnostics_.error(Code::unexpected_character, where, control_in_name_message(name));
+    diagnostics_.error(code::unexpected_character, where, control_in_name_message(name));
 }
 
 void NetlistAssembly::check_port(std::string_view name, NetId net, Location where) {
@@ -64,7 +65,7 @@ void NetlistAssembly::drive(NetId id, Location where) {
     FileNet& net = nets_[index_of(id)];
     if (net.is_driven) {
         Diagnostic& error = diagnostics_.error(
-            Code::bad_netlist, where,
+            code::bad_netlist, where,
             fmt::format("net {} has a second driver", in_quotes(builder_.name_of(id))));
         if (net.driver.is_known()) error.notes.push_back({net.driver, "the first one is here"});
     }
@@ -81,7 +82,7 @@ void NetlistAssembly::add_input(std::string_view name, NetId net, Location where
 
 void NetlistAssembly::add_output(std::string_view name, NetId net, Location where) {
     if (!output_names_.insert(std::string(name)).second) {
-        diagnostics_.error(Code::bad_netlist, where,
+        diagnostics_.error(code::bad_netlist, where,
                            fmt::format("output {} is listed twice", in_quotes(name)));
         return;
     }
@@ -99,7 +100,7 @@ void NetlistAssembly::add_cell(CellType type, NetId output, std::span<const NetI
     drive(output, where);
     if ((type == CellType::rise_pulse || type == CellType::fall_pulse) &&
         details.timing.fall == 0) {
-        diagnostics_.error(Code::bad_netlist, where,
+        diagnostics_.error(code::bad_netlist, where,
                            fmt::format("the pulse of {} '{}' has no width",
                                        row_of(type).description, builder_.name_of(output)));
     }
@@ -116,7 +117,7 @@ NetId NetlistAssembly::gate(CellType type, std::span<const NetId> pins, NetId ow
 void NetlistAssembly::check_drivers(const Netlist& netlist) {
     for (std::size_t i = 0; i < nets_.size(); ++i) {
         if (!nets_[i].is_of_file || nets_[i].is_driven) continue;
-        diagnostics_.error(Code::bad_netlist, nets_[i].where,
+        diagnostics_.error(code::bad_netlist, nets_[i].where,
                            fmt::format("net '{}' has no driver: it is neither an input nor the "
                                        "output of a cell",
                                        netlist.names[static_cast<NetId>(i)]));
@@ -131,14 +132,14 @@ void NetlistAssembly::find_clock(Netlist& netlist) {
         const std::string_view description = row_of(cell.type).description;
         if (index_of(clock) >= nets_.size() || !nets_[index_of(clock)].is_input) {
             diagnostics_.error(
-                Code::bad_netlist, where,
+                code::bad_netlist, where,
                 fmt::format("the clock '{}' of {} '{}' is not an input", netlist.names[clock],
                             description, netlist.names[cell.output]));
             return;
         }
         if (netlist.clock != no_net && netlist.clock != clock) {
             diagnostics_.error(
-                Code::bad_netlist, where,
+                code::bad_netlist, where,
                 fmt::format("{} '{}' has the clock '{}', others have '{}': one clock is supported",
                             description, netlist.names[cell.output], netlist.names[clock],
                             netlist.names[netlist.clock]));

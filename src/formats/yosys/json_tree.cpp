@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "formats/shared/messages.h"
+
 namespace grafwire {
 
 namespace {
@@ -169,10 +171,10 @@ std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnost
     if (nlohmann::json::sax_parse(begin, end, &builder)) return std::move(builder.root);
     if (builder.too_deep) {
         diagnostics.error(
-            Code::nested_too_deep, builder.where,
+            code::nested_too_deep, builder.where,
             fmt::format("values are nested more than {} deep: not a netlist", deepest));
     } else {
-        diagnostics.error(Code::bad_netlist, location_of(text, builder.error_position),
+        diagnostics.error(code::bad_netlist, location_of(text, builder.error_position),
                           "not JSON: " + reason_in(builder.error_message));
     }
     return std::nullopt;

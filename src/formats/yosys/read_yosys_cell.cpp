@@ -10,6 +10,7 @@
 
 #include "formats/shared/cover.h"
 #include "formats/shared/helper_cells.h"
+#include "formats/shared/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -440,7 +441,7 @@ std::string_view YosysCell::parameter(std::string_view parameter_name) const {
 
 void refuse_yosys_cell(const YosysCell& cell, std::string_view reason, Diagnostics& diagnostics) {
     diagnostics.error(
-        Code::bad_netlist, cell.where,
+        code::bad_netlist, cell.where,
         fmt::format("cell {} of type {}: {}", in_quotes(cell.name), cell.type, reason));
 }
 

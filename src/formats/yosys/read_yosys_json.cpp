@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "formats/shared/messages.h"
 #include "formats/shared/net_spelling.h"
 #include "formats/shared/netlist_assembly.h"
 #include "formats/yosys/json_tree.h"
@@ -44,7 +45,7 @@ class YosysReader {
     NetId net_of(const JsonValue& bit, Location where);
     void name_bit(const JsonValue& bit, const std::string& name);
     void refuse(Location where, std::string message) {
-        diagnostics_.error(Code::bad_netlist, where, std::move(message));
+        diagnostics_.error(code::bad_netlist, where, std::move(message));
     }
 
     Diagnostics& diagnostics_;

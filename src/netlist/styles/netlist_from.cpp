@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "netlist/styles/annotate.h"
+#include "netlist/styles/messages.h"
 #include "netlist/styles/styles.h"
 
 namespace grafwire {
@@ -33,7 +34,7 @@ static_assert(stands_in_order());
 void refuse_counters(const Grafcet& grafcet, const StyleRow& row, Diagnostics& diagnostics) {
     for (const Counter& counter : grafcet.counters) {
         diagnostics.error(
-            Code::unsupported_by_style, counter.where,
+            code::unsupported_by_style, counter.where,
             fmt::format("the {} style has no registers for the counter '{}'; use --style clocked",
                         row.name, counter.name));
     }

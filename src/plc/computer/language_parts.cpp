@@ -7,6 +7,7 @@
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
 #include "program/bit_names.h"
+#include "program/messages.h"
 #include "trace/trace.h"
 
 namespace grafwire {
@@ -62,7 +63,7 @@ std::int64_t microseconds(Time delay) {
 bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::string_view language,
                     Diagnostics& diagnostics) {
     if (integer_bits(grafcet, program)) return true;
-    diagnostics.error(Code::beyond_limit, wide_integer(grafcet, program, 64),
+    diagnostics.error(code::beyond_limit, wide_integer(grafcet, program, 64),
                       fmt::format("this sum can go beyond the 64 bits of integers in {}; give its "
                                   "counters smaller ranges, or write --to python",
                                   language));

@@ -7,6 +7,7 @@
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
 #include "plc/shared/reserved_words.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -131,7 +132,7 @@ std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program, co
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
         diagnostics.error(
-            Code::beyond_limit, {},
+            code::beyond_limit, {},
             fmt::format("{} inputs and outputs need a pin each, and the largest board, an Arduino "
                         "Mega 2560, has {}; write --to c and connect them by yourself{}",
                         sketch.pins_needed(), most,

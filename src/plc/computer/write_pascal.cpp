@@ -8,6 +8,7 @@
 #include "plc/computer/pascal_blocks.h"
 #include "plc/computer/pascal_program.h"
 #include "plc/shared/program_needs.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -186,7 +187,7 @@ std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program, con
     if (!check_integers(grafcet, program, "Free Pascal", diagnostics)) return {};
     if (grafcet.steps.size() > most_steps) {
         diagnostics.error(
-            Code::beyond_limit, grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
+            code::beyond_limit, grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
             fmt::format("this is step {} of {}, and a set of Free Pascal holds {}; write --to c or "
                         "--to python",
                         most_steps + 1, grafcet.steps.size(), most_steps));

@@ -6,6 +6,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -198,7 +199,7 @@ std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
                              Diagnostics& diagnostics) {
     const std::optional<unsigned> bits = integer_bits(grafcet, program);
     if (!bits) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, program, 64),
+        diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, program, 64),
                           "a sum needs more than the 64 bits of LINT; make the ranges of its "
                           "counters smaller");
         return {};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "program/bit_names.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -126,7 +127,7 @@ std::vector<std::pair<std::string, std::string>> Pl7Objects::assignment() {
 void Pl7Objects::check_limits(Diagnostics& diagnostics) const {
     const auto check = [&](std::size_t used, std::size_t there_are, const char* what) {
         if (used <= there_are) return;
-        diagnostics.error(Code::unsupported_by_style, {},
+        diagnostics.error(code::unsupported_by_language, {},
                           fmt::format("the program needs {} {}, and PL7-2 has {}; divide the "
                                       "GRAFCET",
                                       used, what, there_are));

@@ -6,6 +6,7 @@
 
 #include "grafcet/sum_range.h"
 #include "plc/shared/program_needs.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -73,7 +74,7 @@ void Pl7Statements::run_timer(const std::string& timer, Time duration, const Con
         return rungs_.rung(condition,
                            fmt::format("{} TB={} P={}", timer, preset->base, preset->count));
     }
-    diagnostics_.error(Code::unsupported_by_style, where,
+    diagnostics_.error(code::unsupported_by_language, where,
                        fmt::format("no timer of PL7-2 holds {}: it counts up to 9999 times 10 ms, "
                                    "100 ms, 1 s or 1 min; choose another time",
                                    format_duration(duration)));

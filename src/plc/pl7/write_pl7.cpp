@@ -27,6 +27,7 @@
 #include "plc/pl7/pl7_situation.h"
 #include "plc/pl7/pl7_statements.h"
 #include "plc/shared/program_needs.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -230,7 +231,7 @@ std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const 
                       Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
     if (integer_bits(grafcet, needed) != 16U) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, needed, 16),
+        diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 16),
                           "an integer needs more than the 16 bits of a word of PL7-2; make the "
                           "range of the counter smaller");
     }

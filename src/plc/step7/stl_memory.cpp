@@ -7,6 +7,7 @@
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
 #include "program/bit_names.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -38,7 +39,7 @@ StlMemory::StlMemory(const Grafcet& grafcet, const ScanProgram& program, const P
 
 void StlMemory::check_size(Diagnostics& diagnostics) const {
     if (end_ <= last_byte + 1) return;
-    diagnostics.error(Code::unsupported_by_style, {},
+    diagnostics.error(code::unsupported_by_language, {},
                       fmt::format("the program needs bit memory up to MB {}, and no S7-300 or "
                                   "S7-400 has more than MB {}; divide the GRAFCET",
                                   end_ - 1, last_byte));
@@ -65,7 +66,7 @@ void StlMemory::place_interface(const s7::IoAssignment* io, Diagnostics& diagnos
         const s7::Area wanted = area_of(bit) == 'A' ? s7::Area::output : s7::Area::input;
         if (operand->area != wanted || operand->width != s7::Width::bit) {
             diagnostics.error(
-                Code::unsupported_by_style, {},
+                code::unsupported_by_language, {},
                 fmt::format("'{}' is to be a bit of the {}, {}0.0 and so on", name,
                             wanted == s7::Area::output ? "outputs" : "inputs", area_of(bit)));
             continue;

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "program/messages.h"
+
 namespace grafwire {
 
 namespace {
@@ -54,7 +56,7 @@ void StlTimers::add(Time duration, bool is_off_delay, Location origin, Diagnosti
         timer.out = memory_.new_bit();
     } else {
         diagnostics.error(
-            Code::unsupported_by_style, origin,
+            code::unsupported_by_language, origin,
             fmt::format("no timer of an S7-300 or S7-400 holds {}: S5 timers and the IEC timers "
                         "count whole milliseconds, up to 24 days; choose another time",
                         format_duration(duration)));

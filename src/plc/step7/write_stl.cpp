@@ -16,6 +16,7 @@
 #include "plc/step7/stl_memory.h"
 #include "plc/step7/stl_text.h"
 #include "plc/step7/stl_timers.h"
+#include "program/messages.h"
 
 namespace grafwire {
 
@@ -283,7 +284,7 @@ std::string StlWriter::write(Diagnostics& diagnostics) {
     write_blocks();
     memory_.check_size(diagnostics);
     if (labels_ > 1000) {
-        diagnostics.error(Code::unsupported_by_style, {},
+        diagnostics.error(code::unsupported_by_language, {},
                           "the program needs more than 999 jump labels; divide the GRAFCET");
     }
     if (diagnostics.has_errors()) return {};
@@ -297,7 +298,7 @@ std::string write_stl(const Grafcet& grafcet, const ScanProgram& program, const 
     const ScanProgram needed = without_idle_tables(program);
     const std::optional<unsigned> bits = integer_bits(grafcet, needed);
     if (!bits || *bits > 32) {
-        diagnostics.error(Code::unsupported_by_style, wide_integer(grafcet, needed, 32),
+        diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 32),
                           "an integer needs more than the 32 bits of DINT, the widest of an S7-300 "
                           "or S7-400; make the range of the counter smaller");
         return {};

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "grafcet/lexer.h"
+#include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "text/utf8.h"
 #include "trace/line_cursor.h"
@@ -47,7 +48,7 @@ class AssignmentReader {
         if (!operand) return;
         cursor.skip_blanks();
         if (!cursor.skip_if('=')) {
-            error(Code::unexpected_token, cursor.here(),
+            error(code::unexpected_token, cursor.here(),
                   "expected '=' and a name after the address, as in 'E0.0 = v0'");
             return;
         }
@@ -57,7 +58,7 @@ class AssignmentReader {
         if (!name) return;
         cursor.skip_blanks();
         if (!cursor.at_end()) {
-            error(Code::unexpected_token, cursor.here(),
+            error(code::unexpected_token, cursor.here(),
                   "nothing may follow the name but a comment (#)");
             return;
         }
@@ -77,7 +78,7 @@ class AssignmentReader {
         auto operand = parse_operand(text);
         if (operand && operand->area != Area::constant) return operand;
         error(
-            Code::bad_address, where,
+            code::bad_address, where,
             fmt::format("{} is not an address: write one such as E0.4, A0.0, V21.0 or VW100 (bits "
                         "are 0 … 7)",
                         in_quotes(text)));
@@ -92,19 +93,19 @@ class AssignmentReader {
         if (quoted || rest.starts_with('(')) {
             const std::size_t end = rest.find(quoted ? '"' : ')', 1);
             if (end == std::string_view::npos) {
-                error(Code::unterminated_text, where, "the name is not ended on its line");
+                error(code::unterminated_text, where, "the name is not ended on its line");
                 return std::nullopt;
             }
             cursor.skip(end + 1);
             const std::string_view name =
                 quoted ? rest.substr(1, end - 1) : rest.substr(0, end + 1);
             if (find_control(name) == std::string_view::npos) return name;
-            error(Code::unexpected_character, where, control_in_name_message(name));
+            error(code::unexpected_character, where, control_in_name_message(name));
             return std::nullopt;
         }
         const std::string_view name = cursor.take_word();
         if (name.empty()) {
-            error(Code::unexpected_token, where,
+            error(code::unexpected_token, where,
                   "expected a name (quoted, if it holds other characters than letters, digits and "
                   "'_'), or a transition's label in parentheses");
             return std::nullopt;
@@ -115,7 +116,7 @@ class AssignmentReader {
     void add(IoAssignment::Entry entry, Location name_at) {
         const auto [named, is_new] = by_name_.emplace(entry.name, name_at);
         if (!is_new) {
-            error(Code::duplicate_name, name_at,
+            error(code::duplicate_name, name_at,
                   fmt::format("{} has an address already", in_quotes(entry.name)))
                 .notes.push_back({named->second, "it is here"});
             return;
@@ -125,7 +126,7 @@ class AssignmentReader {
             const auto [taken, is_free] =
                 by_bit_.emplace(std::pair{entry.operand.area, bit}, entry.where);
             if (is_free) continue;
-            error(Code::duplicate_name, entry.where,
+            error(code::duplicate_name, entry.where,
                   fmt::format("{} is taken, wholly or in part",
                               write_operand(entry.operand, Mnemonics::simatic)))
                 .notes.push_back({taken->second, "by this address"});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grafcet/write_grafcet.h"
+#include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 
 namespace grafwire::s7 {
@@ -63,7 +64,7 @@ void report_unknown(const IoAssignment::Entry& entry, const Meanings& meanings,
     std::string message = fmt::format("the chart has no '{}'", entry.name);
     const std::string_view nearest = nearest_name(entry.name, names);
     if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-    diagnostics.error(Code::unknown_name, entry.where, std::move(message));
+    diagnostics.error(code::unknown_name, entry.where, std::move(message));
 }
 
 /// Checks entry after entry; see resolve_assignment.
@@ -112,7 +113,7 @@ class Resolver {
 
   private:
     void refuse(const IoAssignment::Entry& entry, std::string_view why) {
-        diagnostics_.error(Code::bad_address, entry.where,
+        diagnostics_.error(code::bad_address, entry.where,
                            fmt::format("{} cannot be the address of '{}': {}", text(entry.operand),
                                        entry.name, why));
     }

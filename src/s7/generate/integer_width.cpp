@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "grafcet/sum_range.h"
+#include "program/messages.h"
 
 namespace grafwire::s7 {
 
@@ -63,7 +64,7 @@ class SumSurvey {
 
     void report(const std::string& what, Location where) {
         diagnostics_.error(
-            Code::beyond_limit, where,
+            code::beyond_limit, where,
             fmt::format("{} can reach beyond the 32 bits that an S7-200 counts with; "
                         "narrow the ranges of the counters",
                         what));
@@ -88,7 +89,7 @@ std::optional<Width> integer_width(const Grafcet& grafcet, const ScanProgram& pr
         if (!wide || operand.width == Width::dword) continue;
         const Counter& counter = grafcet.counters[CounterId{index}];
         diagnostics.error(
-            Code::beyond_limit, counter.where,
+            code::beyond_limit, counter.where,
             fmt::format("counter '{}' needs a double word in the assignment (VD instead of VW): a "
                         "counter or sum of this chart needs more than 16 bits, or another counter "
                         "has a double word",

@@ -10,10 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "program/messages.h"
 #include "s7/generate/assignment.h"
 #include "s7/generate/integer_width.h"
 #include "s7/generate/listing_build.h"
 #include "s7/generate/listing_head.h"
+#include "s7/addresses/messages.h"
 #include "s7/instruction_set.h"
 
 namespace grafwire::s7 {
@@ -29,7 +31,7 @@ void check_tables(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const TableLayout layout = standard_tables();
     const auto check = [&](std::string_view what, std::size_t count, std::uint32_t bytes) {
         if (count <= std::size_t{bytes} * 8) return;
-        diagnostics.error(Code::beyond_limit, {},
+        diagnostics.error(code::beyond_limit, {},
                           fmt::format("the chart has {} {}, and the tables of the method hold {}: "
                                       "wide tables (--tables wide) hold them all",
                                       count, what, bytes * 8));
@@ -52,7 +54,7 @@ class InterfaceCheck {
         const bool is_output = bit.kind == BitKind::output;
         if (!is_assigned && operand.address >= row_of(cpu_).image_bytes) {
             diagnostics_.error(
-                Code::beyond_limit, where,
+                code::beyond_limit, where,
                 fmt::format("{} '{}' finds no room: an S7-200 has {} {}, {}0.0 … {}7.7; give some "
                             "of them addresses in M or V with an assignment (--io) and carry them "
                             "over to another controller",
@@ -61,7 +63,7 @@ class InterfaceCheck {
                             is_output ? 'A' : 'E'));
         } else if (!is_assigned && assignment_ != nullptr) {
             diagnostics_.warning(
-                Code::unassigned_name, where,
+                code::unassigned_name, where,
                 fmt::format("'{}' has no address in the assignment; it takes "
                             "{}{}.{}",
                             name, is_output ? 'A' : 'E', operand.address, operand.bit));
@@ -95,7 +97,7 @@ void check_memory(const Addresses& addresses, const NetworkList& networks,
                   const std::optional<Cpu>& cpu, bool has_modes, Diagnostics& diagnostics) {
     const CpuRow& row = row_of(cpu.value_or(Cpu::cpu_214));
     if (addresses.variable_bytes() > static_cast<std::uint32_t>(row.variable_bytes)) {
-        diagnostics.error(Code::beyond_limit, {},
+        diagnostics.error(code::beyond_limit, {},
                           fmt::format("the program needs {} bytes of V memory, and a {} has {}: "
                                       "divide the chart between two controllers{}",
                                       addresses.variable_bytes(), row.name, row.variable_bytes,
@@ -105,7 +107,7 @@ void check_memory(const Addresses& addresses, const NetworkList& networks,
         networks.size_of_part(Part::skeleton) + networks.size_of_part(Part::chart);
     if (!cpu || size <= row.program_bytes) return;
     diagnostics.error(
-        Code::beyond_limit, {},
+        code::beyond_limit, {},
         fmt::format(
             "the program takes {} bytes, and the program memory of a {} holds {}: {}{}", size,
             row.name, row.program_bytes, has_modes ? "leave out the modes (--modes off), or " : "",

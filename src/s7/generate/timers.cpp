@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "program/messages.h"
+
 namespace grafwire::s7 {
 
 namespace {
@@ -52,7 +54,7 @@ class FreeTimers {
 
 void report_uncountable(const Statement& statement, Time length, Diagnostics& diagnostics) {
     diagnostics.error(
-        Code::beyond_limit, statement.origin,
+        code::beyond_limit, statement.origin,
         fmt::format("no timer of an S7-200 counts {} of '{}': the timers count up to 32767 times "
                     "1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or "
                     "divide a long one between two steps",
@@ -62,7 +64,7 @@ void report_uncountable(const Statement& statement, Time length, Diagnostics& di
 void report_no_timer(const Wanted& wanted, const CpuRow& cpu, Diagnostics& diagnostics) {
     const Time tick = ticks[wanted.coarsest];
     diagnostics.error(
-        Code::beyond_limit, wanted.statement->origin,
+        code::beyond_limit, wanted.statement->origin,
         fmt::format("no timer of {}{} is left on a {} for {} of '{}'; round delays to 100 ms, of "
                     "which there are most timers{}",
                     format_duration(tick), tick == ticks.back() ? "" : " or finer", cpu.name,

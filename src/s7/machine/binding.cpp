@@ -9,6 +9,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/machine/decoded.h"
 #include "text/utf8.h"
@@ -77,7 +78,7 @@ class Binder {
         }
         const Slot& slot = found->second;
         if (!fits(entry.operand, slot.wanted)) {
-            diagnostics_.error(Code::bad_address, entry.where,
+            diagnostics_.error(code::bad_address, entry.where,
                                fmt::format("{} is the address of {}, which needs {}",
                                            write_operand(entry.operand, Mnemonics::simatic),
                                            in_quotes(entry.name), text_of(slot.wanted)));
@@ -118,7 +119,7 @@ class Binder {
         std::sort(names.begin(), names.end());
         const auto nearest = nearest_name(entry.name, {names.begin(), names.end()});
         diagnostics_.error(
-            Code::unknown_name, entry.where,
+            code::unknown_name, entry.where,
             fmt::format("the GRAFCET has no {}{}", in_quotes(entry.name),
                         nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
     }
@@ -126,7 +127,7 @@ class Binder {
     void require(const std::optional<Operand>& operand, std::string_view what,
                  const std::string& name) {
         if (operand) return;
-        diagnostics_.error(Code::bad_address, {},
+        diagnostics_.error(code::bad_address, {},
                            fmt::format("{} '{}' of the GRAFCET has no address", what, name));
     }
 
