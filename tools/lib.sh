@@ -24,6 +24,7 @@ fp-compiler          /usr/bin/fpc
 iverilog             /usr/bin/iverilog
 libxml2-utils        /usr/bin/xmllint
 ngspice              /usr/bin/ngspice
+patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config
 python3              /usr/bin/python3
 python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py

@@ -242,7 +242,7 @@ ExitStatus report(const Request& request, const Chart& chart, Judgement& judgeme
 }
 
 /// Where no check could be made for the reasons that the messages say: a JUnit report, if one is
-/// asked for, has them too, since whoever reads these reports may see nothing else.
+/// asked for, has them too: the reader of these reports may see nothing else.
 ExitStatus report_refused(const Request& request, const std::string& messages, double seconds) {
     if (request.format != "junit") return ExitStatus::bad_request;
     OutputFiles files({request.path, request.against, request.io});

@@ -1,4 +1,4 @@
-// What replaces a file is made beside it and then renamed, so that nobody ever sees half of it. The
+// What replaces a file is made beside it and then renamed: half a file is never seen. The
 // other name is drawn at random and must be new: in a folder that others may write to, a name that
 // can be foreseen could be a link to a file of ours that we would then overwrite. It is short and
 // does not hold the name of the result, which may be as long as a name can be.

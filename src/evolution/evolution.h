@@ -69,12 +69,12 @@ class Evolution {
     /// SBR 0: the state before the first scan, which is about to read these inputs.
     EvolutionState start(const EvolutionInputs& inputs) const;
 
-    /// SBR 1 to SBR 8 (but for the continuous outputs): one scan at time `now`. Delays that have
+    /// SBR 1 to SBR 8 (without the continuous outputs): one scan at time `now`. Delays that have
     /// fallen due by then take effect in SBR 6.
     void scan(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
 
     /// The beginning of an instant of the until-stable run, once its inputs have changed: the
-    /// running delays that end at or before `now` take effect, from the inside outwards, but for
+    /// running delays that end at or before `now` take effect, from the inside outwards, except
     /// those whose operand, read under these inputs, no longer asks for it. SBR 6 settles what
     /// becomes of the latter, as it does in a run scan by scan.
     void end_delays(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;

@@ -2,7 +2,7 @@
 //
 // `t1/e/t2` has a value and at most one running delay, kept as the time `due` at which the value
 // changes if e stays as it is. While e differs from the value a delay runs (t1 upwards, t2
-// downwards); when e is back at the value the delay is dropped, and the next one starts anew:
+// downwards); when e is back at the value the delay is dropped, and the next one starts from 0:
 //
 //   e = value              no delay
 //   e ≠ value, none runs   due = now + (e ? t1 : t2)

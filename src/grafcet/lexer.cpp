@@ -58,7 +58,7 @@ std::size_t name_character(std::string_view text, std::size_t at) {
 bool is_letter(char32_t c) {
     if (c < 0x80) return is_ascii_letter(static_cast<char>(c));
     if (c < 0xc0) return c == 0xaa || c == 0xb5 || c == 0xba;
-    // Above Latin-1 every code point counts as a letter but for the blocks of punctuation, symbols,
+    // Above Latin-1 every code point counts as a letter except the blocks of punctuation, symbols,
     // private use and specials: scripts are many, these blocks are few.
     struct Range {
         char32_t first, last;

@@ -15,8 +15,8 @@ namespace grafwire {
 /// Open addressing with linear probing; the size is a power of two, at most half of it used. Names
 /// that differ in their last character only have their places side by side: a file numbers its
 /// steps one after the other and links near ones, so that most look-ups find their place in the
-/// cache however long the file is. A place holds the hash, so that what is not the name sought is
-/// passed over without a look at its text.
+/// cache however long the file is. A place holds the hash, so that other
+/// names are skipped without comparing their text.
 template <typename Value>
 class NameTable {
   public:

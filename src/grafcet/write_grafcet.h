@@ -7,7 +7,7 @@
 namespace grafwire {
 
 /// The GRAFCET in the `.grafcet` language, in one canonical layout. Reading it back gives the same
-/// model (but for locations), and writing that gives the same text.
+/// model (apart from locations), and writing that gives the same text.
 std::string write_grafcet(const Grafcet& grafcet);
 
 /// One expression in the same notation, with no parentheses beyond those it needs: `X0.↑m + /(a +

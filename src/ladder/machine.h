@@ -9,8 +9,8 @@
 
 namespace grafwire::ladder {
 
-// Executes ladder diagrams, a scan at a time. Bits have three values, so that whoever judges a
-// program can leave inputs open. Integers have 64 bits and wrap around; the rest is IEC 61131-3,
+// Executes ladder diagrams, a scan at a time. Bits have three values, so that a check can leave
+// inputs open. Integers have 64 bits and wrap around; the rest is IEC 61131-3,
 // with two things that it leaves open: a change is seen against 0 in the first scan (an input that
 // is 1 from the beginning has a rising edge then, one that is 0 has no falling edge), and a
 // comparison in a branch without power lets no power through.

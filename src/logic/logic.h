@@ -13,7 +13,7 @@ namespace grafwire {
 //   1  0         1    0 1 x        1    1 1 1        1    1 0 x
 //   x  x         x    0 x x        x    x 1 x        x    x x x
 //
-// What "unknown" stands for is up to the user: a net whose value cannot be told, an input left
+// What "unknown" stands for is up to the user: a net whose value is not known, an input left
 // open. The operators are those that IEEE 1666 (SystemC) gives its values of more than two states.
 
 enum class Logic : std::uint8_t { zero, one, unknown };

@@ -1,9 +1,9 @@
 // The sizes are read off the offsets that Cordier prints before each instruction: an instruction
 // ends where the next one begins. They agree with one another throughout the skeleton (sections 5.0
-// to 5.9) and the three applications, but for one place: application 3, network 13, prints
+// to 5.9) and the three applications, except in one place: application 3, network 13, prints
 // `66 = V10.0`, `67 = V20.0`, then 69, as if `= V10.0` took one byte and `= V20.0` two (three
-// everywhere else); all offsets behind it are too small by three. tests/s7/test_offsets.cpp works
-// all of them out anew.
+// everywhere else); all offsets behind it are too small by three. tests/s7/test_offsets.cpp
+// computes all of them again.
 //
 // What they say: an operation takes two bytes with a bit of E, A, SM or T, three with one of V,
 // whose address needs a byte more. Work on bytes and words takes two bytes, two for each address,

@@ -101,7 +101,7 @@ class Columns {
         return nowhere;
     }
 
-    /// The item order; a network whose beginning cannot be told goes into `lost`.
+    /// The item order; a network whose beginning cannot be found goes into `lost`.
     std::vector<std::size_t> order(std::vector<std::size_t>& lost) const {
         std::vector<std::size_t> begins = certain_beginnings();
         for (std::size_t n = 0; n < networks_.size(); ++n) {

@@ -9,7 +9,7 @@
 namespace grafwire {
 
 /// Ends the delays of timers at the instants at which they fall due, as the reference does: the
-/// inputs change first, then the delays that end exactly now take effect, but for those whose
+/// inputs change first, then the delays that end exactly now take effect, except those whose
 /// operand no longer asks for it; then the gates work. The netlist must outlive it.
 class DelayEnds {
   public:

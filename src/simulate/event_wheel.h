@@ -13,8 +13,8 @@ using Tick = std::int64_t;
 inline constexpr Tick no_tick = INT64_MAX;
 
 /// Nets that are to change at a tick to come. Near ticks have a list each, found by the low bits of
-/// the tick; far ones are in a heap. Entries are never taken out before their tick: whoever takes
-/// them asks the net whether the change still stands.
+/// the tick; far ones are in a heap. Entries are never taken out before their tick: the reader
+/// asks the net whether the change still stands.
 class EventWheel {
   public:
     struct Far {

@@ -15,8 +15,8 @@ namespace grafwire {
 
 struct SimulateOptions {
     bool waveform = false;  ///< record every net
-    /// Clocked netlists: one clock cycle every so much time and one row per scan; 0: at every
-    /// instant clock cycles until nothing changes any more.
+    /// Clocked netlists: one clock cycle per period and one row per scan; 0: at every
+    /// instant, clock cycles until nothing changes any more.
     Time scan_period = 0;
     /// Called at every change of a net from the first instant on; not together with a waveform.
     Simulator::Observer observer;

@@ -1,6 +1,6 @@
 // Names of charts may be any text; a language has letters, digits and underscores. They are
-// transliterated, not numbered, because whoever commissions the program looks for the names of the
-// chart in it; a number keeps apart what transliteration makes equal.
+// transliterated, not numbered, because the engineer who commissions the program looks for the
+// names of the chart in it; a number keeps apart what transliteration makes equal.
 
 #include "text/safe_names.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 struct Spelling {
     std::string_view ascii;
-    std::string_view characters;  ///< all that are spelt so
+    std::string_view characters;  ///< all that are written so
 };
 
 /// The letters of the languages of Western Europe, and the signs met in names of equipment.
@@ -46,15 +46,15 @@ std::string spelling_of(CodePoint point, std::string_view bytes) {
 }  // namespace
 
 std::string ascii_word(std::string_view name) {
-    std::string spelt;
+    std::string written;
     for (std::size_t at = 0; at < name.size();) {
         const CodePoint point = decode_utf8(name, at);
         const std::size_t length = point.length == 0 ? 1 : point.length;
-        spelt += spelling_of(point, name.substr(at, length));
+        written += spelling_of(point, name.substr(at, length));
         at += length;
     }
     std::string word;
-    for (const char c : spelt) {
+    for (const char c : written) {
         if (c == '_' && (word.empty() || word.back() == '_')) continue;
         if (word.empty() && is_digit(c)) word = "n";
         word.push_back(c);

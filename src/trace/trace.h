@@ -17,7 +17,7 @@ struct Trace {
 
     struct Column {
         std::string name;
-        std::uint32_t width = 1;  ///< bits to show in a waveform; 1 but for counters
+        std::uint32_t width = 1;  ///< bits to show in a waveform; 1 except for counters
     };
     std::vector<Column> columns;
     std::vector<Time> times;           ///< one per row

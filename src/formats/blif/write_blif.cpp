@@ -3,7 +3,8 @@
 // but Yosys wants parameters declared, and BLIF cannot.)
 //
 // Every gate but the exclusive or is a single cube: an OR is written by the one case in which it is
-// 0. So a gate of 200 inputs takes 200 characters and not 40 000, and can be told from its cover.
+// 0. So a gate of 200 inputs takes 200 characters and not 40 000, and its cover still says what it
+// is.
 
 #include "formats/blif/write_blif.h"
 

@@ -1,7 +1,7 @@
-// BLIF has no gates: a cover is a list of products, and what a gate was when it was written is to
-// be told from it. One product, or products of one literal each, are an AND, OR, NAND or NOR;
-// inverted literals only turn it into its dual by De Morgan's laws. All rows of one parity are an
-// exclusive or. Whatever is left becomes a sum of products, with an inverter for each inverted
+// BLIF has no gates: a cover is a list of products, from which the reader works out what the gate
+// was when it was written. One product, or products of one literal each, are an AND, OR, NAND or
+// NOR; inverted literals only turn it into its dual by De Morgan's laws. All rows of one parity are
+// an exclusive or. Whatever is left becomes a sum of products, with an inverter for each inverted
 // input, made once in the whole netlist.
 
 #include "formats/shared/cover.h"

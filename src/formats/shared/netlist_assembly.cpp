@@ -1,6 +1,6 @@
 // A file names nets before it drives them, and drives none or twice if it is wrong, which a
 // NetlistBuilder leaves to its caller. Inner nets get their names when all those of the file are
-// known, and the clock is found when all flip-flops are: both can only be told at the end.
+// known, and the clock is found when all flip-flops are: both have to wait for the end of the file.
 
 #include "formats/shared/netlist_assembly.h"
 

@@ -1,6 +1,6 @@
 // Gates are XSPICE digital models with a delay of 1 ns (ngspice manual, "XSPICE: digital models").
 // Cells without a model of their own are put together from others; what is inside such a cell takes
-// a picosecond, and the rest so much less, so that the whole takes 1 ns on every way through it:
+// a picosecond, and the rest is shortened by as much: every way through the whole takes 1 ns.
 //
 //     latch       q = s + /r.q
 //     pulse       a flip-flop set by the edge, reset by its own output through a delay

@@ -70,7 +70,7 @@ void Waves::add(const BenchEvent& event) {
     end_ = event.at + delay + rest;
 }
 
-/// All waves go through the same number of levels, lest some change later than others.
+/// All waves go through the same number of levels, so that none changes later than the others.
 void add_wave(SpiceElements& elements, std::string_view node, const Wave& wave,
               std::size_t levels) {
     if (wave.ticks.empty()) return elements.add(node, wave.value ? " one" : " zero");

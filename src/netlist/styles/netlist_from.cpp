@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 
 #include "netlist/styles/annotate.h"
 #include "netlist/styles/messages.h"
-#include "netlist/styles/styles.h"
 
 namespace grafwire {
 
-// A new style is a file style_NAME.cpp, its maker in styles.h, and a row here.
-constexpr std::array<StyleRow, 4> style_table{{
+namespace {
+
+// A new style is a file style_NAME.cpp, its name and its maker in styles.h, and a row here.
+constexpr auto rows = std::to_array<StyleRow>({
     {Style::gates, "gates", "phase modules of AND, OR and NOT gates", CdxForm::successor, false,
      make_gates},
     {Style::nand, "nand", "set-priority latches of NAND gates", CdxForm::successor, false,
@@ -19,17 +21,15 @@ constexpr std::array<StyleRow, 4> style_table{{
     {Style::nor, "nor", "reset-priority latches of NOR gates", CdxForm::successor, false, make_nor},
     {Style::clocked, "clocked", "a D flip-flop per step on a common clock", CdxForm::transition,
      true, make_clocked},
-}};
+});
 
-namespace {
-
-constexpr bool stands_in_order() {
-    for (std::size_t i = 0; i < style_table.size(); ++i) {
-        if (static_cast<std::size_t>(style_table[i].style) != i) return false;
+constexpr bool stand_in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (static_cast<std::size_t>(rows[i].style) != i) return false;
     }
     return true;
 }
-static_assert(stands_in_order());
+static_assert(stand_in_order());
 
 void refuse_counters(const Grafcet& grafcet, const StyleRow& row, Diagnostics& diagnostics) {
     for (const Counter& counter : grafcet.counters) {
@@ -41,6 +41,8 @@ void refuse_counters(const Grafcet& grafcet, const StyleRow& row, Diagnostics& d
 }
 
 }  // namespace
+
+constinit const std::span<const StyleRow> style_table = rows;
 
 std::optional<Netlist> netlist_from(const Grafcet& grafcet, const Equations& equations, Style style,
                                     Diagnostics& diagnostics, const DelayModel& delays) {

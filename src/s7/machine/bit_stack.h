@@ -11,7 +11,7 @@ namespace grafwire::s7 {
 /// The stack of nine bits, the top at 0.
 class BitStack {
   public:
-    /// All levels 0 but for the top.
+    /// All levels 0 except the top.
     explicit BitStack(bool top = false) { levels_[0] = Signal::of(top); }
 
     Signal top() const { return levels_[0]; }
