@@ -10,9 +10,13 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "check/messages.h"
+
 namespace grafwire {
 
 namespace {
+
+namespace words = messages::check;
 
 std::vector<std::string> input_names(const Grafcet& grafcet) {
     std::vector<std::string> names;
@@ -88,23 +92,21 @@ PortComparison compare_ports(const Grafcet& grafcet, const Netlist& netlist) {
 }
 
 std::string write_port_table(const PortComparison& comparison, Language language) {
-    const bool french = language == Language::french;
     struct Row {
         const std::vector<std::string>& names;
-        std::string_view label;
+        const Message<>& label;
     };
     const Row rows[] = {
-        {comparison.missing_inputs, french ? "entrée manquante" : "missing input"},
-        {comparison.missing_outputs, french ? "sortie manquante" : "missing output"},
-        {comparison.extra_inputs, french ? "entrée en trop" : "extra input"},
-        {comparison.extra_outputs, french ? "sortie en trop" : "extra output"},
-        {comparison.unrelated_timers,
-         french ? "temporisateur sans condition de temps" : "timer of no time condition"},
+        {comparison.missing_inputs, words::missing_input},
+        {comparison.missing_outputs, words::missing_output},
+        {comparison.extra_inputs, words::extra_input},
+        {comparison.extra_outputs, words::extra_output},
+        {comparison.unrelated_timers, words::unrelated_timer},
     };
     std::string text;
     for (const Row& row : rows) {
         for (const std::string& name : row.names) {
-            text += fmt::format("  {:<40}{}\n", row.label, name);
+            text += fmt::format("  {:<40}{}\n", row.label.in(language), name);
         }
     }
     return text;

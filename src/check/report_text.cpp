@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "check/messages.h"
 #include "check/report.h"
 #include "grafcet/write_grafcet.h"
 #include "text/utf8.h"
@@ -11,6 +12,8 @@
 namespace grafwire {
 
 namespace {
+
+namespace words = messages::check;
 
 /// Two spaces before every line.
 std::string indented(const std::string& text) {
@@ -37,10 +40,7 @@ class TextReport {
   public:
     TextReport(const CheckSubject& subject, const Grafcet& grafcet, const CheckResult& result,
                Language language)
-        : subject_(subject),
-          grafcet_(grafcet),
-          result_(result),
-          french_(language == Language::french) {}
+        : subject_(subject), grafcet_(grafcet), result_(result), language_(language) {}
 
     std::string make(const ExplainedWitness& explained) {
         write_verdict();
@@ -55,25 +55,28 @@ class TextReport {
     }
 
   private:
-    std::string_view localized(std::string_view english, std::string_view french) const {
-        return french_ ? french : english;
+    template <class... Arguments>
+    std::string in_words(const Message<Arguments...>& message,
+                         const std::type_identity_t<Arguments>&... arguments) const {
+        return message.in(language_, arguments...);
     }
-    void add(std::string_view english, std::string_view french) {
-        text_ += localized(english, french);
+    template <class... Arguments>
+    void say(const Message<Arguments...>& message,
+             const std::type_identity_t<Arguments>&... arguments) {
+        text_ += message.in(language_, arguments...);
     }
     void add_stimuli(const Stimuli& stimuli) {
         text_ += indented(write_stimuli(stimuli, grafcet_));
     }
-    /// `key: value`, as each language spaces it.
-    std::string pair(std::string_view english, std::string_view french,
-                     std::string_view value) const {
-        return fmt::format("{}{} {}", localized(english, french), localized(":", " :"), value);
+    /// A line of several parts.
+    void add_line(const std::vector<std::string>& parts) {
+        text_ += fmt::format("  {}\n", fmt::join(parts, in_words(words::separator)));
     }
 
-    std::string_view verdict() const;
+    const Message<>& verdict() const;
     std::string compared_with() const;
     std::string assumptions() const;
-    std::string_view power_up() const;
+    const Message<>& power_up() const;
     void write_verdict();
     void write_foundation();
     void write_coverage();
@@ -88,29 +91,28 @@ class TextReport {
     const CheckSubject& subject_;
     const Grafcet& grafcet_;
     const CheckResult& result_;
-    bool french_;
+    Language language_;
     std::string text_;
 };
 
-std::string_view TextReport::verdict() const {
+const Message<>& TextReport::verdict() const {
     switch (result_.verdict) {
         case Verdict::equivalent:
-            return localized("equivalent", "équivalent");
+            return words::equivalent;
         case Verdict::different:
-            return localized("different", "différent");
+            return words::different;
         case Verdict::undecided:
-            return localized("undecided", "indécis");
+            break;
     }
-    return "";
+    return words::undecided;
 }
 
 std::string TextReport::compared_with() const {
-    if (subject_.against.empty())
+    if (subject_.against.empty()) {
         return fmt::format("style {}, CDX {}", subject_.style, subject_.cdx);
-    return fmt::format(
-        "{} {}",
-        subject_.is_program ? localized("program", "programme") : localized("netlist", "câblage"),
-        visible(subject_.against));
+    }
+    return in_words(subject_.is_program ? words::program : words::netlist,
+                    visible(subject_.against));
 }
 
 std::string TextReport::assumptions() const {
@@ -118,64 +120,53 @@ std::string TextReport::assumptions() const {
     for (const Assumption& assumption : grafcet_.assumptions) {
         texts.push_back(write_expression(grafcet_, grafcet_.expressions, assumption.expression));
     }
-    return texts.empty() ? std::string(localized("none", "aucune")) : names_text(texts);
+    return texts.empty() ? in_words(words::no_assumptions)
+                         : in_words(words::assumptions, names_text(texts));
 }
 
-std::string_view TextReport::power_up() const {
+const Message<>& TextReport::power_up() const {
     switch (subject_.power_up) {
         case PowerUp::init:
-            return "Init";
+            return words::power_up_init;
         case PowerUp::initial_values:
-            return localized("initial values", "valeurs initiales");
+            return words::power_up_initial_values;
         case PowerUp::given:
-            return localized("initial situation, taken as given",
-                             "situation initiale, supposée donnée");
+            return words::power_up_given;
         case PowerUp::unknown:
-            return localized("unknown", "inconnue");
+            break;
     }
-    return "";
+    return words::power_up_unknown;
 }
 
 void TextReport::write_verdict() {
-    text_ += fmt::format("{}: {} ({})\n", visible(subject_.file), verdict(), compared_with());
+    text_ +=
+        fmt::format("{}: {} ({})\n", visible(subject_.file), in_words(verdict()), compared_with());
 }
 
 void TextReport::write_foundation() {
     std::vector<std::string> parts;
-    if (!subject_.is_program) {
-        parts.push_back(pair("delays", "retards", localized("every gate 1 ns", "1 ns par porte")));
-    }
+    if (!subject_.is_program) parts.push_back(in_words(words::delays));
     if (subject_.changes) {
         parts.push_back(
-            pair("changes", "changements",
-                 *subject_.changes == Changes::one
-                     ? localized("one input at a time", "une entrée à la fois")
-                     : localized("many inputs at once", "plusieurs entrées à la fois")));
+            in_words(*subject_.changes == Changes::one ? words::one_change : words::many_changes));
     }
     if (subject_.is_scanned()) {
-        parts.push_back(pair("scan period", "période de scrutation",
-                             subject_.period == "every" ? localized("any", "quelconque")
-                                                        : std::string_view(subject_.period)));
+        parts.push_back(subject_.period == "every" ? in_words(words::any_period)
+                                                   : in_words(words::scan_period, subject_.period));
     }
-    parts.push_back(pair("assumptions", "hypothèses", assumptions()));
-    parts.push_back(pair("power-up", "mise sous tension", power_up()));
-    text_ += fmt::format("  {}\n", fmt::join(parts, localized("; ", " ; ")));
+    parts.push_back(assumptions());
+    parts.push_back(in_words(power_up()));
+    add_line(parts);
 }
 
 /// What is compared after every scan is so in unstable situations as well.
 void TextReport::write_coverage() {
     const Coverage& coverage = result_.coverage;
     if (subject_.is_scanned()) {
-        text_ += fmt::format(fmt::runtime(localized("  {} situations, {} scans compared\n",
-                                                    "  {} situations, {} cycles comparés\n")),
-                             coverage.situations, coverage.cases);
-        return;
+        say(words::scans_compared, coverage.situations, coverage.cases);
+    } else {
+        say(words::cases_compared, coverage.situations, coverage.cases, coverage.unstable);
     }
-    text_ += fmt::format(
-        fmt::runtime(
-            localized("  {} stable situations, {} cases compared, {} without a stable situation\n",
-                      "  {} situations stables, {} cas comparés, {} sans situation stable\n")),
-        coverage.situations, coverage.cases, coverage.unstable);
 }
 
 /// Nothing is said of what an exploration did not exercise that did not go to its end.
@@ -184,9 +175,9 @@ void TextReport::write_never() {
     if (result_.verdict == Verdict::different) return;
     const NeverExercised& never = result_.never;
     std::vector<std::string> parts;
-    const auto add_part = [&](std::string_view english, std::string_view french,
+    const auto add_part = [&](const Message<std::string>& message,
                               const std::vector<std::string>& names) {
-        if (!names.empty()) parts.push_back(pair(english, french, names_text(names)));
+        if (!names.empty()) parts.push_back(in_words(message, names_text(names)));
     };
     std::vector<std::string> steps;
     for (const StepId id : never.steps) steps.push_back(grafcet_.steps[id].name);
@@ -198,48 +189,27 @@ void TextReport::write_never() {
     for (const std::uint32_t input : never.inputs) inputs.emplace_back(input_name(grafcet_, input));
     std::vector<std::string> outputs;
     for (const OutputId id : never.outputs) outputs.push_back(grafcet_.outputs[id].name);
-    add_part("never active", "étapes jamais actives", steps);
-    add_part("never cleared", "transitions jamais franchies", transitions);
-    add_part("never changed", "entrées jamais changées", inputs);
-    add_part("never on", "sorties jamais à 1", outputs);
-    if (!parts.empty()) text_ += fmt::format("  {}\n", fmt::join(parts, localized("; ", " ; ")));
+    add_part(words::never_active, steps);
+    add_part(words::never_cleared, transitions);
+    add_part(words::never_changed, inputs);
+    add_part(words::never_on, outputs);
+    if (!parts.empty()) add_line(parts);
 }
 
 void TextReport::write_why_undecided() {
     if (result_.verdict != Verdict::undecided) return;
     if (result_.depends_on_period) {
-        add("  for no scan period could a difference be shown, nor excluded for every one: give "
-            "one "
-            "with --scan\n",
-            "  pour aucune période de scrutation une différence n'a pu être montrée, ni exclue "
-            "pour "
-            "toutes : en donner une avec --scan\n");
-        return;
+        say(words::depends_on_period);
+    } else if (result_.is_unexplained) {
+        say(words::depends_on_memory);
+    } else {
+        say(words::states_waiting, result_.coverage.waiting);
     }
-    if (result_.is_unexplained) {
-        add("  a memory whose value at power-up is not known may make a difference, and no run was "
-            "found that shows one: give it an initial value\n",
-            "  une mémoire dont la valeur à la mise sous tension est inconnue peut faire une "
-            "différence, sans qu'un essai la montre : lui donner une valeur initiale\n");
-        return;
-    }
-    text_ +=
-        fmt::format(fmt::runtime(localized(
-                        "  exploration incomplete within the bounds given: {} states reached "
-                        "are still to be left\n",
-                        "  exploration incomplète dans les limites données : {} états atteints "
-                        "restent à quitter\n")),
-                    result_.coverage.waiting);
 }
 
 void TextReport::write_unstable() {
     if (!result_.first_unstable) return;
-    text_ += fmt::format(
-        fmt::runtime(localized(
-            "\nRemark: the GRAFCET itself has no stable situation here ({} keep changing):\n",
-            "\nRemarque : le GRAFCET n'a pas de situation stable ici ({} changent sans cesse) "
-            ":\n")),
-        names_text(result_.first_unstable->changing));
+    say(words::chart_is_unstable, names_text(result_.first_unstable->changing));
     add_stimuli(result_.first_unstable->stimuli);
 }
 
@@ -247,60 +217,38 @@ void TextReport::write_together() {
     if (!result_.together) return;
     switch (result_.together->verdict) {
         case Verdict::equivalent:
-            add("\nRemark: it holds as well when many inputs change at once.\n",
-                "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n");
+            say(words::many_changes_hold);
             return;
         case Verdict::different:
             write_not_together(*result_.together);
             return;
         case Verdict::undecided:
-            add("\nRemark: whether it holds as well when many inputs change at once is undecided "
-                "within the bounds given.\n",
-                "\nRemarque : dans les limites données, il reste indécis si cela est vrai aussi "
-                "quand plusieurs entrées changent à la fois.\n");
+            say(words::many_changes_undecided);
             return;
     }
 }
 
 void TextReport::write_not_together(const Together& together) {
-    add("\nRemark: it does not hold when many inputs change at once.\n",
-        "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n");
+    say(words::many_changes_fail);
     std::vector<std::string> names;
     for (const std::uint32_t input : together.inputs) {
         names.emplace_back(input_name(grafcet_, input));
     }
     if (names.empty()) {
-        add("For instance:\n", "Par exemple :\n");
+        say(words::for_instance);
     } else {
-        text_ += fmt::format(
-            fmt::runtime(
-                together.with_delay
-                    ? localized(
-                          "{} must not change within a settling time of the end of a delay. "
-                          "Otherwise:\n",
-                          "{} ne doit pas changer à moins d'un temps de stabilisation de la fin "
-                          "d'un retard. Sinon :\n")
-                    : localized("These must not change within a settling time of each other: {}. "
-                                "Otherwise:\n",
-                                "Ces entrées ne doivent pas changer à moins d'un temps de "
-                                "stabilisation d'intervalle : {}. Sinon :\n")),
+        say(together.with_delay ? words::apart_from_delay : words::apart_from_each_other,
             names_text(names));
     }
     if (together.witness) add_stimuli(together.witness->stimuli);
-    if (together.assumption.empty()) return;
-    add("It holds where the plant never does that, as the GRAFCET can say:\n",
-        "Cela redevient vrai si l'installation ne le fait jamais, ce que le GRAFCET peut dire :\n");
-    text_ += fmt::format("  assume {}\n", together.assumption);
+    if (!together.assumption.empty()) say(words::holds_with_assumption, together.assumption);
 }
 
 void TextReport::write_witness(const ExplainedWitness& explained) {
     if (!result_.witness) return;
-    add("\nWitness:\n", "\nTémoin :\n");
+    say(words::witness);
     add_stimuli(result_.witness->stimuli);
-    for (const auto& [net, value] : explained.power_up) {
-        text_ += fmt::format("  {}: {} = {}\n", localized("at power-up", "à la mise sous tension"),
-                             net, value ? 1 : 0);
-    }
+    for (const auto& [net, value] : explained.power_up) say(words::at_power_up, net, value ? 1 : 0);
     text_ += '\n';
     write_kind(*result_.witness);
     text_ += explained.text;
@@ -309,16 +257,9 @@ void TextReport::write_witness(const ExplainedWitness& explained) {
 /// What the explanation does not say of some kinds of difference.
 void TextReport::write_kind(const Witness& witness) {
     if (witness.kind == DifferenceKind::power_up) {
-        add("At power-up nothing brings the netlist into the initial situation. Give it an input "
-            "Init or\ninitial values; or check with --power-up initial, if the plant guarantees "
-            "that situation.\n\n",
-            "À la mise sous tension, rien ne met le câblage dans la situation initiale. Lui donner "
-            "une entrée\nInit ou des valeurs initiales ; ou vérifier avec --power-up initial, si "
-            "l'installation garantit cette\nsituation.\n\n");
+        say(words::no_initial_situation);
     } else if (witness.kind == DifferenceKind::oscillation && all_agree(witness)) {
-        add("Every X and output is right; what keeps changing beside them stands below.\n\n",
-            "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
-            "bas.\n\n");
+        say(words::oscillates_beside);
     }
 }
 

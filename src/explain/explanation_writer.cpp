@@ -9,11 +9,14 @@
 #include <algorithm>
 
 #include "evolution/run.h"
+#include "explain/messages.h"
 #include "trace/stimuli_player.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace words = messages::explain;
 
 constexpr std::size_t most_scans = 8;     ///< that are shown
 constexpr std::size_t most_noted = 1000;  ///< of an instant
@@ -101,7 +104,6 @@ ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness) {
 
 void ExplanationWriter::explain_changes() {
     const Time last = witness_.stimuli.end;
-    text_ += fmt::format("{} {} ms", localized("At", "À"), format_milliseconds(last));
     const auto& changes = witness_.stimuli.changes;
     std::vector<std::string> set;
     if (!changes.empty() && changes.back().at == last) {
@@ -110,9 +112,12 @@ void ExplanationWriter::explain_changes() {
                                       assignment.value ? 1 : 0));
         }
     }
-    text_ += set.empty() ? std::string(localized(", no input changes", ", aucune entrée ne change"))
-                         : fmt::format("{} {}", localized(":", " :"), fmt::join(set, " "));
-    text_ += ".\n";
+    const std::string time = format_milliseconds(last);
+    if (set.empty()) {
+        say(words::no_change_at, time);
+    } else {
+        say(words::changes_at, time, fmt::format("{}", fmt::join(set, " ")));
+    }
 }
 
 std::string ExplanationWriter::situation_text(const BitTable& situation) const {
@@ -122,7 +127,7 @@ std::string ExplanationWriter::situation_text(const BitTable& situation) const {
             active.push_back("X" + grafcet_.steps[grafcet_.steps.id_at(i)].name);
         }
     }
-    if (active.empty()) return std::string(localized("no step", "aucune étape"));
+    if (active.empty()) return words::no_step.in(language_);
     return fmt::format("{}", fmt::join(active, " "));
 }
 
@@ -139,38 +144,37 @@ std::string ExplanationWriter::transition_text(TransitionId id) const {
 }
 
 void ExplanationWriter::explain_reference() {
-    text_ += localized("The reference:\n", "La référence :\n");
+    say(words::the_reference);
     const ReferenceEnd end = end_of_reference(grafcet_, witness_);
-    text_ += fmt::format("  {} {}\n", localized("before:", "avant :"), situation_text(end.before));
+    say(words::before, situation_text(end.before));
     std::size_t shown = 0;
     for (std::size_t i = 0; i < end.scans.size(); ++i) {
         const ReferenceEnd::Scan& scan = end.scans[i];
         if (!scan.changes) continue;
         if (shown++ == most_scans) {
-            text_ += "  …\n";
+            add("  …\n");
             break;
         }
         const std::string label = witness_.scan_period == 0
-                                      ? fmt::format("{} {}", localized("scan", "cycle"), i + 1)
-                                      : fmt::format("{} {} ms", localized("scan at", "cycle à"),
-                                                    format_milliseconds(scan.at));
+                                      ? words::scan_number.in(language_, i + 1)
+                                      : words::scan_at.in(language_, format_milliseconds(scan.at));
+        const std::string situation = situation_text(scan.situation);
+        if (scan.cleared.empty()) {
+            say(words::scan_of_orders, label, situation);
+            continue;
+        }
         std::vector<std::string> names;
         for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
-        text_ += fmt::format("  {}{} {}{} -> {}\n", label, localized(":", " :"),
-                             names.empty() ? "" : localized("clears ", "franchit "),
-                             names.empty() ? std::string(localized("orders", "ordres"))
-                                           : fmt::format("{}", fmt::join(names, "; ")),
-                             situation_text(scan.situation));
+        say(words::scan_clears, label, fmt::format("{}", fmt::join(names, "; ")), situation);
     }
 }
 
-void ExplanationWriter::explain_difference(std::string_view other_side) {
-    text_ += localized("Where they part:\n", "Où ils se séparent :\n");
+void ExplanationWriter::explain_difference(const Message<>& other_side) {
+    say(words::where_they_part);
     for (const Witness::Value& value : witness_.values) {
         if (value.expected == value.got) continue;
-        text_ += fmt::format("  {}{} {} {}, {} {}\n", value.name, localized(":", " :"),
-                             localized("the reference gives", "la référence donne"),
-                             digit_of(value.expected), other_side, digit_of(value.got));
+        say(words::values_differ, value.name, digit_of(value.expected), other_side.in(language_),
+            digit_of(value.got));
     }
 }
 

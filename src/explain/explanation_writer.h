@@ -2,12 +2,14 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "check/witness.h"
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
 #include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -32,20 +34,23 @@ ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness);
 class ExplanationWriter {
   public:
     ExplanationWriter(const Grafcet& grafcet, const Witness& witness, Language language)
-        : grafcet_(grafcet), witness_(witness), french_(language == Language::french) {}
+        : grafcet_(grafcet), witness_(witness), language_(language) {}
 
     /// What changes at the last instant.
     void explain_changes();
     /// What the reference makes of it, scan by scan.
     void explain_reference();
     /// Where the two sides part; `other_side`: "the netlist".
-    void explain_difference(std::string_view other_side);
+    void explain_difference(const Message<>& other_side);
 
     void add(std::string_view text) { text_ += text; }
-    std::string_view localized(std::string_view english, std::string_view french) const {
-        return french_ ? french : english;
+    /// A sentence of the catalogue, in the language of the explanation.
+    template <class... Arguments>
+    void say(const Message<Arguments...>& message,
+             const std::type_identity_t<Arguments>&... arguments) {
+        text_ += message.in(language_, arguments...);
     }
-    Language language() const { return french_ ? Language::french : Language::english; }
+    Language language() const { return language_; }
     std::string take() { return std::move(text_); }
 
   private:
@@ -54,7 +59,7 @@ class ExplanationWriter {
 
     const Grafcet& grafcet_;
     const Witness& witness_;
-    bool french_;
+    Language language_;
     std::string text_;
 };
 

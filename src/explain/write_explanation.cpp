@@ -9,11 +9,13 @@
 #include <algorithm>
 
 #include "explain/explanation_writer.h"
+#include "explain/messages.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace words = messages::explain;
 using Fault = Explanation::Fault;
 using EquationPair = Explanation::EquationPair;
 using Part = Explanation::Part;
@@ -42,34 +44,28 @@ class ExplanationText {
     }
 
   private:
-    std::string_view localized(std::string_view english, std::string_view french) const {
-        return writer_.localized(english, french);
+    template <class... Arguments>
+    void say(const Message<Arguments...>& message,
+             const std::type_identity_t<Arguments>&... arguments) {
+        writer_.say(message, arguments...);
     }
-    std::string_view colon() const { return localized(":", " :"); }
 
     void write_parts() {
         if (explanation_.parts.empty()) return;
-        writer_.add(witness_.kind == DifferenceKind::oscillation
-                        ? localized("What keeps changing:\n", "Ce qui change sans cesse :\n")
-                        : localized("Where they part:\n", "Où ils se séparent :\n"));
+        say(witness_.kind == DifferenceKind::oscillation ? words::keeps_changing
+                                                         : words::where_they_part);
         for (const Part& part : explanation_.parts) write_part(part);
     }
 
     void write_part(const Part& part) {
         if (witness_.kind == DifferenceKind::oscillation) {
-            writer_.add(fmt::format("  {}{} {} {}\n", part.name, colon(),
-                                    localized("the reference gives", "la référence donne"),
-                                    digit_of(part.expected)));
+            say(words::value_expected, part.name, digit_of(part.expected));
         } else {
-            writer_.add(fmt::format("  {}{} {} {}, {} {}\n", part.name, colon(),
-                                    localized("the reference gives", "la référence donne"),
-                                    digit_of(part.expected), localized("the netlist", "le câblage"),
-                                    digit_of(part.got)));
+            say(words::values_differ, part.name, digit_of(part.expected),
+                words::the_netlist.in(language_), digit_of(part.got));
         }
         if (!part.follows_from.empty()) {
-            writer_.add(fmt::format("    {} {}\n",
-                                    localized("that follows from", "cela découle de"),
-                                    fmt::join(part.follows_from, ", ")));
+            say(words::follows_from, joined(part.follows_from));
             return;
         }
         for (const EquationPair& pair : part.equations) write_equation(part, pair);
@@ -77,55 +73,34 @@ class ExplanationText {
     }
 
     void write_equation(const Part& part, const EquationPair& pair) {
-        std::string line = fmt::format("    {} = {}", pair.name, pair.expected);
+        writer_.add(fmt::format("    {} = {}", pair.name, pair.expected));
         std::vector<std::string> values;
         for (const Explanation::Operand& operand : pair.operands) {
             values.push_back(fmt::format("{}={}", operand.name, digit_of(operand.value)));
         }
-        if (!values.empty()) {
-            line += fmt::format("   {} {}", localized("with", "avec"), fmt::join(values, " "));
+        if (!values.empty()) say(words::with_values, fmt::format("{}", fmt::join(values, " ")));
+        writer_.add("\n");
+        if (part.fault == Fault::unread || pair.is_same) return;
+        if (pair.got.empty()) {
+            say(words::another_equation);
+        } else {
+            say(words::equation_in_netlist, pair.name, pair.got);
         }
-        writer_.add(line + "\n");
-        if (part.fault == Fault::unread) return;
-        if (pair.is_same) return;
-        line = pair.got.empty()
-                   ? std::string(localized("    in the netlist another one",
-                                           "    dans le câblage, une autre"))
-                   : fmt::format("    {} {} = {}", localized("in the netlist", "dans le câblage"),
-                                 pair.name, pair.got);
-        if (!pair.missing.empty()) {
-            line += fmt::format("{} {}", localized("; it has no", " ; il y manque"),
-                                fmt::join(pair.missing, ", "));
-        }
-        if (!pair.extra.empty()) {
-            line += fmt::format("{} {}",
-                                localized("; it should not have", " ; n'y ont pas leur place :"),
-                                fmt::join(pair.extra, ", "));
-        }
-        writer_.add(line + "\n");
+        if (!pair.missing.empty()) say(words::operands_missing, joined(pair.missing));
+        if (!pair.extra.empty()) say(words::operands_extra, joined(pair.extra));
+        writer_.add("\n");
     }
 
     void write_fault(const Part& part) {
         switch (part.fault) {
             case Fault::no_fault:
-                if (!part.equations.empty()) {
-                    writer_.add(localized(
-                        "    its gates have the same equations: it is a matter of delays\n",
-                        "    ses portes ont les mêmes équations : c'est une question de "
-                        "retards\n"));
-                }
+                if (!part.equations.empty()) say(words::same_equations);
                 break;
             case Fault::priority:
-                writer_.add(
-                    localized("    its gates have the same, but where CAX and CDX are both 1 "
-                              "deactivation wins\n",
-                              "    ses portes ont les mêmes, mais là où CAX et CDX valent 1 "
-                              "la désactivation l'emporte\n"));
+                say(words::deactivation_wins);
                 break;
             case Fault::unread:
-                writer_.add(
-                    localized("    what the gates make of it cannot be compared; they read",
-                              "    ce qu'en font les portes ne se compare pas ; elles lisent"));
+                say(words::gates_cannot_be_compared);
                 for (const Explanation::Operand& operand : part.reads) {
                     writer_.add(fmt::format(" {}={}", operand.name, digit_of(operand.value)));
                 }
@@ -135,18 +110,14 @@ class ExplanationText {
             case Fault::order:
                 break;
         }
-        if (part.decided_at) {
-            writer_.add(fmt::format("    {} {}\n",
-                                    localized("it is decided at", "cela se décide à"),
-                                    time_text(*part.decided_at)));
-        }
-        if (!part.lines.empty()) {
-            const std::string place = options_.source.empty() ? "" : options_.source + ", ";
-            writer_.add(fmt::format(
-                "    {} {}{} {}\n", localized("its gates:", "ses portes :"), place,
-                part.lines.size() == 1 ? localized("line", "ligne") : localized("lines", "lignes"),
-                ranges(part.lines)));
-        }
+        if (part.decided_at) say(words::decided_at, time_text(*part.decided_at));
+        if (part.lines.empty()) return;
+        say(part.lines.size() == 1 ? words::gates_in_line : words::gates_in_lines,
+            options_.source.empty() ? "" : options_.source + ", ", ranges(part.lines));
+    }
+
+    static std::string joined(const std::vector<std::string>& names) {
+        return fmt::format("{}", fmt::join(names, ", "));
     }
 
     /// `3, 7-9`.
@@ -170,72 +141,65 @@ class ExplanationText {
         return fmt::format("+{} ns", after / nanosecond);
     }
 
-    std::string_view verb_of(Logic value) const {
+    static const Message<>& verb_of(Logic value) {
         switch (value) {
             case Logic::one:
-                return localized("rises", "monte");
+                return words::rises;
             case Logic::zero:
-                return localized("falls", "descend");
+                return words::falls;
             default:
-                return localized("becomes undefined", "devient indéterminée");
+                return words::becomes_undefined;
         }
     }
 
     void write_chain() {
         const std::size_t most_links = options_.most_links;
-        writer_.add(localized("How it came about, gate by gate:\n",
-                              "Comment on en arrive là, porte par porte :\n"));
+        say(words::gate_by_gate);
         const std::vector<Explanation::Link>& chain = explanation_.chain;
         if (chain.empty()) {
-            writer_.add(localized("  no gate changes\n", "  aucune porte ne change\n"));
+            say(words::no_gate_changes);
             return;
         }
         std::size_t first = 0;
         if (most_links != 0 && chain.size() > most_links) {
             first = chain.size() - most_links;
-            writer_.add(fmt::format(
-                fmt::runtime(localized("  … {} links before these stand in witness.txt\n",
-                                       "  … {} maillons avant ceux-ci : voir witness.txt\n")),
-                first));
+            say(words::links_in_file, first);
         }
         for (std::size_t i = first; i < chain.size(); ++i) write_link(chain[i]);
     }
 
     void write_link(const Explanation::Link& link) {
-        std::string line = fmt::format("  {}  ", time_text(link.after));
+        writer_.add(fmt::format("  {}  ", time_text(link.after)));
         if (link.cell == no_cell) {
-            line += fmt::format("{} {}", localized("input", "entrée"), link.net);
+            say(words::input, link.net);
         } else {
-            line += cell_description(netlist_, link.cell, language_);
+            writer_.add(cell_description(netlist_, link.cell, language_));
             const Origin& origin = netlist_.origin_of(netlist_.cells[link.cell]);
             if (origin.kind == Origin::Kind::other && origin.where.is_known()) {
-                line += options_.source.empty()
-                            ? fmt::format(" ({} {})", localized("line", "ligne"), origin.where.line)
-                            : fmt::format(" ({}:{})", options_.source, origin.where.line);
+                if (options_.source.empty()) {
+                    say(words::in_line, origin.where.line);
+                } else {
+                    writer_.add(fmt::format(" ({}:{})", options_.source, origin.where.line));
+                }
             }
         }
-        line += fmt::format(" {}", verb_of(link.value));
+        say(verb_of(link.value));
         if (!link.causes.empty()) {
-            line +=
-                fmt::format(", {} {}", localized("after", "après"), fmt::join(link.causes, ", "));
-        } else if (link.cell != no_cell && is_timer(netlist_.cells[link.cell].type)) {
-            line += localized(", its delay has ended", ", son retard est écoulé");
+            say(words::after, joined(link.causes));
         } else if (link.cell != no_cell) {
-            line += localized(", from the start", ", dès le départ");
+            say(is_timer(netlist_.cells[link.cell].type) ? words::delay_has_ended
+                                                         : words::from_the_start);
         }
-        writer_.add(line + "\n");
+        writer_.add("\n");
     }
 
     void write_oscillation() {
         if (explanation_.oscillating.empty()) return;
-        writer_.add(localized("The netlist does not settle. These keep changing:\n",
-                              "Le câblage ne se stabilise pas. Changent sans cesse :\n"));
+        say(words::does_not_settle);
         std::size_t shown = 0;
         for (const CellId cell : explanation_.oscillating) {
             if (shown++ == most_oscillating) {
-                writer_.add(
-                    fmt::format(fmt::runtime(localized("  and {} more\n", "  et {} autres\n")),
-                                explanation_.oscillating.size() - most_oscillating));
+                say(words::and_more, explanation_.oscillating.size() - most_oscillating);
                 break;
             }
             writer_.add(fmt::format("  {}\n", cell_description(netlist_, cell, language_)));
@@ -244,10 +208,8 @@ class ExplanationText {
 
     void write_cause() {
         if (!explanation_.cause) return;
-        writer_.add(fmt::format("{}\n  {}\n{}\n  {}\n", localized("Cause:", "Cause :"),
-                                cause_text(*explanation_.cause, language_),
-                                localized("What helps:", "Remède :"),
-                                remedy_text(*explanation_.cause, language_)));
+        say(words::cause_and_remedy, cause_text(*explanation_.cause, language_),
+            remedy_text(*explanation_.cause, language_));
     }
 
     const Netlist& netlist_;

@@ -11,12 +11,14 @@
 #include "explain/explanation_writer.h"
 #include "ladder/draw/write_drawings.h"
 #include "laddercheck/ladder_device.h"
+#include "laddercheck/messages.h"
 #include "trace/stimuli_player.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace words = messages::laddercheck;
 using ladder::VariableId;
 
 constexpr std::size_t most_rungs = 12;
@@ -113,7 +115,7 @@ std::string LadderDevice::explain(const Witness& witness, Language language) con
     ExplanationWriter writer(grafcet_, witness, language);
     writer.explain_changes();
     writer.explain_reference();
-    writer.explain_difference(writer.localized("the ladder diagram", "le schéma à contacts"));
+    writer.explain_difference(words::the_ladder_diagram);
     const ladder::Machine::Outcome scan = last_scan(witness);
     std::vector<Difference> differences;
     for (std::size_t v = 0; v < witness.values.size(); ++v) {
@@ -124,37 +126,21 @@ std::string LadderDevice::explain(const Witness& witness, Language language) con
         const std::uint32_t last_writer = scan.writers[static_cast<std::size_t>(variable)];
         const std::string& name = ladder_.variable(variable).name;
         if (last_writer == ladder::Machine::nobody) {
-            writer.add(fmt::format(fmt::runtime(writer.localized(
-                                       "  no network has written {} in this scan\n",
-                                       "  aucun réseau n'a écrit {} dans cette scrutation\n")),
-                                   name));
+            writer.say(words::no_network_has_written, name);
         } else {
-            writer.add(fmt::format(
-                fmt::runtime(writer.localized("  {} was last written in network {}\n",
-                                              "  {} a été écrit en dernier dans le réseau {}\n")),
-                name, ladder_.rungs[last_writer].number));
+            writer.say(words::was_last_written, name, ladder_.rungs[last_writer].number);
         }
     }
     const std::vector<std::size_t> rungs =
         candidate_rungs(ladder_, scan.powers, differences, names_.steps);
-    if (!rungs.empty()) {
-        writer.add(writer.localized("The networks that decide it, in this scan:\n",
-                                    "Les réseaux qui en décident, dans cette scrutation :\n"));
-    }
+    if (!rungs.empty()) writer.say(words::networks_that_decide);
     for (const std::size_t r : rungs) {
         const ladder::Rung& rung = ladder_.rungs[r];
-        const bool passes = scan.powers[r] == Logic::one;
-        std::string head =
-            fmt::format(fmt::runtime(writer.localized("  network {}", "  réseau {}")), rung.number);
-        if (rung.origin.is_known()) {
-            head += fmt::format(fmt::runtime(writer.localized(", line {}", ", ligne {}")),
-                                rung.origin.line);
-        }
-        if (!rung.comment.empty()) head += fmt::format(" ({})", rung.comment);
-        head += passes ? writer.localized(": power reaches its end", " : le courant passe")
-                       : writer.localized(": power does not reach its end",
-                                          " : le courant ne passe pas");
-        writer.add(head + "\n" + ladder::write_rung(ladder_, rung, 72, 4));
+        writer.say(words::network, rung.number);
+        if (rung.origin.is_known()) writer.say(words::at_line, rung.origin.line);
+        if (!rung.comment.empty()) writer.add(fmt::format(" ({})", rung.comment));
+        writer.say(scan.powers[r] == Logic::one ? words::power_passes : words::power_does_not_pass);
+        writer.add(ladder::write_rung(ladder_, rung, 72, 4));
     }
     return writer.take();
 }

@@ -15,6 +15,7 @@
 #include "s7/addresses/operand_text.h"
 #include "s7/write_listing.h"
 #include "s7check/candidate_networks.h"
+#include "s7check/messages.h"
 
 namespace grafwire {
 
@@ -77,6 +78,7 @@ std::vector<const Instruction*> excerpt(const s7::Network& network,
 
 namespace {
 
+namespace words = messages::s7check;
 using Kind = Diagnosis::Kind;
 
 constexpr std::size_t most_networks = 6;
@@ -87,17 +89,15 @@ std::string place_text(const s7::Operand& place) {
 }
 
 /// What a bit of the tables is.
-std::string bit_text(const Diagnosis& diagnosis, const ExplanationWriter& writer) {
-    const auto of_step = [&](std::string_view table) {
-        return fmt::format("{} {} {}", table, writer.localized("of", "de"), diagnosis.name);
+std::string bit_text(const Diagnosis& diagnosis, Language language) {
+    const auto of_step = [&](const std::string& table) {
+        return words::of_step.in(language, table, diagnosis.name);
     };
     switch (diagnosis.kind) {
         case Kind::receptivity:
-            return fmt::format("{} ({})",
-                               writer.localized("Tt of transition", "Tt de la transition"),
-                               diagnosis.name);
+            return words::of_transition.in(language, diagnosis.name);
         case Kind::timer:
-            return fmt::format("{}", writer.localized("the timer", "la temporisation"));
+            return words::the_timer.in(language);
         case Kind::previous:
             return of_step("Tp");
         case Kind::activate:
@@ -111,8 +111,7 @@ std::string bit_text(const Diagnosis& diagnosis, const ExplanationWriter& writer
         case Kind::situation:
             return diagnosis.name;
         case Kind::may_evolve:
-            return fmt::format("{} {}", writer.localized("Tfig of graph", "Tfig du graphe"),
-                               diagnosis.name);
+            return words::of_graph.in(language, diagnosis.name);
         case Kind::var:
         case Kind::output:
             return diagnosis.name;
@@ -120,15 +119,12 @@ std::string bit_text(const Diagnosis& diagnosis, const ExplanationWriter& writer
     return {};
 }
 
-std::string network_text(const s7::Listing& listing, std::uint32_t number,
-                         const ExplanationWriter& writer) {
-    std::string text = fmt::format("{} {}", writer.localized("network", "réseau"), number);
+std::string network_text(const s7::Listing& listing, std::uint32_t number, Language language) {
+    std::string text = words::network.in(language, number);
     for (const s7::Network& network : listing.networks) {
         if (network.number != number) continue;
         if (!network.comment.empty()) text += fmt::format(" ({})", network.comment);
-        if (network.where.is_known()) {
-            text += fmt::format(", {} {}", writer.localized("line", "ligne"), network.where.line);
-        }
+        if (network.where.is_known()) text += words::at_line.in(language, network.where.line);
         break;
     }
     return text;
@@ -139,7 +135,7 @@ void explain_instructions(ExplanationWriter& writer, const s7::Listing& listing,
                           const Diagnosis& diagnosis) {
     std::vector<s7::Operand> places{diagnosis.place};
     for (const Diagnosis::Read& read : diagnosis.reads) places.push_back(read.place);
-    writer.add(writer.localized("The instructions:\n", "Les instructions :\n"));
+    writer.say(words::the_instructions);
     for (std::size_t i = 0; i < diagnosis.networks.size(); ++i) {
         if (i == most_networks) {
             writer.add("  …\n");
@@ -147,7 +143,8 @@ void explain_instructions(ExplanationWriter& writer, const s7::Listing& listing,
         }
         for (const s7::Network& network : listing.networks) {
             if (network.number != diagnosis.networks[i]) continue;
-            writer.add(fmt::format("  {}\n", network_text(listing, network.number, writer)));
+            writer.add(
+                fmt::format("  {}\n", network_text(listing, network.number, writer.language())));
             const auto shown = excerpt(network, places, most_instructions + 1);
             for (std::size_t k = 0; k < shown.size(); ++k) {
                 if (k == most_instructions) {
@@ -164,45 +161,32 @@ void explain_instructions(ExplanationWriter& writer, const s7::Listing& listing,
 
 void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
                        const Diagnosis& diagnosis) {
-    writer.add(writer.localized("Where it comes from in the listing:\n",
-                                "D'où cela vient dans le programme :\n"));
-    writer.add(fmt::format(fmt::runtime(writer.localized(
-                               "  {} ({}) is {} after the scan at {} ms, and should be {}\n",
-                               "  {} ({}) vaut {} après le cycle à {} ms, et devrait valoir {}\n")),
-                           bit_text(diagnosis, writer), place_text(diagnosis.place),
-                           diagnosis.expected ? 0 : 1, format_milliseconds(diagnosis.at),
-                           diagnosis.expected ? 1 : 0));
+    const Language language = writer.language();
+    writer.say(words::where_it_comes_from);
+    writer.say(words::bit_is_wrong, bit_text(diagnosis, language), place_text(diagnosis.place),
+               diagnosis.expected ? 0 : 1, format_milliseconds(diagnosis.at),
+               diagnosis.expected ? 1 : 0);
     if (diagnosis.networks.empty()) {
-        writer.add(writer.localized("  no network writes it\n", "  aucun réseau ne l'écrit\n"));
+        writer.say(words::no_network_writes);
         return;
     }
-    writer.add(fmt::format(
-        "  {} {}\n",
-        diagnosis.should_have_written
-            ? writer.localized("it should have been written by:", "aurait dû l'écrire :")
-            : writer.localized("it was written by:", "l'a écrit :"),
-        network_text(listing, diagnosis.networks[0], writer)));
+    writer.say(
+        diagnosis.should_have_written ? words::should_have_been_written_by : words::was_written_by,
+        network_text(listing, diagnosis.networks[0], language));
     for (const Diagnosis::Read& read : diagnosis.reads) {
-        writer.add(fmt::format(
-            "  {} {} {} {} = {}, {}\n", writer.localized("network", "réseau"), read.network,
-            writer.localized("reads", "lit"), place_text(read.place), read.value,
-            read.writer ? fmt::format("{} {}",
-                                      writer.localized("written by network", "écrit par le réseau"),
-                                      *read.writer)
-                        : std::string(writer.localized("which nobody has written",
-                                                       "que personne n'a écrit"))));
+        if (read.writer) {
+            writer.say(words::network_reads, read.network, place_text(read.place), read.value,
+                       *read.writer);
+        } else {
+            writer.say(words::network_reads_unwritten, read.network, place_text(read.place),
+                       read.value);
+        }
     }
-    std::vector<std::uint32_t> others;
-    for (std::size_t i = 1; i < diagnosis.networks.size(); ++i) {
-        others.push_back(diagnosis.networks[i]);
-    }
+    const std::vector<std::uint32_t> others(diagnosis.networks.begin() + 1,
+                                            diagnosis.networks.end());
     if (!others.empty()) {
-        const bool is_one = others.size() == 1;
-        writer.add(fmt::format("  {} {} {}\n",
-                               writer.localized("if it is right, look at", "s'il est juste, voir"),
-                               is_one ? writer.localized("network", "le réseau")
-                                      : writer.localized("networks", "les réseaux"),
-                               fmt::join(others, ", ")));
+        writer.say(others.size() == 1 ? words::look_at_network : words::look_at_networks,
+                   fmt::format("{}", fmt::join(others, ", ")));
     }
     explain_instructions(writer, listing, diagnosis);
 }
@@ -212,19 +196,16 @@ void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
 std::string explain_listing_witness(const Grafcet& grafcet, const s7::Listing& listing,
                                     const Witness& witness,
                                     const std::optional<Diagnosis>& diagnosis,
-                                    const std::optional<s7::RunError>& error, Language language) {
+                                    const std::optional<s7::RunError>& error,
+                                    Language language) {
     ExplanationWriter writer(grafcet, witness, language);
     writer.explain_changes();
     writer.explain_reference();
     if (error) {
-        writer.add(fmt::format("{} ({} {}, {} {}){} {}\n",
-                               writer.localized("The listing stops", "Le programme s'arrête"),
-                               writer.localized("network", "réseau"), error->network,
-                               writer.localized("line", "ligne"), error->where.line,
-                               writer.localized(":", " :"), error->message));
+        writer.say(words::listing_stops, error->network, error->where.line, error->message);
         return writer.take();
     }
-    writer.explain_difference(writer.localized("the listing", "le programme"));
+    writer.explain_difference(words::the_listing);
     if (diagnosis) explain_diagnosis(writer, listing, *diagnosis);
     return writer.take();
 }
