@@ -29,6 +29,8 @@ namespace grafwire {
 
 namespace {
 
+using Outcome = ScannedDevice::Outcome;
+
 constexpr std::uint32_t root = 0xffffffffU;  ///< before the first scan
 
 /// What both sides remember after a scan.
@@ -88,7 +90,7 @@ class ScanExploration {
     void add_successor(Node&& next, std::uint32_t predecessor, const PartialInputs& inputs);
     void show_difference(std::uint32_t predecessor, const PartialInputs& inputs);
     Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
-    bool agree(const ReferenceOutcome& expected, const ScannedDevice::Outcome& got) const;
+    bool agree(const ReferenceOutcome& expected, const Outcome& got) const;
 
     const Grafcet& grafcet_;
     const ScannedDevice& device_;
@@ -129,7 +131,7 @@ void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected
         PartialInputs inputs = std::move(remaining.back());
         remaining.pop_back();
         if (!assumptions_.can_hold(inputs)) continue;
-        ScannedDevice::Outcome got = device_.scan(memory, inputs, now);
+        Outcome got = device_.scan(memory, inputs, now);
         if (got.needs) {
             assert(inputs[*got.needs] == PartialInput::unassigned);
             for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
@@ -147,8 +149,7 @@ void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected
     }
 }
 
-bool ScanExploration::agree(const ReferenceOutcome& expected,
-                            const ScannedDevice::Outcome& got) const {
+bool ScanExploration::agree(const ReferenceOutcome& expected, const Outcome& got) const {
     const auto same = [](const BitTable& bits, const std::vector<Logic>& values) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (values[i] != logic_of(bits.test(i))) return false;
@@ -195,9 +196,35 @@ void ScanExploration::show_difference(std::uint32_t predecessor, const PartialIn
     done_ = true;
 }
 
+/// A device over stimuli, a scan every period from 0 to the end: `visit` gets the time, the inputs
+/// and the outcome of each.
+template <class Visit>
+void run_scan_by_scan(const Grafcet& grafcet, const ScannedDevice& device, const Stimuli& stimuli,
+                      Time period, const Visit& visit) {
+    StimuliPlayer player(stimuli, grafcet.all_input_count());
+    std::string memory = device.start();
+    for (Time now = 0;; now += period) {
+        player.advance(now);
+        const PartialInputs inputs = assigned_inputs(player.inputs());
+        const Outcome outcome = device.scan(memory, inputs, now);
+        visit(now, inputs, outcome);
+        memory = outcome.memory;
+        if (period > stimuli.end - now) return;
+    }
+}
+
 std::int64_t shown(Logic value) {
     if (value == Logic::unknown) return Trace::unknown;
     return value == Logic::one ? 1 : 0;
+}
+
+void add_row(Trace& trace, Time now, const PartialInputs& inputs, const Outcome& outcome) {
+    trace.times.push_back(now);
+    for (const PartialInput input : inputs) trace.values.push_back(shown(logic_of(input)));
+    for (const std::vector<Logic>* values : {&outcome.steps, &outcome.outputs}) {
+        for (const Logic value : *values) trace.values.push_back(shown(value));
+    }
+    trace.values.resize(trace.times.size() * trace.columns.size(), Trace::unknown);
 }
 
 }  // namespace
@@ -223,21 +250,18 @@ Time natural_period(const Grafcet& grafcet, const ScannedDevice& device) {
 Trace run_device(const Grafcet& grafcet, const ScannedDevice& device, const Stimuli& stimuli,
                  Time period) {
     Trace trace = empty_trace(grafcet);
-    StimuliPlayer player(stimuli, grafcet.all_input_count());
-    std::string memory = device.start();
-    for (Time now = 0;; now += period) {
-        player.advance(now);
-        const PartialInputs inputs = assigned_inputs(player.inputs());
-        ScannedDevice::Outcome outcome = device.scan(memory, inputs, now);
-        memory = std::move(outcome.memory);
-        trace.times.push_back(now);
-        for (const PartialInput input : inputs) trace.values.push_back(shown(logic_of(input)));
-        for (const std::vector<Logic>* values : {&outcome.steps, &outcome.outputs}) {
-            for (const Logic value : *values) trace.values.push_back(shown(value));
-        }
-        trace.values.resize(trace.times.size() * trace.columns.size(), Trace::unknown);
-        if (period > stimuli.end - now) return trace;
-    }
+    run_scan_by_scan(grafcet, device, stimuli, period,
+                     [&](Time now, const PartialInputs& inputs, const Outcome& outcome) {
+                         add_row(trace, now, inputs, outcome);
+                     });
+    return trace;
+}
+
+Outcome last_scan(const Grafcet& grafcet, const ScannedDevice& device, const Witness& witness) {
+    Outcome last;
+    run_scan_by_scan(grafcet, device, witness.stimuli, witness.scan_period,
+                     [&](Time, const PartialInputs&, const Outcome& outcome) { last = outcome; });
+    return last;
 }
 
 std::optional<Witness> replay_scans(const Grafcet& grafcet, const ScannedDevice& device,

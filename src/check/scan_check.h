@@ -29,6 +29,10 @@ Time natural_period(const Grafcet& grafcet, const ScannedDevice& device);
 Trace run_device(const Grafcet& grafcet, const ScannedDevice& device, const Stimuli& stimuli,
                  Time period);
 
+/// What comes of the scan in which a witness ends.
+ScannedDevice::Outcome last_scan(const Grafcet& grafcet, const ScannedDevice& device,
+                                 const Witness& witness);
+
 /// Runs reference and device over stimuli from the start, scan by scan, and reports the first
 /// difference; nothing where none shows.
 std::optional<Witness> replay_scans(const Grafcet& grafcet, const ScannedDevice& device,

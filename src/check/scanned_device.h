@@ -7,6 +7,7 @@
 
 #include "check/partial_inputs.h"
 #include "logic/logic.h"
+#include "text/location.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -18,11 +19,20 @@ class ScannedDevice {
   public:
     virtual ~ScannedDevice() = default;
 
+    /// Where a program stops in a scan that should come to its end.
+    struct Stop {
+        std::uint32_t network = 0;  ///< its number
+        Location where;
+        std::string message;
+    };
+
     /// What came of a scan.
     struct Outcome {
         /// An input that is unassigned in this scan and on which a compared value, or anything that
         /// is remembered, depends. The rest is of no meaning then.
         std::optional<std::uint32_t> needs;
+        /// Where the program stopped, if it did; the values below are unknown then.
+        std::optional<Stop> stop;
         std::string memory;          ///< after the scan
         std::vector<Logic> steps;    ///< X of every step of the GRAFCET, 0 or 1
         std::vector<Logic> outputs;  ///< every output, 0 or 1

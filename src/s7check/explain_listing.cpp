@@ -196,13 +196,13 @@ void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
 std::string explain_listing_witness(const Grafcet& grafcet, const s7::Listing& listing,
                                     const Witness& witness,
                                     const std::optional<Diagnosis>& diagnosis,
-                                    const std::optional<s7::RunError>& error,
+                                    const std::optional<ScannedDevice::Stop>& stop,
                                     Language language) {
     ExplanationWriter writer(grafcet, witness, language);
     writer.explain_changes();
     writer.explain_reference();
-    if (error) {
-        writer.say(words::listing_stops, error->network, error->where.line, error->message);
+    if (stop) {
+        writer.say(words::listing_stops, stop->network, stop->where.line, stop->message);
         return writer.take();
     }
     writer.explain_difference(words::the_listing);

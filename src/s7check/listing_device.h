@@ -25,21 +25,17 @@ class ListingDevice : public ScannedDevice {
     std::vector<Time> delays() const override { return machine_.delays(); }
     bool has_modes() const override;
 
-    /// What went wrong in a scan that did not come to its end, if one did not. Its steps and
-    /// outputs are unknown in the outcome.
-    const std::optional<s7::RunError>& error() const { return error_; }
-
   private:
     s7::MachineState unpacked(const std::string& memory) const;
     std::string packed(const s7::MachineState& state) const;
-    std::optional<std::uint32_t> unknown_alive(const s7::MachineState& state) const;
-    std::optional<std::uint32_t> observe(const s7::MachineState& state, Outcome& outcome) const;
+    std::optional<std::uint32_t> unknown_alive(const s7::Machine& machine,
+                                               const s7::MachineState& state) const;
+    std::optional<std::uint32_t> observe(const s7::Machine& machine, const s7::MachineState& state,
+                                         Outcome& outcome) const;
     s7::InputImage image_of(const PartialInputs& inputs) const;
 
     s7::Binding binding_;
-    /// Executing changes nothing in the machine but what it works with during a scan.
-    mutable s7::Machine machine_;
-    mutable std::optional<s7::RunError> error_;
+    s7::Machine machine_;  ///< every scan is executed by a copy
     s7::MachineState blank_;
     std::vector<std::uint8_t> alive_;          ///< a mask per byte of memory
     std::vector<std::size_t> alive_bytes_;     ///< those whose mask is not 0

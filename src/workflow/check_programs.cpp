@@ -127,13 +127,16 @@ std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& li
     }
     const ListingDevice device(listing, cpu, binding);
     std::optional<Diagnosis> diagnosis;
+    std::optional<ScannedDevice::Stop> stop;
     bool is_sought = false;
     const auto explain = [&](const Witness& witness, Language language) {
-        // Find the network that the difference comes from, once.
-        if (!is_sought) diagnosis = localize_fault(grafcet, listing, cpu, binding, witness);
-        is_sought = true;
-        return explain_listing_witness(grafcet, listing, witness, diagnosis, device.error(),
-                                       language);
+        // Find what the difference comes from, once.
+        if (!is_sought) {
+            diagnosis = localize_fault(grafcet, listing, cpu, binding, witness);
+            stop = last_scan(grafcet, device, witness).stop;
+            is_sought = true;
+        }
+        return explain_listing_witness(grafcet, listing, witness, diagnosis, stop, language);
     };
     return check_device(chart, device, request, messages, explain);
 }

@@ -34,8 +34,8 @@ std::string explained(const std::string& text, Language language) {
     REQUIRE(result.witness);
     const auto diagnosis =
         localize_fault(*grafcet, listing, s7::Cpu::cpu_214, *binding, *result.witness);
-    return explain_listing_witness(*grafcet, listing, *result.witness, diagnosis, device.error(),
-                                   language);
+    return explain_listing_witness(*grafcet, listing, *result.witness, diagnosis,
+                                   last_scan(*grafcet, device, *result.witness).stop, language);
 }
 
 const std::string good_lamp = R"(NETWORK1 // First scan

@@ -13,18 +13,20 @@
 namespace grafwire::s7 {
 
 struct Machine::Parts {
-    Parts(const Listing& listing, Cpu cpu) : program(listing, cpu), memory(program.layout.bytes) {}
-    Decoded program;
+    Parts(const Listing& listing, Cpu cpu)
+        : program(std::make_shared<const Decoded>(listing, cpu)), memory(program->layout.bytes) {}
+    std::shared_ptr<const Decoded> program;
     MachineMemory memory;
 };
 
 Machine::Machine(const Listing& listing, Cpu cpu) : parts_(std::make_unique<Parts>(listing, cpu)) {}
 Machine::~Machine() = default;
+Machine::Machine(const Machine& other) : parts_(std::make_unique<Parts>(*other.parts_)) {}
 Machine::Machine(Machine&&) noexcept = default;
 Machine& Machine::operator=(Machine&&) noexcept = default;
 
 MachineState Machine::start() const {
-    const Decoded& program = parts_->program;
+    const Decoded& program = *parts_->program;
     MachineState state;
     state.memory.assign(program.layout.bytes, 0);
     state.timers.resize(program.timers.size());
@@ -34,7 +36,7 @@ MachineState Machine::start() const {
 }
 
 Machine::ScanEnd Machine::scan(MachineState& state, const InputImage& inputs, Time now) {
-    const Decoded& program = parts_->program;
+    const Decoded& program = *parts_->program;
     MachineMemory& memory = parts_->memory;
     const Time passed = state.first_scan ? 0 : now - state.last_scan;
     for (std::size_t t = 0; t < state.timers.size(); ++t) {
@@ -58,7 +60,7 @@ Machine::ScanEnd Machine::scan(MachineState& state, const InputImage& inputs, Ti
 }
 
 Signal Machine::bit(const MachineState& state, const Operand& operand) const {
-    const Place place = parts_->program.place_of(operand);
+    const Place place = parts_->program->place_of(operand);
     switch (place.kind) {
         case Place::Kind::timer:
             return Signal::of(place.at < state.timers.size() && state.timers[place.at].bit);
@@ -80,7 +82,7 @@ Signal Machine::memory_bit_after(const MachineState& state, std::size_t memory_b
 }
 
 std::int32_t Machine::value(const MachineState& state, const Operand& operand) const {
-    const Place place = parts_->program.place_of(operand);
+    const Place place = parts_->program->place_of(operand);
     switch (place.kind) {
         case Place::Kind::timer:
             return place.at < state.timers.size() ? state.timers[place.at].current : 0;
@@ -100,11 +102,11 @@ std::int32_t Machine::value(const MachineState& state, const Operand& operand) c
 }
 
 std::size_t Machine::memory_bit(const Operand& operand) const {
-    return parts_->program.layout.byte_of(operand.area, operand.address) * 8 + operand.bit;
+    return parts_->program->layout.byte_of(operand.area, operand.address) * 8 + operand.bit;
 }
 
 std::vector<std::uint8_t> Machine::live_at_start(const std::vector<Operand>& observed) const {
-    return live_bits(parts_->program, observed);
+    return live_bits(*parts_->program, observed);
 }
 
 void Machine::record() {
@@ -130,7 +132,7 @@ bool Machine::wrote_in_last_scan(std::uint32_t network) const {
 }
 
 std::vector<Machine::Read> Machine::reads() const {
-    const Layout& layout = parts_->program.layout;
+    const Layout& layout = parts_->program->layout;
     std::vector<Read> reads;
     for (const MachineMemory::Read& read : parts_->memory.reads()) {
         Operand operand;
@@ -148,7 +150,7 @@ std::vector<Machine::Read> Machine::reads() const {
 
 std::vector<Time> Machine::delays() const {
     std::vector<Time> delays;
-    for (const UsedTimer& timer : parts_->program.timers) {
+    for (const UsedTimer& timer : parts_->program->timers) {
         delays.push_back(timer.tick);
         if (timer.preset > 0) delays.push_back(timer.preset * timer.tick);
     }

@@ -73,6 +73,8 @@ class Machine {
     /// Of a listing that check_listing has accepted for this controller.
     Machine(const Listing& listing, Cpu cpu);
     ~Machine();
+    /// A copy executes the same listing beside the other; the listing itself is decoded once.
+    Machine(const Machine& other);
     Machine(Machine&&) noexcept;
     Machine& operator=(Machine&&) noexcept;
 
