@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "grafcet/sum_range.h"
+#include "ladder/messages.h"
 #include "program/messages.h"
 
 namespace grafwire::ladder {
@@ -140,9 +141,7 @@ void RungWriter::check_range(const Sum& sum, Location origin) {
         variables_.widen(range->low, range->high);
         return;
     }
-    diagnostics_.error(code::unsupported_by_language, origin,
-                       "a sum here can exceed 64 bits, which no ladder diagram holds; use counters "
-                       "of smaller ranges");
+    diagnostics_.error(code::unsupported_by_language, origin, messages::ladder::sum_too_wide());
 }
 
 void RungWriter::add_up(const Sum& sum, VariableId target, Location origin,

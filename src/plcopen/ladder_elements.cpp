@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "iec/identifiers.h"
+#include "plcopen/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::plcopen {
@@ -82,8 +83,7 @@ void LadderElements::read(pugi::xml_node node) {
     const auto* kind = std::find_if(std::begin(kinds), std::end(kinds),
                                     [&](const auto& row) { return row.first == local_name(node); });
     if (kind == std::end(kinds)) {
-        source_.error(node,
-                      fmt::format("<{}> is not understood in a ladder diagram", local_name(node)));
+        source_.error(node, messages::plcopen::unknown_element(local_name(node)));
         return;
     }
     Element element;
@@ -126,7 +126,7 @@ void LadderElements::read(pugi::xml_node node) {
     }
     const pugi::xml_attribute id = node.attribute("localId");
     if (!id || !by_id_.emplace(id.as_ullong(), elements_.size()).second) {
-        source_.error(node, "an element needs a localId of its own");
+        source_.error(node, messages::plcopen::no_local_id());
         return;
     }
     elements_.push_back(std::move(element));
@@ -137,8 +137,7 @@ void LadderElements::read_block(Element& element) {
     const bool is_known = block_named(element.text) != nullptr || comparison_named(element.text) ||
                           is_gate(element.text);
     if (!is_known) {
-        source_.error(element.node,
-                      fmt::format("a block of type {} is not understood", in_quotes(element.text)));
+        source_.error(element.node, messages::plcopen::unknown_block(shortened(element.text)));
     }
     for (const pugi::xml_node variable : child_named(element.node, "inputVariables").children()) {
         if (variable.type() != pugi::node_element) continue;
@@ -147,20 +146,16 @@ void LadderElements::read_block(Element& element) {
         inlet.negated = variable.attribute("negated").as_bool();
         const std::string_view edge = variable.attribute("edge").as_string("none");
         if (edge != "none") {
-            source_.error(variable,
-                          "an edge at an input of a block is not understood; put R_TRIG or "
-                          "F_TRIG before it");
+            source_.error(variable, messages::plcopen::edge_at_block());
         }
         element.inlets.push_back(std::move(inlet));
     }
     if (child_named(child_named(element.node, "inOutVariables"), "variable")) {
-        source_.error(element.node, "in-out variables of a block are not understood");
+        source_.error(element.node, messages::plcopen::in_out_variable());
     }
     for (const pugi::xml_node variable : child_named(element.node, "outputVariables").children()) {
         if (variable.attribute("negated").as_bool()) {
-            source_.error(variable,
-                          "a negated output of a block is not understood; negate the "
-                          "contact or coil after it");
+            source_.error(variable, messages::plcopen::negated_output());
         }
     }
 }
@@ -179,9 +174,8 @@ void LadderElements::connect() {
                 if (local_name(connection) != "connection") continue;
                 const auto found = by_id_.find(connection.attribute("refLocalId").as_ullong());
                 if (found == by_id_.end()) {
-                    source_.error(connection,
-                                  fmt::format("there is no element with localId {}",
-                                              connection.attribute("refLocalId").as_string()));
+                    source_.error(connection, messages::plcopen::no_such_element(
+                                                  connection.attribute("refLocalId").as_string()));
                     continue;
                 }
                 const Element& from = elements_[found->second];
@@ -192,7 +186,7 @@ void LadderElements::connect() {
                 }
                 if (from.kind == Kind::right_rail || from.kind == Kind::out_variable ||
                     from.kind == Kind::comment) {
-                    source_.error(connection, "nothing comes out of that element");
+                    source_.error(connection, messages::plcopen::without_outlet());
                     continue;
                 }
                 inlet.sources.push_back({found->second, std::move(parameter)});
@@ -242,7 +236,7 @@ void LadderElements::follow_connectors() {
     for (const Element& element : elements_) {
         for (const Inlet& inlet : element.inlets) {
             if (std::any_of(inlet.sources.begin(), inlet.sources.end(), is_continuation)) {
-                source_.error(element.node, "a continuation here has no connector of its name");
+                source_.error(element.node, messages::plcopen::no_connector());
             }
         }
     }

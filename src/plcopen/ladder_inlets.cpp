@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "plcopen/ladder_networks.h"
+#include "plcopen/messages.h"
 
 namespace grafwire::plcopen {
 
@@ -34,7 +35,7 @@ std::optional<ladder::Power> LadderNetworks::power(const Inlet& inlet, std::size
         return contact(bit.variable);
     }
     if (nesting_ > deepest) {
-        source_.error(elements_[element].node, "the blocks of this network are nested too deeply");
+        source_.error(elements_[element].node, messages::plcopen::nested_too_deeply());
         return std::nullopt;
     }
     ++nesting_;
@@ -46,8 +47,7 @@ std::optional<ladder::Power> LadderNetworks::power(const Inlet& inlet, std::size
     if (end == wiring.rail) return ladder::Power();
     auto tree = wiring.graph.tree(wiring.rail, end, most_contacts);
     if (!tree) {
-        source_.error(elements_[element].node,
-                      "this network is too entangled; divide it into several");
+        source_.error(elements_[element].node, messages::plcopen::too_entangled());
     }
     return tree;
 }
@@ -63,9 +63,8 @@ PowerGraph::Point LadderNetworks::point_of(Wiring& wiring, const Inlet& inlet,
     }
     if (inlet.sources.empty()) {
         source_.error(elements_[element].node,
-                      inlet.name.empty()
-                          ? "this element is not connected to anything on its left"
-                          : fmt::format("input {} of this block is not connected", inlet.name));
+                      inlet.name.empty() ? messages::plcopen::element_not_connected()
+                                         : messages::plcopen::input_not_connected(inlet.name));
         wiring.failed = true;
         return wiring.rail;
     }
@@ -92,8 +91,8 @@ PowerGraph::Point LadderNetworks::point_of(Wiring& wiring, const Output& output)
     if (wiring.failed) return wiring.rail;
     if (wiring.begun.size() >= deepest || !wiring.begun.insert(output).second) {
         source_.error(item.node, wiring.begun.size() >= deepest
-                                     ? "this network is too long; divide it into several"
-                                     : "this element feeds itself in a circle of wires");
+                                     ? messages::plcopen::too_long()
+                                     : messages::plcopen::element_in_a_circle());
         wiring.failed = true;
         return wiring.rail;
     }
@@ -112,7 +111,7 @@ PowerGraph::Point LadderNetworks::make_point(Wiring& wiring, const Output& outpu
         case Kind::contact:
         case Kind::coil:
             if (item.inlets.empty()) {
-                source_.error(item.node, "this element is not connected to anything on its left");
+                source_.error(item.node, messages::plcopen::element_not_connected());
                 break;
             }
             before = point_of(wiring, item.inlets.front(), element);
@@ -128,7 +127,7 @@ PowerGraph::Point LadderNetworks::make_point(Wiring& wiring, const Output& outpu
                                                : block_output(element);
             break;
         default:
-            source_.error(item.node, "no power comes out of this element");
+            source_.error(item.node, messages::plcopen::no_power());
             break;
     }
     if (!part) {
@@ -146,7 +145,7 @@ std::optional<ladder::Power> LadderNetworks::contact_of(const Element& element) 
     const std::string_view edge = element.node.attribute("edge").as_string("none");
     const bool negated = element.node.attribute("negated").as_bool();
     if (edge != "none" && negated) {
-        source_.error(element.node, "a negated contact of an edge is not understood");
+        source_.error(element.node, messages::plcopen::negated_edge());
         return std::nullopt;
     }
     return contact(*variable, edge == "rising"    ? ladder::ContactKind::rising
@@ -166,7 +165,7 @@ std::optional<ladder::Power> LadderNetworks::value_of(const Element& element) co
                        negated ? ladder::ContactKind::negated : ladder::ContactKind::normal);
     }
     if ((operand->value != 0) != negated) return ladder::Power();
-    source_.error(element.node, "a branch that is never 1 is not understood; leave it out");
+    source_.error(element.node, messages::plcopen::never_1());
     return std::nullopt;
 }
 
@@ -212,7 +211,7 @@ std::optional<ladder::Power> LadderNetworks::block_output(std::size_t element) {
     if (row->is_function) {
         const auto executed = executed_.find(element);
         if (executed != executed_.end()) return contact(executed->second);
-        source_.error(item.node, "the result of this block is a number; only its ENO is power");
+        source_.error(item.node, messages::plcopen::number_as_power());
         return std::nullopt;
     }
     const auto instance =
@@ -300,7 +299,7 @@ std::optional<ladder::Operand> LadderNetworks::operand(std::size_t element, std:
     }
     if (inlet == nullptr || inlet->sources.empty()) {
         if (of_bits) return ladder::Operand{};
-        source_.error(item.node, fmt::format("input {} of this block is not connected", name));
+        source_.error(item.node, messages::plcopen::input_not_connected(name));
         return std::nullopt;
     }
     const Output& source = inlet->sources.front();
@@ -324,7 +323,7 @@ std::optional<ladder::Operand> LadderNetworks::operand(std::size_t element, std:
         return operand;
     }
     if (of_bits) return worked_out(*inlet, element);
-    source_.error(inlet->node, fmt::format("input {} of this block is fed by no number", name));
+    source_.error(inlet->node, messages::plcopen::no_number(name));
     return std::nullopt;
 }
 

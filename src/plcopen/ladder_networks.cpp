@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "plcopen/messages.h"
+
 namespace grafwire::plcopen {
 
 namespace {
@@ -71,8 +73,7 @@ std::optional<ladder::Coil> LadderNetworks::coil_of(std::size_t element) const {
     const bool negated = item.node.attribute("negated").as_bool();
     const int marks = (storage != "none" ? 1 : 0) + (edge != "none" ? 1 : 0) + (negated ? 1 : 0);
     if (marks > 1) {
-        source_.error(item.node,
-                      "a coil can be negated, set, reset or of an edge, only one of them");
+        source_.error(item.node, messages::plcopen::coil_marks());
         return std::nullopt;
     }
     const ladder::CoilKind kind = storage == "set"     ? ladder::CoilKind::set
@@ -95,7 +96,7 @@ void LadderNetworks::read_coils(std::size_t end) {
     const std::size_t first = ends_[end];
     const Element& element = elements_[first];
     if (element.inlets.empty()) {
-        source_.error(element.node, "this coil is not connected");
+        source_.error(element.node, messages::plcopen::coil_not_connected());
         return;
     }
     const Inlet& inlet = element.inlets.front();
@@ -142,7 +143,7 @@ Output LadderNetworks::onward_of(std::size_t element) const {
 void LadderNetworks::read_block(std::size_t element) {
     if (is_pure(element) || states_[element] == State::done) return;
     if (states_[element] == State::begun) {
-        source_.error(elements_[element].node, "this block depends on itself in a circle of wires");
+        source_.error(elements_[element].node, messages::plcopen::block_in_a_circle());
         return;
     }
     const ladder::BlockTypeRow* row = block_named(elements_[element].text);
@@ -157,8 +158,7 @@ void LadderNetworks::read_block(std::size_t element) {
         if (!cause) return;
         rung.power = std::move(*cause);
     } else if (!row->is_function) {
-        source_.error(elements_[element].node,
-                      fmt::format("input {} of this block is not connected", row->power));
+        source_.error(elements_[element].node, messages::plcopen::input_not_connected(row->power));
         return;
     }
     for (std::optional<std::size_t> next = element; next;) {

@@ -4,6 +4,7 @@
 
 #include "iec/identifiers.h"
 #include "iec/literals.h"
+#include "plcopen/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::plcopen {
@@ -87,8 +88,7 @@ void LadderVariables::read_variable(pugi::xml_node node, ladder::Role role) {
     if (!initial.empty() && block == nullptr) {
         const auto value = iec::parse_number_literal(initial);
         if (!value) {
-            source_.error(node,
-                          fmt::format("'{}' is no initial value of '{}'", initial, variable.name));
+            source_.error(node, messages::plcopen::no_initial_value(initial, variable.name));
             return;
         }
         variable.initial = *value;
@@ -117,17 +117,15 @@ std::optional<ladder::VariableId> LadderVariables::find(std::string_view name,
     const std::string key = iec::capitals(name);
     if (const auto found = ids_.find(key); found != ids_.end()) return found->second;
     if (const auto foreign = foreign_.find(key); foreign != foreign_.end()) {
-        source_.error(where, fmt::format("'{}' is of type {}; only BOOL, integers and the blocks "
-                                         "of IEC 61131-3 are understood here",
-                                         name, foreign->second));
+        source_.error(where, messages::plcopen::foreign_type(name, foreign->second));
         return std::nullopt;
     }
     std::vector<std::string_view> names;
     for (const ladder::Variable& variable : ladder_.variables) names.push_back(variable.name);
     const std::string_view nearest = nearest_name(name, names);
-    source_.error(where,
-                  fmt::format("the program declares no variable {}{}", in_quotes(name),
-                              nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+    const std::string shown = shortened(name);
+    source_.error(where, nearest.empty() ? messages::plcopen::undeclared(shown)
+                                         : messages::plcopen::undeclared_near(shown, nearest));
     return std::nullopt;
 }
 
@@ -141,7 +139,7 @@ std::optional<ladder::VariableId> LadderVariables::bit(std::string_view name,
                            iec::capitals(name.substr(dot + 1)) == row_of(variable.block).output;
     if (is_output || (dot == std::string_view::npos && variable.type == ladder::Type::bit))
         return id;
-    source_.error(where, fmt::format("{} is no bit", in_quotes(name)));
+    source_.error(where, messages::plcopen::no_bit(shortened(name)));
     return std::nullopt;
 }
 
@@ -149,7 +147,7 @@ std::optional<ladder::VariableId> LadderVariables::integer(std::string_view name
                                                            pugi::xml_node where) const {
     const auto id = find(name, where);
     if (!id || ladder_.variable(*id).type == ladder::Type::integer) return id;
-    source_.error(where, fmt::format("{} is no integer", in_quotes(name)));
+    source_.error(where, messages::plcopen::no_integer(shortened(name)));
     return std::nullopt;
 }
 
@@ -160,8 +158,7 @@ std::optional<ladder::VariableId> LadderVariables::instance(std::string_view nam
     if (!id) return id;
     const ladder::Variable& variable = ladder_.variable(*id);
     if (variable.type == ladder::Type::block && variable.block == type) return id;
-    source_.error(where, fmt::format("{} is declared otherwise than as {}", in_quotes(name),
-                                     row_of(type).name));
+    source_.error(where, messages::plcopen::other_declaration(shortened(name), row_of(type).name));
     return std::nullopt;
 }
 
@@ -177,9 +174,7 @@ std::optional<ladder::Operand> LadderVariables::operand(std::string_view text,
             if (constant != times_.end()) time = constant->second;
         }
         if (!time) {
-            source_.error(where, fmt::format("{} is no time that is known beforehand: write one as "
-                                             "T#1.5s",
-                                             in_quotes(text)));
+            source_.error(where, messages::plcopen::no_constant_time(shortened(text)));
             return std::nullopt;
         }
         operand.value = *time;

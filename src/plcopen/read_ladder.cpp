@@ -15,7 +15,7 @@ namespace {
 pugi::xml_node find_program(const Source& source, std::string_view wanted) {
     const pugi::xml_node root = source.root();
     if (local_name(root) != "project") {
-        source.error(root, "this is no PLCopen project: its outermost element is not <project>");
+        source.error(root, messages::plcopen::no_project());
         return {};
     }
     std::vector<pugi::xml_node> found;
@@ -29,13 +29,10 @@ pugi::xml_node find_program(const Source& source, std::string_view wanted) {
     }
     if (found.size() == 1) return found.front();
     if (found.empty()) {
-        source.error(root, wanted.empty()
-                               ? "the project holds no program in ladder diagram (LD)"
-                               : fmt::format("the project holds no program {} in ladder diagram",
-                                             in_quotes(wanted)));
+        source.error(root, wanted.empty() ? messages::plcopen::no_ladder()
+                                          : messages::plcopen::no_ladder_named(shortened(wanted)));
     } else {
-        source.error(root,
-                     "the project holds several programs in ladder diagram; say which: " + names);
+        source.error(root, messages::plcopen::several_ladders(names));
     }
     return {};
 }

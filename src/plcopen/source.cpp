@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plcopen/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::plcopen {
@@ -18,7 +19,7 @@ Source::Source(const SourceFile& source, Code code, Diagnostics& diagnostics)
         pugi::encoding_utf8);
     if (!result) {
         const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
-        error(place_at(at), fmt::format("this is no XML: {}", result.description()));
+        error(place_at(at), messages::plcopen::no_xml(result.description()));
         return;
     }
     is_read_ = true;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -21,10 +19,10 @@ class Source {
     bool is_read() const { return is_read_; }
     pugi::xml_node root() const { return document_.document_element(); }
     Location place_of(pugi::xml_node node) const;
-    void error(pugi::xml_node node, std::string message) const {
+    void error(pugi::xml_node node, Localized message) const {
         diagnostics_.error(code_, place_of(node), std::move(message));
     }
-    void error(Location where, std::string message) const {
+    void error(Location where, Localized message) const {
         diagnostics_.error(code_, where, std::move(message));
     }
 

@@ -3,8 +3,6 @@
 
 #include "s7/check_listing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "s7/instruction_set.h"
@@ -14,6 +12,8 @@
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7;
 
 /// What an instruction needs of the stack and does to it.
 struct StackEffect {
@@ -53,17 +53,13 @@ void check_stack(const Network& network, Diagnostics& diagnostics) {
         const StackEffect effect = effect_of(instruction.operation);
         const std::string mnemonic = mnemonic_of(instruction, Mnemonics::simatic);
         if (effect.needs > depth) {
-            diagnostics.error(
-                code::bad_stack, instruction.where,
-                fmt::format("{} works on {} level{} of the stack, and the network has loaded {}",
-                            mnemonic, effect.needs, effect.needs == 1 ? "" : "s", depth));
+            diagnostics.error(code::bad_stack, instruction.where,
+                              say::stack_too_low(effect.needs, mnemonic, depth));
             return;
         }
         if (effect.needs != 0 && depth - effect.needs < lost) {
             diagnostics.error(code::bad_stack, instruction.where,
-                              fmt::format("{} comes too late: the stack has {} levels, and what it "
-                                          "needs has been pushed out by later loads",
-                                          mnemonic, stack_levels));
+                              say::pushed_out(mnemonic, stack_levels));
             return;
         }
         depth = effect.change < 0 ? depth - 1 : depth + static_cast<std::size_t>(effect.change);
@@ -87,8 +83,7 @@ class FlowCheck {
         depth_.assign(outline_.blocks.size(), unknown_depth);
         for (std::size_t b = 0; b < outline_.blocks.size(); ++b) {
             if (depth_of(b) > deepest_call && b == 0) {
-                error(first_line(b), fmt::format("subroutines are called {} deep: {} is the limit",
-                                                 depth_[b], deepest_call));
+                error(first_line(b), say::calls_too_deep(depth_[b], deepest_call));
             }
         }
     }
@@ -97,7 +92,7 @@ class FlowCheck {
     static constexpr std::size_t unknown_depth = static_cast<std::size_t>(-1);
     static constexpr std::size_t being_found = static_cast<std::size_t>(-2);
 
-    Diagnostic& error(const Instruction& instruction, std::string message) {
+    Diagnostic& error(const Instruction& instruction, Localized message) {
         return diagnostics_.error(code::bad_control_flow, instruction.where, std::move(message));
     }
 
@@ -105,9 +100,9 @@ class FlowCheck {
         return outline_.at(outline_.blocks[block].first);
     }
 
-    static std::string name_of(const Outline::Block& block) {
-        if (block.number == Outline::Block::main_program) return "the main program";
-        return fmt::format("subroutine {}", block.number);
+    static Localized name_of(const Outline::Block& block) {
+        if (block.number == Outline::Block::main_program) return say::main_program();
+        return say::subroutine(block.number);
     }
 
     /// MEND ends the main program and RET a subroutine, and nothing stands behind them.
@@ -122,20 +117,17 @@ class FlowCheck {
             if (operation == foreign || (is_main && operation == Operation::conditional_return) ||
                 (!is_main && operation == Operation::end)) {
                 error(outline_.at(line),
-                      fmt::format("{} does not belong into {}",
-                                  mnemonic_of(outline_.at(line), Mnemonics::simatic),
-                                  name_of(block)));
+                      say::foreign_instruction(mnemonic_of(outline_.at(line), Mnemonics::simatic),
+                                               name_of(block)));
             }
             if (operation == wanted) end = std::min(end, line);
         }
         if (end == block.end) {
-            diagnostics_.warning(
-                code::read_leniently, outline_.at(block.end - 1).where,
-                fmt::format("{} ends here without {}", name_of(block), is_main ? "MEND" : "RET"));
+            diagnostics_.warning(code::read_leniently, outline_.at(block.end - 1).where,
+                                 say::ends_without(name_of(block), is_main ? "MEND" : "RET"));
         } else if (end + 1 < block.end) {
-            error(outline_.at(end + 1),
-                  fmt::format("nothing can reach this instruction: {} has ended", name_of(block)))
-                .notes.push_back({outline_.at(end).where, "here"});
+            error(outline_.at(end + 1), say::unreachable(name_of(block)))
+                .notes.push_back({outline_.at(end).where, say::here()});
         }
     }
 
@@ -146,37 +138,37 @@ class FlowCheck {
             if (instruction.operation == Operation::subroutine) {
                 const auto& named = outline_.blocks[outline_.subroutines.at(block.number)];
                 if (named.first != line) {
-                    report_twice(instruction, outline_.at(named.first), "subroutine");
+                    report_twice(say::subroutine_twice, instruction, outline_.at(named.first));
                 }
             } else if (instruction.operation == Operation::label) {
                 const auto [place, is_new] =
                     labels_.emplace(instruction.operands[0].address, &instruction);
-                if (!is_new) report_twice(instruction, *place->second, "label");
+                if (!is_new) report_twice(say::label_twice, instruction, *place->second);
             }
         }
     }
 
-    void report_twice(const Instruction& second, const Instruction& first, std::string_view what) {
-        error(second, fmt::format("{} {} is there already", what, second.operands[0].address))
-            .notes.push_back({first.where, "here"});
+    void report_twice(const Message<std::int32_t>& message, const Instruction& second,
+                      const Instruction& first) {
+        error(second, message(second.operands[0].address))
+            .notes.push_back({first.where, say::here()});
     }
 
     void check_target(const Outline::Block& block, const Instruction& instruction) {
         if (instruction.operands.empty()) return;
         const std::int32_t number = instruction.operands[0].address;
         if (instruction.operation == Operation::call && !outline_.subroutines.contains(number)) {
-            error(instruction, fmt::format("there is no subroutine {}: SBR K{}", number, number));
+            error(instruction, say::no_subroutine(number));
         }
         if (instruction.operation != Operation::jump || block.labels.contains(number)) return;
         for (const Outline::Block& other : outline_.blocks) {
             const auto found = other.labels.find(number);
             if (found == other.labels.end()) continue;
-            error(instruction, fmt::format("label {} is in {}: a jump stays where it is", number,
-                                           name_of(other)))
-                .notes.push_back({outline_.at(found->second).where, "label"});
+            error(instruction, say::label_elsewhere(number, name_of(other)))
+                .notes.push_back({outline_.at(found->second).where, say::label()});
             return;
         }
-        error(instruction, fmt::format("there is no label {}: LBL K{}", number, number));
+        error(instruction, say::no_label(number));
     }
 
     /// How deep calls from a block go; a subroutine that calls itself is reported, once.
@@ -191,7 +183,7 @@ class FlowCheck {
             const auto called = outline_.subroutines.find(instruction.operands[0].address);
             if (called == outline_.subroutines.end()) continue;
             if (depth_[called->second] == being_found) {
-                error(instruction, fmt::format("subroutine {} would call itself", called->first));
+                error(instruction, say::calls_itself(called->first));
                 continue;
             }
             depth = std::max(depth, depth_of(called->second) + 1);
@@ -220,15 +212,14 @@ void check_listing(const Listing& listing, Cpu cpu, Diagnostics& diagnostics) {
     // What else is wrong with a listing that has errors may come of them.
     if (diagnostics.has_errors()) return;
     if (is_empty) {
-        diagnostics.error(code::bad_network, {}, "the listing holds no instruction");
+        diagnostics.error(code::bad_network, {}, say::no_instruction());
         return;
     }
     FlowCheck(listing, diagnostics).check();
     const std::uint32_t size = size_of(listing);
     if (size > row.program_bytes) {
         diagnostics.error(code::program_too_long, {},
-                          fmt::format("the program takes {} bytes, and the {} holds {}", size,
-                                      row.name, row.program_bytes));
+                          say::program_too_long(size, row.name, row.program_bytes));
     }
 }
 

@@ -1,16 +1,17 @@
 // Whether each operand of an instruction is of the kind that its place needs (instruction_set.h),
 // and within what the controller has of that area (cpu.h).
 
-#include <fmt/format.h>
-
 #include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
+#include "s7/messages.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7;
 
 bool is_memory(Area area) {
     return area == Area::input || area == Area::output || area == Area::variable ||
@@ -58,66 +59,70 @@ bool fits_kind(const Operand& operand, OperandKind kind, Width width) {
     return false;
 }
 
-std::string wanted(OperandKind kind, Width width) {
-    const std::string_view memory = width == Width::byte   ? "a byte such as VB100"
-                                    : width == Width::word ? "a word such as VW100"
-                                                           : "a double word such as VD100";
+/// One of three, by the width of an operand.
+Localized of_width(Width width, const Message<>& byte, const Message<>& word,
+                   const Message<>& dword) {
+    return width == Width::byte ? byte() : width == Width::word ? word() : dword();
+}
+
+Localized wanted(OperandKind kind, Width width) {
     switch (kind) {
         case OperandKind::none:
             break;
         case OperandKind::bit:
-            return "a bit such as E0.4, V20.1 or T37";
+            return say::any_bit();
         case OperandKind::place_bit:
-            return "a bit that can be written, such as A0.0 or V20.1";
+            return say::writable_bit();
         case OperandKind::reset_bit:
-            return "a bit that can be written, a timer or a counter";
+            return say::resettable_bit();
         case OperandKind::value:
-            return fmt::format("{} or a constant", memory);
+            return of_width(width, say::byte_or_constant, say::word_or_constant,
+                            say::dword_or_constant);
         case OperandKind::place:
-            return fmt::format("{} that can be written", memory);
+            return of_width(width, say::writable_byte, say::writable_word, say::writable_dword);
         case OperandKind::preset:
-            return "a constant or a word";
+            return say::constant_or_word();
         case OperandKind::timer:
-            return "a timer such as T37";
+            return say::timer();
         case OperandKind::counter:
-            return "a counter such as Z0";
+            return say::counter();
         case OperandKind::count:
-            return "a constant, the number of bits, bytes or words";
+            return say::count_constant();
         case OperandKind::subroutine:
-            return "the number of a subroutine, such as K10";
+            return say::subroutine_number();
         case OperandKind::label:
-            return "the number of a label, such as K10";
+            return say::label_number();
         case OperandKind::number:
-            return "a constant";
+            return say::constant();
     }
-    return "nothing";
+    return say::nothing();
 }
 
 /// The least and the greatest constant that an operand of a kind can be.
 struct Bounds {
     std::int64_t low;
     std::int64_t high;
-    std::string_view what;
+    Localized what;
 };
 
 Bounds bounds_of(OperandKind kind, Width width, const CpuRow& cpu) {
     switch (kind) {
         case OperandKind::count:
-            return {1, 255, "a count"};
+            return {1, 255, say::bound_of_count()};
         case OperandKind::preset:
-            return {0, 32767, "a preset"};
+            return {0, 32767, say::bound_of_preset()};
         case OperandKind::subroutine:
-            return {0, cpu.subroutines - 1, "the number of a subroutine"};
+            return {0, cpu.subroutines - 1, say::bound_of_subroutine()};
         case OperandKind::label:
-            return {0, cpu.labels - 1, "the number of a label"};
+            return {0, cpu.labels - 1, say::bound_of_label()};
         case OperandKind::number:
-            return {0, 255, "the number"};
+            return {0, 255, say::bound_of_number()};
         default:
             break;
     }
-    if (width == Width::byte) return {0, 255, "a byte"};
-    if (width == Width::word) return {INT16_MIN, UINT16_MAX, "a word"};
-    return {INT32_MIN, INT32_MAX, "a double word"};
+    if (width == Width::byte) return {0, 255, say::bound_of_byte()};
+    if (width == Width::word) return {INT16_MIN, UINT16_MAX, say::bound_of_word()};
+    return {INT32_MIN, INT32_MAX, say::bound_of_dword()};
 }
 
 class OperandCheck {
@@ -130,7 +135,7 @@ class OperandCheck {
 
     void check() {
         if (row_ == nullptr || instruction_.operands.size() != row_->operand_count()) {
-            error(code::bad_operand, "the instruction is not in the set");
+            error(code::bad_operand, say::not_in_the_set());
             return;
         }
         bool good = true;
@@ -143,7 +148,7 @@ class OperandCheck {
     }
 
   private:
-    void error(Code code, std::string message) {
+    void error(Code code, Localized message) {
         diagnostics_.error(code, instruction_.where, std::move(message));
     }
 
@@ -153,17 +158,15 @@ class OperandCheck {
         const Operand& operand = instruction_.operands[i];
         const std::string text = write_operand(operand, Mnemonics::simatic);
         if (!fits_kind(operand, row_->operands[i], row_->width)) {
-            error(code::bad_operand,
-                  fmt::format("operand {} of {} is {}, and {} is wanted", i + 1, mnemonic(), text,
-                              wanted(row_->operands[i], row_->width)));
+            error(code::bad_operand, say::wrong_operand(i + 1, mnemonic(), text,
+                                                        wanted(row_->operands[i], row_->width)));
             return false;
         }
         if (operand.area == Area::constant) {
             const Bounds bounds = bounds_of(row_->operands[i], row_->width, cpu_);
             if (operand.address >= bounds.low && operand.address <= bounds.high) return true;
             error(code::address_out_of_range,
-                  fmt::format("{}: {} is between {} and {} (the {})", text, bounds.what, bounds.low,
-                              bounds.high, cpu_.name));
+                  say::out_of_bounds(text, bounds.what, bounds.low, bounds.high, cpu_.name));
             return false;
         }
         return check_range(operand, 1);
@@ -183,10 +186,14 @@ class OperandCheck {
         }
         if (end <= size) return true;
         const std::string text = write_operand(first, Mnemonics::simatic);
-        error(code::address_out_of_range,
-              fmt::format("{}{}: the {} has {} {} of this area", text,
-                          count == 1 ? "" : fmt::format(" and the {} behind it", count - 1),
-                          cpu_.name, size, is_numbered ? "places" : "bytes"));
+        if (count == 1) {
+            const auto& message = is_numbered ? say::beyond_places : say::beyond_bytes;
+            error(code::address_out_of_range, message(text, cpu_.name, size));
+        } else {
+            const auto& message = is_numbered ? say::run_beyond_places : say::run_beyond_bytes;
+            error(code::address_out_of_range,
+                  message(static_cast<std::size_t>(count - 1), text, cpu_.name, size));
+        }
         return false;
     }
 
@@ -214,14 +221,12 @@ class OperandCheck {
         const std::int32_t number = instruction_.operands[0].address;
         const bool wants_retentive = instruction_.operation == Operation::retentive_on_delay;
         if (timer_kind(number).retentive == wants_retentive) return;
-        error(
-            code::bad_operand,
-            fmt::format("T{} is a timer for {}: {} takes T{} … T{}{}", number,
-                        wants_retentive ? "TON" : "TONR", mnemonic(), wants_retentive ? 0 : 32,
-                        wants_retentive ? 31 : 63,
-                        cpu_.timers > 64 ? fmt::format(" and T{} … T{}", wants_retentive ? 64 : 96,
-                                                       wants_retentive ? 95 : 127)
-                                         : ""));
+        const std::string_view other = wants_retentive ? "TON" : "TONR";
+        const int first = wants_retentive ? 0 : 32;  // in each 64
+        error(code::bad_operand,
+              cpu_.timers > 64 ? say::wrong_timer_of_214(number, other, mnemonic(), first,
+                                                         first + 31, first + 64, first + 95)
+                               : say::wrong_timer(number, other, mnemonic(), first, first + 31));
     }
 
     const Instruction& instruction_;

@@ -176,32 +176,26 @@ void order_columns(std::vector<ListingItem>& items, Diagnostics& diagnostics) {
     if (ascends(items)) return;
     for (const ListingItem& item : items) {
         if (item.is_network || offset_of(item) != Instruction::no_offset) continue;
-        diagnostics.error(code::bad_offset, item.instruction.where,
-                          "the offsets of the listing do not ascend, and this instruction has "
-                          "none: write all of them, or none");
+        diagnostics.error(code::bad_offset, item.instruction.where, messages::s7::offset_missing());
         return;
     }
     const Columns columns(items);
     if (const std::size_t repeated = columns.repeated_offset(); repeated != nowhere) {
-        diagnostics.error(
-            code::bad_offset, items[repeated].instruction.where,
-            fmt::format("another instruction has the offset {} too", offset_of(items[repeated])));
+        diagnostics.error(code::bad_offset, items[repeated].instruction.where,
+                          messages::s7::offset_repeated(offset_of(items[repeated])));
         return;
     }
     std::vector<std::size_t> lost;
     const std::vector<std::size_t> order = columns.order(lost);
     for (const std::size_t network : lost) {
         diagnostics.error(code::bad_network, items[network].network.where,
-                          fmt::format("the offsets do not tell where network {} begins",
-                                      items[network].network.number));
+                          messages::s7::network_lost(items[network].network.number));
     }
     std::size_t moved = 0;
     while (order[moved] == moved) ++moved;
     const Location where =
         items[moved].is_network ? items[moved].network.where : items[moved].instruction.where;
-    diagnostics.warning(code::read_leniently, where,
-                        "the offsets do not ascend: from here on the instructions are put in "
-                        "their order");
+    diagnostics.warning(code::read_leniently, where, messages::s7::put_in_order());
     std::vector<ListingItem> sorted;
     for (const std::size_t item : order) sorted.push_back(std::move(items[item]));
     items = std::move(sorted);
@@ -213,17 +207,15 @@ void assemble(std::vector<ListingItem> items, Listing& listing, Diagnostics& dia
             const std::uint32_t last =
                 listing.networks.empty() ? 0 : listing.networks.back().number;
             if (!listing.networks.empty() && item.network.number <= last) {
-                diagnostics.warning(
-                    code::read_leniently, item.network.where,
-                    fmt::format("network {} comes after network {}: their numbers do not ascend",
-                                item.network.number, last));
+                diagnostics.warning(code::read_leniently, item.network.where,
+                                    messages::s7::networks_descend(item.network.number, last));
             }
             listing.networks.push_back(std::move(item.network));
             continue;
         }
         if (listing.networks.empty()) {
             diagnostics.error(code::bad_network, item.instruction.where,
-                              "an instruction outside a network: begin it with a line NETWORK 1");
+                              messages::s7::outside_a_network());
             listing.networks.emplace_back();
         }
         listing.networks.back().instructions.push_back(std::move(item.instruction));

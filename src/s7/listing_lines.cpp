@@ -1,9 +1,8 @@
 #include "s7/listing_lines.h"
 
-#include <fmt/format.h>
-
 #include "s7/addresses/operand_text.h"
 #include "s7/instruction_set.h"
+#include "s7/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -87,36 +86,24 @@ std::uint32_t number_of(std::string_view digits) {
     return number;
 }
 
-namespace {
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
-    const auto nearest = nearest_name(word, names);
-    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
-}
-
-}  // namespace
-
-std::string unknown_instruction_message(std::string_view word, bool suggests) {
+Localized unknown_instruction_message(std::string_view word, bool suggests) {
+    const std::string shown = shortened(word);
     const auto known = mnemonic_names();
-    return fmt::format("unknown instruction {}{}", in_quotes(word),
-                       suggests ? did_you_mean(word, {known.begin(), known.end()}) : "");
+    const std::string_view nearest =
+        suggests ? nearest_name(word, {known.begin(), known.end()}) : "";
+    if (nearest.empty()) return messages::s7::unknown_instruction(shown);
+    return messages::s7::unknown_instruction_near(shown, nearest);
 }
 
-std::string unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io) {
-    if (!quoted && looks_like_address(word)) {
-        return fmt::format(
-            "{} is no address: bits are written as V20.1 with bits 0 … 7, bytes, words and double "
-            "words as VB20, VW20 and VD20",
-            in_quotes(word));
-    }
-    std::string message =
-        fmt::format("{} is no address, no constant and no name with an address", in_quotes(word));
-    if (io == nullptr) {
-        return message + "; names are given addresses by a table of assignment (--io)";
-    }
+Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io) {
+    const std::string shown = shortened(word);
+    if (!quoted && looks_like_address(word)) return messages::s7::malformed_address(shown);
+    if (io == nullptr) return messages::s7::no_operand_without_table(shown);
     std::vector<std::string_view> assigned;
     for (const auto& entry : io->entries) assigned.push_back(entry.name);
-    return message + did_you_mean(word, assigned);
+    const std::string_view nearest = nearest_name(word, assigned);
+    if (nearest.empty()) return messages::s7::no_operand(shown);
+    return messages::s7::no_operand_near(shown, nearest);
 }
 
 }  // namespace grafwire::s7

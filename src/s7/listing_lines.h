@@ -8,6 +8,7 @@
 
 #include "s7/addresses/io_assignment.h"
 #include "text/location.h"
+#include "text/message.h"
 
 namespace grafwire::s7 {
 
@@ -39,9 +40,9 @@ std::optional<std::string_view> network_digits(const ListingWord& word);
 std::uint32_t number_of(std::string_view digits);
 
 /// What to say of a word that is no instruction; `suggests`: with the nearest that is one.
-std::string unknown_instruction_message(std::string_view word, bool suggests);
+Localized unknown_instruction_message(std::string_view word, bool suggests);
 
 /// What to say of a word that is no operand, where names have addresses in `io` (may be null).
-std::string unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io);
+Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io);
 
 }  // namespace grafwire::s7

@@ -22,6 +22,8 @@ namespace grafwire::s7 {
 
 namespace {
 
+namespace say = messages::s7;
+
 void append_comment(std::string& comment, std::string_view text) {
     if (text.empty()) return;
     if (!comment.empty()) comment += ' ';
@@ -36,13 +38,11 @@ class ListingReader {
     void read_line(std::string_view text, std::uint32_t number) {
         const ListingLine line = split_line(text, number);
         if (line.unterminated.is_known()) {
-            error(code::unterminated_text, line.unterminated,
-                  "the quoted name is not ended on its line");
+            error(code::unterminated_text, line.unterminated, say::unterminated_name());
         }
         if (comment_is_open_ && !line.words.empty() && !begins_item(line.words)) {
             add_network_comment(joined(line), line.words.front().where);
-            note_lenient("a line is read as the continuation of the comment before it",
-                         line.words.front().where);
+            note_lenient(say::continued_comment(), line.words.front().where);
             return;
         }
         comment_is_open_ = false;
@@ -55,25 +55,25 @@ class ListingReader {
 
     Listing finish() {
         order_columns(items_, diagnostics_);
-        for (const auto& [what, found] : lenient_) {
-            diagnostics_.warning(code::read_leniently, found.first,
-                                 found.count == 1
-                                     ? what
-                                     : fmt::format("{}, here and in {} more place{}", what,
-                                                   found.count - 1, found.count == 2 ? "" : "s"));
+        for (const auto& [key, found] : lenient_) {
+            diagnostics_.warning(
+                code::read_leniently, found.first,
+                found.count == 1 ? found.what : say::and_elsewhere(found.count - 1, found.what));
         }
         assemble(std::move(items_), listing_, diagnostics_);
         return std::move(listing_);
     }
 
   private:
-    Diagnostic& error(Code code, Location where, std::string message) {
+    Diagnostic& error(Code code, Location where, Localized message) {
         return diagnostics_.error(code, where, std::move(message));
     }
 
-    void note_lenient(std::string what, Location where) {
-        auto& found = lenient_[std::move(what)];
-        if (found.count++ == 0) found.first = where;
+    void note_lenient(Localized what, Location where) {
+        Lenient& found = lenient_[what.english];
+        if (found.count++ != 0) return;
+        found.what = std::move(what);
+        found.first = where;
     }
 
     static std::string joined(const ListingLine& line) {
@@ -149,8 +149,7 @@ class ListingReader {
         }
         add_network(digits.empty() ? last_number_ + 1 : number_of(digits), where, column);
         if (at < words.size() && !begins_second_item(words, at)) {
-            error(code::unexpected_token, words[at].where,
-                  "nothing may follow the number of a network but a comment (//)");
+            error(code::unexpected_token, words[at].where, say::only_comment_after_network());
             return false;
         }
         return true;
@@ -194,17 +193,15 @@ class ListingReader {
         for (std::size_t i = 0; i < wanted; ++i, ++at) {
             if (at == words.size()) {
                 error(code::bad_operand, mnemonic.where,
-                      fmt::format("{} takes {} operand{}, and there {} {}", mnemonic.text, wanted,
-                                  wanted == 1 ? "" : "s", i == 1 ? "is" : "are",
-                                  i == 0 ? "none" : fmt::to_string(i)));
+                      i == 0 ? say::operands_missing(wanted, mnemonic.text)
+                             : say::some_operands_missing(i, mnemonic.text, wanted));
                 return false;
             }
             item.instruction.operands.push_back(read_operand(words[at]));
         }
         if (at < words.size() && !begins_second_item(words, at)) {
             error(code::unexpected_token, words[at].where,
-                  fmt::format("{} takes {} operand{}: {} is one too many", mnemonic.text, wanted,
-                              wanted == 1 ? "" : "s", in_quotes(words[at].text)));
+                  say::one_operand_too_many(wanted, mnemonic.text, shortened(words[at].text)));
             return false;
         }
         items_.push_back(std::move(item));
@@ -225,7 +222,7 @@ class ListingReader {
         if (!word.quoted) {
             if (const auto parsed = parse_operand(word.text)) return *parsed;
             if (word.text == "KI" || word.text == "Kl") {
-                note_lenient(fmt::format("'{}' is read as 'K1'", word.text), word.where);
+                note_lenient(say::read_as_k1(word.text), word.where);
                 operand.area = Area::constant;
                 operand.address = 1;
                 return operand;
@@ -242,6 +239,7 @@ class ListingReader {
     }
 
     struct Lenient {
+        Localized what;
         Location first;
         std::size_t count = 0;
     };
@@ -250,7 +248,7 @@ class ListingReader {
     Diagnostics& diagnostics_;
     Listing listing_;
     std::vector<ListingItem> items_;
-    std::map<std::string, Lenient> lenient_;
+    std::map<std::string, Lenient> lenient_;  ///< by what it says in English
     std::uint32_t last_number_ = 0;
     bool comment_is_open_ = false;  ///< the line before ended in the comment of a network
     std::size_t suggestion_count_ = 0;
@@ -275,8 +273,7 @@ std::optional<Listing> parse_listing(const SourceFile& source, const ReadingOpti
     for (const OffsetDeviation& deviation : offset_deviations(listing)) {
         if (!is_whole) break;  // sizes are missing
         diagnostics.warning(code::bad_offset, deviation.where,
-                            fmt::format("offset {}: the instruction before it ends at {}",
-                                        deviation.printed, deviation.computed));
+                            say::offset_deviates(deviation.printed, deviation.computed));
     }
     if (!options.is_fragment) check_listing(listing, options.cpu, diagnostics);
     diagnostics.sort_by_place();

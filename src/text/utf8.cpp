@@ -113,7 +113,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 }
 
 std::string in_quotes(std::string_view name) {
-    return fmt::format("'{}'", shortened(name, 60));
+    return fmt::format("'{}'", shortened(name));
 }
 
 bool check_utf8(std::string_view text, Diagnostics& diagnostics) {

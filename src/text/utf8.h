@@ -38,8 +38,9 @@ std::string visible(std::string_view text, std::string_view kept = "\t");
 /// What is said of a name that holds a control character: which one, and that it cannot stay.
 std::string control_in_name_message(std::string_view name);
 
-/// The text, cut short with an ellipsis where it has more than `most` characters.
-std::string shortened(std::string_view text, std::size_t most);
+/// The text, cut short with an ellipsis where it has more than `most` characters; 60 is what a
+/// message shows of a name.
+std::string shortened(std::string_view text, std::size_t most = 60);
 
 /// A name as it is quoted in a message: `'name'`, a long one cut short with an ellipsis.
 std::string in_quotes(std::string_view name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
+#include "plc/computer/messages.h"
 #include "plc/shared/program_needs.h"
 #include "program/bit_names.h"
 #include "program/messages.h"
@@ -64,9 +65,7 @@ bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::str
                     Diagnostics& diagnostics) {
     if (integer_bits(grafcet, program)) return true;
     diagnostics.error(code::beyond_limit, wide_integer(grafcet, program, 64),
-                      fmt::format("this sum can go beyond the 64 bits of integers in {}; give its "
-                                  "counters smaller ranges, or write --to python",
-                                  language));
+                      messages::plc_computer::sum_too_wide(language));
     return false;
 }
 

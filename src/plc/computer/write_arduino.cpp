@@ -6,6 +6,7 @@
 #include "plc/computer/c_core.h"
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
+#include "plc/computer/messages.h"
 #include "plc/shared/reserved_words.h"
 #include "program/messages.h"
 
@@ -131,12 +132,9 @@ std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program, co
     Sketch sketch(grafcet, program);
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
-        diagnostics.error(
-            code::beyond_limit, {},
-            fmt::format("{} inputs and outputs need a pin each, and the largest board, an Arduino "
-                        "Mega 2560, has {}; write --to c and connect them by yourself{}",
-                        sketch.pins_needed(), most,
-                        program.has_modes ? ", or --modes off to save three" : ""));
+        const auto& message = program.has_modes ? messages::plc_computer::too_many_pins_with_modes
+                                                : messages::plc_computer::too_many_pins;
+        diagnostics.error(code::beyond_limit, {}, message(sketch.pins_needed(), most));
         return {};
     }
     return sketch.write();

@@ -5,6 +5,7 @@
 
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
+#include "plc/computer/messages.h"
 #include "plc/computer/pascal_blocks.h"
 #include "plc/computer/pascal_program.h"
 #include "plc/shared/program_needs.h"
@@ -186,11 +187,10 @@ std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program, con
                          Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "Free Pascal", diagnostics)) return {};
     if (grafcet.steps.size() > most_steps) {
-        diagnostics.error(
-            code::beyond_limit, grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
-            fmt::format("this is step {} of {}, and a set of Free Pascal holds {}; write --to c or "
-                        "--to python",
-                        most_steps + 1, grafcet.steps.size(), most_steps));
+        diagnostics.error(code::beyond_limit,
+                          grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
+                          messages::plc_computer::too_many_steps(most_steps + 1,
+                                                                 grafcet.steps.size(), most_steps));
         return {};
     }
     return PascalProgram(grafcet, program).write();

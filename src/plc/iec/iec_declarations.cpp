@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
+#include "plc/iec/messages.h"
 #include "plc/shared/program_needs.h"
 #include "program/messages.h"
 
@@ -200,8 +201,7 @@ std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
     const std::optional<unsigned> bits = integer_bits(grafcet, program);
     if (!bits) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, program, 64),
-                          "a sum needs more than the 64 bits of LINT; make the ranges of its "
-                          "counters smaller");
+                          messages::plc_iec::sum_too_wide());
         return {};
     }
     return IecDeclarations(grafcet, program, names, *bits).write(language);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "plc/pl7/messages.h"
 #include "program/bit_names.h"
 #include "program/messages.h"
 
@@ -125,22 +126,21 @@ std::vector<std::pair<std::string, std::string>> Pl7Objects::assignment() {
 }
 
 void Pl7Objects::check_limits(Diagnostics& diagnostics) const {
-    const auto check = [&](std::size_t used, std::size_t there_are, const char* what) {
+    const auto check = [&](std::size_t used, std::size_t there_are,
+                           const Message<std::size_t, std::size_t>& message) {
         if (used <= there_are) return;
-        diagnostics.error(code::unsupported_by_language, {},
-                          fmt::format("the program needs {} {}, and PL7-2 has {}; divide the "
-                                      "GRAFCET",
-                                      used, what, there_are));
+        diagnostics.error(code::unsupported_by_language, {}, message(used, there_are));
     };
     const std::size_t inputs =
         grafcet_.inputs.size() + (program_.has_modes ? control_input_count : 0);
-    check(inputs, inputs_of_a_module * modules, "inputs");
-    check(grafcet_.outputs.size(), outputs_of_a_module * modules, "outputs");
+    check(inputs, inputs_of_a_module * modules, messages::plc_pl7::too_many_inputs);
+    check(grafcet_.outputs.size(), outputs_of_a_module * modules,
+          messages::plc_pl7::too_many_outputs);
     const std::size_t beside = (source_step_.empty() ? 0U : 1U) + (sink_step_.empty() ? 0U : 1U);
-    check(grafcet_.steps.size() + beside, steps, "steps");
-    check(bits_used_, bits, "internal bits");
-    check(words_used_, words, "words");
-    check(timers_used_, timers, "timers");
+    check(grafcet_.steps.size() + beside, steps, messages::plc_pl7::too_many_steps);
+    check(bits_used_, bits, messages::plc_pl7::too_many_bits);
+    check(words_used_, words, messages::plc_pl7::too_many_words);
+    check(timers_used_, timers, messages::plc_pl7::too_many_timers);
 }
 
 }  // namespace grafwire

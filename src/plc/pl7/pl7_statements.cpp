@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "grafcet/sum_range.h"
+#include "plc/pl7/messages.h"
 #include "plc/shared/program_needs.h"
 #include "program/messages.h"
 
@@ -75,9 +76,7 @@ void Pl7Statements::run_timer(const std::string& timer, Time duration, const Con
                            fmt::format("{} TB={} P={}", timer, preset->base, preset->count));
     }
     diagnostics_.error(code::unsupported_by_language, where,
-                       fmt::format("no timer of PL7-2 holds {}: it counts up to 9999 times 10 ms, "
-                                   "100 ms, 1 s or 1 min; choose another time",
-                                   format_duration(duration)));
+                       messages::plc_pl7::no_timer_holds(format_duration(duration)));
 }
 
 /// With an on-delay only, D of the timer is the value (name_timers); else two rungs set and reset

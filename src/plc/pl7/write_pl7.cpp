@@ -21,6 +21,7 @@
 
 #include <set>
 
+#include "plc/pl7/messages.h"
 #include "plc/pl7/pl7_head.h"
 #include "plc/pl7/pl7_objects.h"
 #include "plc/pl7/pl7_rungs.h"
@@ -232,8 +233,7 @@ std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const 
     const ScanProgram needed = without_idle_tables(program);
     if (integer_bits(grafcet, needed) != 16U) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 16),
-                          "an integer needs more than the 16 bits of a word of PL7-2; make the "
-                          "range of the counter smaller");
+                          messages::plc_pl7::integer_too_wide());
     }
     if (diagnostics.has_errors()) return {};
     return Pl7Writer(grafcet, needed, diagnostics).write();

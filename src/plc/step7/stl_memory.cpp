@@ -6,6 +6,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "plc/shared/program_needs.h"
+#include "plc/step7/messages.h"
 #include "program/bit_names.h"
 #include "program/messages.h"
 
@@ -40,9 +41,7 @@ StlMemory::StlMemory(const Grafcet& grafcet, const ScanProgram& program, const P
 void StlMemory::check_size(Diagnostics& diagnostics) const {
     if (end_ <= last_byte + 1) return;
     diagnostics.error(code::unsupported_by_language, {},
-                      fmt::format("the program needs bit memory up to MB {}, and no S7-300 or "
-                                  "S7-400 has more than MB {}; divide the GRAFCET",
-                                  end_ - 1, last_byte));
+                      messages::plc_step7::too_much_bit_memory(end_ - 1, last_byte));
 }
 
 /// Inputs without an assignment come after those with one, in order.
@@ -65,10 +64,10 @@ void StlMemory::place_interface(const s7::IoAssignment* io, Diagnostics& diagnos
         if (operand == nullptr) continue;
         const s7::Area wanted = area_of(bit) == 'A' ? s7::Area::output : s7::Area::input;
         if (operand->area != wanted || operand->width != s7::Width::bit) {
-            diagnostics.error(
-                code::unsupported_by_language, {},
-                fmt::format("'{}' is to be a bit of the {}, {}0.0 and so on", name,
-                            wanted == s7::Area::output ? "outputs" : "inputs", area_of(bit)));
+            diagnostics.error(code::unsupported_by_language, {},
+                              wanted == s7::Area::output
+                                  ? messages::plc_step7::output_elsewhere(name)
+                                  : messages::plc_step7::input_elsewhere(name));
             continue;
         }
         const StlAddress address{area_of(bit), static_cast<std::uint32_t>(operand->address),

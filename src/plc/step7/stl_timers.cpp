@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "plc/step7/messages.h"
 #include "program/messages.h"
 
 namespace grafwire {
@@ -55,11 +56,8 @@ void StlTimers::add(Time duration, bool is_off_delay, Location origin, Diagnosti
         timer.in = memory_.new_bit();
         timer.out = memory_.new_bit();
     } else {
-        diagnostics.error(
-            code::unsupported_by_language, origin,
-            fmt::format("no timer of an S7-300 or S7-400 holds {}: S5 timers and the IEC timers "
-                        "count whole milliseconds, up to 24 days; choose another time",
-                        format_duration(duration)));
+        diagnostics.error(code::unsupported_by_language, origin,
+                          messages::plc_step7::no_timer_holds(format_duration(duration)));
     }
     timers_.push_back(timer);
 }

@@ -12,6 +12,7 @@
 #include "grafcet/sum_range.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/section_titles.h"
+#include "plc/step7/messages.h"
 #include "plc/step7/stl_conditions.h"
 #include "plc/step7/stl_memory.h"
 #include "plc/step7/stl_text.h"
@@ -285,7 +286,7 @@ std::string StlWriter::write(Diagnostics& diagnostics) {
     memory_.check_size(diagnostics);
     if (labels_ > 1000) {
         diagnostics.error(code::unsupported_by_language, {},
-                          "the program needs more than 999 jump labels; divide the GRAFCET");
+                          messages::plc_step7::too_many_labels());
     }
     if (diagnostics.has_errors()) return {};
     return head() + text_.take();
@@ -299,8 +300,7 @@ std::string write_stl(const Grafcet& grafcet, const ScanProgram& program, const 
     const std::optional<unsigned> bits = integer_bits(grafcet, needed);
     if (!bits || *bits > 32) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 32),
-                          "an integer needs more than the 32 bits of DINT, the widest of an S7-300 "
-                          "or S7-400; make the range of the counter smaller");
+                          messages::plc_step7::integer_too_wide());
         return {};
     }
     return StlWriter(grafcet, needed, options, *bits, diagnostics).write(diagnostics);

@@ -18,6 +18,8 @@ namespace grafwire::s7 {
 
 namespace {
 
+namespace say = messages::s7_addresses;
+
 /// The bits an operand covers: of a byte, word or double word all of them, whatever their order; a
 /// timer or counter counts as one.
 std::pair<std::int64_t, std::int64_t> bits_of(const Operand& operand) {
@@ -48,8 +50,7 @@ class AssignmentReader {
         if (!operand) return;
         cursor.skip_blanks();
         if (!cursor.skip_if('=')) {
-            error(code::unexpected_token, cursor.here(),
-                  "expected '=' and a name after the address, as in 'E0.0 = v0'");
+            error(code::unexpected_token, cursor.here(), say::name_expected_after_address());
             return;
         }
         cursor.skip_blanks();
@@ -58,8 +59,7 @@ class AssignmentReader {
         if (!name) return;
         cursor.skip_blanks();
         if (!cursor.at_end()) {
-            error(code::unexpected_token, cursor.here(),
-                  "nothing may follow the name but a comment (#)");
+            error(code::unexpected_token, cursor.here(), say::only_comment_after_name());
             return;
         }
         add({*operand, std::string(*name), where}, name_at);
@@ -68,7 +68,7 @@ class AssignmentReader {
     IoAssignment finish() { return std::move(assignment_); }
 
   private:
-    Diagnostic& error(Code code, Location where, std::string message) {
+    Diagnostic& error(Code code, Location where, Localized message) {
         return diagnostics_.error(code, where, std::move(message));
     }
 
@@ -77,11 +77,7 @@ class AssignmentReader {
         const std::string_view text = cursor.take_until_blank('=');
         auto operand = parse_operand(text);
         if (operand && operand->area != Area::constant) return operand;
-        error(
-            code::bad_address, where,
-            fmt::format("{} is not an address: write one such as E0.4, A0.0, V21.0 or VW100 (bits "
-                        "are 0 … 7)",
-                        in_quotes(text)));
+        error(code::bad_address, where, say::not_an_address(shortened(text)));
         return std::nullopt;
     }
 
@@ -93,7 +89,7 @@ class AssignmentReader {
         if (quoted || rest.starts_with('(')) {
             const std::size_t end = rest.find(quoted ? '"' : ')', 1);
             if (end == std::string_view::npos) {
-                error(code::unterminated_text, where, "the name is not ended on its line");
+                error(code::unterminated_text, where, say::unterminated_name());
                 return std::nullopt;
             }
             cursor.skip(end + 1);
@@ -105,9 +101,7 @@ class AssignmentReader {
         }
         const std::string_view name = cursor.take_word();
         if (name.empty()) {
-            error(code::unexpected_token, where,
-                  "expected a name (quoted, if it holds other characters than letters, digits and "
-                  "'_'), or a transition's label in parentheses");
+            error(code::unexpected_token, where, say::name_expected());
             return std::nullopt;
         }
         return name;
@@ -116,9 +110,8 @@ class AssignmentReader {
     void add(IoAssignment::Entry entry, Location name_at) {
         const auto [named, is_new] = by_name_.emplace(entry.name, name_at);
         if (!is_new) {
-            error(code::duplicate_name, name_at,
-                  fmt::format("{} has an address already", in_quotes(entry.name)))
-                .notes.push_back({named->second, "it is here"});
+            error(code::duplicate_name, name_at, say::has_an_address(shortened(entry.name)))
+                .notes.push_back({named->second, say::here()});
             return;
         }
         const auto [first, last] = bits_of(entry.operand);
@@ -127,9 +120,8 @@ class AssignmentReader {
                 by_bit_.emplace(std::pair{entry.operand.area, bit}, entry.where);
             if (is_free) continue;
             error(code::duplicate_name, entry.where,
-                  fmt::format("{} is taken, wholly or in part",
-                              write_operand(entry.operand, Mnemonics::simatic)))
-                .notes.push_back({taken->second, "by this address"});
+                  say::address_taken(write_operand(entry.operand, Mnemonics::simatic)))
+                .notes.push_back({taken->second, say::by_this_address()});
             return;
         }
         assignment_.entries.push_back(std::move(entry));

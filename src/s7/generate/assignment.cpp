@@ -1,17 +1,18 @@
 #include "s7/generate/assignment.h"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 
 #include "grafcet/write_grafcet.h"
 #include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
+#include "s7/generate/messages.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7_generate;
 
 /// What a name of the chart is.
 struct Meaning {
@@ -61,10 +62,10 @@ void report_unknown(const IoAssignment::Entry& entry, const Meanings& meanings,
                     Diagnostics& diagnostics) {
     std::vector<std::string_view> names;
     for (const auto& [name, meaning] : meanings) names.push_back(name);
-    std::string message = fmt::format("the chart has no '{}'", entry.name);
     const std::string_view nearest = nearest_name(entry.name, names);
-    if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-    diagnostics.error(code::unknown_name, entry.where, std::move(message));
+    diagnostics.error(code::unknown_name, entry.where,
+                      nearest.empty() ? say::not_in_the_chart(entry.name)
+                                      : say::not_in_the_chart_near(entry.name, nearest));
 }
 
 /// Checks entry after entry; see resolve_assignment.
@@ -95,16 +96,18 @@ class Resolver {
                 add_counter(entry, meaning.index);
                 break;
             case Meaning::Kind::step:
-                add_place(entry, "a step", "Ts", layout_.first_byte(BitKind::step),
-                          layout_.step_bytes, result_.places.steps[meaning.index]);
+                add_place(entry, {say::wide_step, say::place_of_step},
+                          layout_.first_byte(BitKind::step), layout_.step_bytes,
+                          result_.places.steps[meaning.index]);
                 break;
             case Meaning::Kind::transition:
-                add_place(entry, "a transition", "Tt", layout_.transitions,
-                          layout_.transition_bytes, result_.places.transitions[meaning.index]);
+                add_place(entry, {say::wide_transition, say::place_of_transition},
+                          layout_.transitions, layout_.transition_bytes,
+                          result_.places.transitions[meaning.index]);
                 break;
             case Meaning::Kind::graph:
-                add_place(entry, "a graph", "Tfig", layout_.graphs, layout_.graph_bytes,
-                          result_.places.graphs[meaning.index]);
+                add_place(entry, {say::wide_graph, say::place_of_graph}, layout_.graphs,
+                          layout_.graph_bytes, result_.places.graphs[meaning.index]);
                 break;
         }
     }
@@ -112,10 +115,15 @@ class Resolver {
     ResolvedAssignment finish() { return std::move(result_); }
 
   private:
-    void refuse(const IoAssignment::Entry& entry, std::string_view why) {
+    /// What is wrong with the address of a step, a transition or a graph.
+    struct PlaceFaults {
+        const Message<>& in_wide_tables;
+        const Message<std::int32_t, std::int32_t>& beyond_its_table;
+    };
+
+    void refuse(const IoAssignment::Entry& entry, const Localized& why) {
         diagnostics_.error(code::bad_address, entry.where,
-                           fmt::format("{} cannot be the address of '{}': {}", text(entry.operand),
-                                       entry.name, why));
+                           say::wrong_address(text(entry.operand), entry.name, why));
     }
 
     static std::string text(const Operand& operand) {
@@ -137,15 +145,14 @@ class Resolver {
     void add_bit(const IoAssignment::Entry& entry, Bit bit) {
         const Operand& operand = entry.operand;
         const bool is_read = bit.kind == BitKind::input || bit.kind == BitKind::control;
-        if (operand.width != Width::bit) return refuse(entry, "a bit is wanted, like E0.0 or V6.0");
+        if (operand.width != Width::bit) return refuse(entry, say::bit_wanted());
         const bool in_memory = operand.area == Area::variable || operand.area == Area::memento;
         const bool in_image = operand.area == (is_read ? Area::input : Area::output) ||
                               (is_read && operand.area == Area::special);
         if (!in_memory && !in_image) {
-            return refuse(entry, is_read ? "an input is a bit of E, M, V or SM"
-                                         : "what is written is a bit of A, M or V");
+            return refuse(entry, is_read ? say::areas_of_inputs() : say::areas_of_outputs());
         }
-        if (is_of_the_method(operand)) return refuse(entry, "the method uses it itself");
+        if (is_of_the_method(operand)) return refuse(entry, say::used_by_the_method());
         result_.bits.emplace(bit, operand);
     }
 
@@ -153,26 +160,21 @@ class Resolver {
         const Operand& operand = entry.operand;
         const bool in_memory = operand.area == Area::variable || operand.area == Area::memento;
         if (!in_memory || (operand.width != Width::word && operand.width != Width::dword)) {
-            return refuse(entry, "a counter is a word or double word of V or M, like VW100");
+            return refuse(entry, say::areas_of_counters());
         }
-        if (is_of_the_method(operand)) return refuse(entry, "the method uses it itself");
+        if (is_of_the_method(operand)) return refuse(entry, say::used_by_the_method());
         result_.counters.emplace(counter, operand);
     }
 
-    void add_place(const IoAssignment::Entry& entry, std::string_view what, std::string_view table,
-                   std::uint32_t first, std::uint32_t bytes, std::uint32_t& place) {
+    void add_place(const IoAssignment::Entry& entry, const PlaceFaults& faults, std::uint32_t first,
+                   std::uint32_t bytes, std::uint32_t& place) {
         const Operand& operand = entry.operand;
-        if (wide_) {
-            return refuse(entry, fmt::format("in wide tables the place of {} follows from the "
-                                             "chart; leave it out",
-                                             what));
-        }
+        if (wide_) return refuse(entry, faults.in_wide_tables());
         const auto from = static_cast<std::int32_t>(first);
         const auto to = static_cast<std::int32_t>(first + bytes);
         if (operand.area != Area::variable || operand.width != Width::bit ||
             operand.address < from || operand.address >= to) {
-            return refuse(entry, fmt::format("{} is a bit of the table {}, V{}.0 … V{}.7", what,
-                                             table, from, to - 1));
+            return refuse(entry, faults.beyond_its_table(from, to - 1));
         }
         place = static_cast<std::uint32_t>((operand.address - from) * 8 + operand.bit);
     }

@@ -1,16 +1,17 @@
 #include "s7/generate/integer_width.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "grafcet/sum_range.h"
 #include "program/messages.h"
+#include "s7/generate/messages.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7_generate;
 
 template <typename Integer>
 bool fits(const IntegerRange& range) {
@@ -24,7 +25,7 @@ class SumSurvey {
     SumSurvey(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
         : grafcet_(grafcet), program_(program), diagnostics_(diagnostics) {
         for (const Counter& counter : grafcet.counters) {
-            note({counter.low, counter.high}, "counter '" + counter.name + "'", counter.where);
+            note({counter.low, counter.high}, say::counter_too_wide, counter.name, counter.where);
         }
         for (const std::vector<Statement>& section : program.sections) {
             for (const Statement& statement : section) survey(statement);
@@ -51,23 +52,20 @@ class SumSurvey {
     void survey(const Sum& sum, const Statement& statement) {
         const std::optional<IntegerRange> range = range_of(grafcet_, sum);
         if (range) {
-            note(*range, "a sum in '" + statement.comment + "'", statement.origin);
+            note(*range, say::sum_too_wide, statement.comment, statement.origin);
         } else {
-            report("a sum in '" + statement.comment + "'", statement.origin);
+            report(say::sum_too_wide, statement.comment, statement.origin);
         }
     }
 
-    void note(const IntegerRange& range, const std::string& what, Location where) {
+    void note(const IntegerRange& range, const Message<std::string_view>& message,
+              std::string_view what, Location where) {
         if (!fits<std::int16_t>(range)) wide_ = true;
-        if (!fits<std::int32_t>(range)) report(what, where);
+        if (!fits<std::int32_t>(range)) report(message, what, where);
     }
 
-    void report(const std::string& what, Location where) {
-        diagnostics_.error(
-            code::beyond_limit, where,
-            fmt::format("{} can reach beyond the 32 bits that an S7-200 counts with; "
-                        "narrow the ranges of the counters",
-                        what));
+    void report(const Message<std::string_view>& message, std::string_view what, Location where) {
+        diagnostics_.error(code::beyond_limit, where, message(what));
     }
 
     const Grafcet& grafcet_;
@@ -88,12 +86,7 @@ std::optional<Width> integer_width(const Grafcet& grafcet, const ScanProgram& pr
     for (const auto& [index, operand] : assignment.counters) {
         if (!wide || operand.width == Width::dword) continue;
         const Counter& counter = grafcet.counters[CounterId{index}];
-        diagnostics.error(
-            code::beyond_limit, counter.where,
-            fmt::format("counter '{}' needs a double word in the assignment (VD instead of VW): a "
-                        "counter or sum of this chart needs more than 16 bits, or another counter "
-                        "has a double word",
-                        counter.name));
+        diagnostics.error(code::beyond_limit, counter.where, say::double_word_needed(counter.name));
     }
     if (diagnostics.error_count() != errors_before) return std::nullopt;
     return wide ? Width::dword : Width::word;

@@ -8,19 +8,21 @@
 
 #include "s7/generate/listing_from.h"
 
-#include <fmt/format.h>
-
 #include "program/messages.h"
+#include "s7/addresses/messages.h"
+#include "s7/addresses/operand_text.h"
 #include "s7/generate/assignment.h"
 #include "s7/generate/integer_width.h"
 #include "s7/generate/listing_build.h"
 #include "s7/generate/listing_head.h"
-#include "s7/addresses/messages.h"
+#include "s7/generate/messages.h"
 #include "s7/instruction_set.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7_generate;
 
 /// Bits of E, and of A.
 std::size_t image_bits(Cpu cpu) {
@@ -29,16 +31,14 @@ std::size_t image_bits(Cpu cpu) {
 
 void check_tables(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const TableLayout layout = standard_tables();
-    const auto check = [&](std::string_view what, std::size_t count, std::uint32_t bytes) {
+    const auto check = [&](const Message<std::size_t, std::uint32_t>& message, std::size_t count,
+                           std::uint32_t bytes) {
         if (count <= std::size_t{bytes} * 8) return;
-        diagnostics.error(code::beyond_limit, {},
-                          fmt::format("the chart has {} {}, and the tables of the method hold {}: "
-                                      "wide tables (--tables wide) hold them all",
-                                      count, what, bytes * 8));
+        diagnostics.error(code::beyond_limit, {}, message(count, bytes * 8));
     };
-    check("steps", grafcet.steps.size(), layout.step_bytes);
-    check("transitions", grafcet.transitions.size(), layout.transition_bytes);
-    check("graphs", grafcet.graphs.size(), layout.graph_bytes);
+    check(say::too_many_steps, grafcet.steps.size(), layout.step_bytes);
+    check(say::too_many_transitions, grafcet.transitions.size(), layout.transition_bytes);
+    check(say::too_many_graphs, grafcet.graphs.size(), layout.graph_bytes);
 }
 
 /// What did not find room in the process images, and what the assignment forgot.
@@ -53,20 +53,12 @@ class InterfaceCheck {
         const bool is_assigned = assignment_ != nullptr && assignment_->bits.contains(bit);
         const bool is_output = bit.kind == BitKind::output;
         if (!is_assigned && operand.address >= row_of(cpu_).image_bytes) {
-            diagnostics_.error(
-                code::beyond_limit, where,
-                fmt::format("{} '{}' finds no room: an S7-200 has {} {}, {}0.0 … {}7.7; give some "
-                            "of them addresses in M or V with an assignment (--io) and carry them "
-                            "over to another controller",
-                            is_output ? "output" : "input", name, image_bits(cpu_),
-                            is_output ? "outputs" : "inputs", is_output ? 'A' : 'E',
-                            is_output ? 'A' : 'E'));
+            diagnostics_.error(code::beyond_limit, where,
+                               is_output ? say::no_room_for_output(name, image_bits(cpu_))
+                                         : say::no_room_for_input(name, image_bits(cpu_)));
         } else if (!is_assigned && assignment_ != nullptr) {
-            diagnostics_.warning(
-                code::unassigned_name, where,
-                fmt::format("'{}' has no address in the assignment; it takes "
-                            "{}{}.{}",
-                            name, is_output ? 'A' : 'E', operand.address, operand.bit));
+            diagnostics_.warning(code::unassigned_name, where,
+                                 say::unassigned(name, write_operand(operand, Mnemonics::simatic)));
         }
     }
 
@@ -97,21 +89,19 @@ void check_memory(const Addresses& addresses, const NetworkList& networks,
                   const std::optional<Cpu>& cpu, bool has_modes, Diagnostics& diagnostics) {
     const CpuRow& row = row_of(cpu.value_or(Cpu::cpu_214));
     if (addresses.variable_bytes() > static_cast<std::uint32_t>(row.variable_bytes)) {
+        const auto& message =
+            cpu == Cpu::cpu_212 ? say::too_much_v_memory_of_212 : say::too_much_v_memory;
         diagnostics.error(code::beyond_limit, {},
-                          fmt::format("the program needs {} bytes of V memory, and a {} has {}: "
-                                      "divide the chart between two controllers{}",
-                                      addresses.variable_bytes(), row.name, row.variable_bytes,
-                                      cpu == Cpu::cpu_212 ? ", or take a CPU 214" : ""));
+                          message(addresses.variable_bytes(), row.name, row.variable_bytes));
     }
     const std::uint32_t size =
         networks.size_of_part(Part::skeleton) + networks.size_of_part(Part::chart);
     if (!cpu || size <= row.program_bytes) return;
-    diagnostics.error(
-        code::beyond_limit, {},
-        fmt::format(
-            "the program takes {} bytes, and the program memory of a {} holds {}: {}{}", size,
-            row.name, row.program_bytes, has_modes ? "leave out the modes (--modes off), or " : "",
-            *cpu == Cpu::cpu_212 ? "take a CPU 214" : "divide the chart between two controllers"));
+    const Message<>& to_do =
+        *cpu == Cpu::cpu_212 ? (has_modes ? say::without_modes_or_214 : say::take_a_214)
+                             : (has_modes ? say::without_modes_or_divide : say::divide_the_chart);
+    diagnostics.error(code::beyond_limit, {},
+                      say::program_too_long(size, row.name, row.program_bytes, to_do()));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "s7/generate/timers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
 #include "program/messages.h"
+#include "s7/generate/messages.h"
 
 namespace grafwire::s7 {
 
@@ -55,21 +54,18 @@ class FreeTimers {
 void report_uncountable(const Statement& statement, Time length, Diagnostics& diagnostics) {
     diagnostics.error(
         code::beyond_limit, statement.origin,
-        fmt::format("no timer of an S7-200 counts {} of '{}': the timers count up to 32767 times "
-                    "1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or "
-                    "divide a long one between two steps",
-                    format_duration(length), statement.comment));
+        messages::s7_generate::uncountable(format_duration(length), statement.comment));
 }
 
 void report_no_timer(const Wanted& wanted, const CpuRow& cpu, Diagnostics& diagnostics) {
     const Time tick = ticks[wanted.coarsest];
-    diagnostics.error(
-        code::beyond_limit, wanted.statement->origin,
-        fmt::format("no timer of {}{} is left on a {} for {} of '{}'; round delays to 100 ms, of "
-                    "which there are most timers{}",
-                    format_duration(tick), tick == ticks.back() ? "" : " or finer", cpu.name,
-                    format_duration(wanted.length), wanted.statement->comment,
-                    cpu.cpu == Cpu::cpu_212 ? ", or take a CPU 214, which has twice as many" : ""));
+    const std::string shown = format_duration(tick);
+    const auto& message = cpu.cpu == Cpu::cpu_212 ? messages::s7_generate::no_timer_left_on_212
+                                                  : messages::s7_generate::no_timer_left;
+    diagnostics.error(code::beyond_limit, wanted.statement->origin,
+                      message(tick == ticks.back() ? Localized(shown, shown)
+                                                   : messages::s7_generate::or_finer(shown),
+                              cpu.name, format_duration(wanted.length), wanted.statement->comment));
 }
 
 }  // namespace

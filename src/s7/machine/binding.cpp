@@ -3,8 +3,6 @@
 
 #include "s7/machine/binding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 #include <unordered_map>
@@ -12,11 +10,14 @@
 #include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/machine/decoded.h"
+#include "s7/machine/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7_machine;
 
 /// What an address must be to stand for a name.
 enum class Wanted : std::uint8_t { input_bit, bit, word };
@@ -33,16 +34,16 @@ bool fits(const Operand& operand, Wanted wanted) {
     return false;
 }
 
-std::string_view text_of(Wanted wanted) {
+Localized text_of(Wanted wanted) {
     switch (wanted) {
         case Wanted::input_bit:
-            return "an input bit such as E0.4";
+            return say::an_input_bit();
         case Wanted::bit:
-            return "a bit such as V20.1";
+            return say::a_bit();
         case Wanted::word:
-            return "a word such as VW100";
+            return say::a_word();
     }
-    return "";
+    return {};
 }
 
 class Binder {
@@ -79,9 +80,8 @@ class Binder {
         const Slot& slot = found->second;
         if (!fits(entry.operand, slot.wanted)) {
             diagnostics_.error(code::bad_address, entry.where,
-                               fmt::format("{} is the address of {}, which needs {}",
-                                           write_operand(entry.operand, Mnemonics::simatic),
-                                           in_quotes(entry.name), text_of(slot.wanted)));
+                               say::wrong_address(write_operand(entry.operand, Mnemonics::simatic),
+                                                  shortened(entry.name), text_of(slot.wanted)));
             return;
         }
         (*slot.list)[slot.index] = entry.operand;
@@ -90,13 +90,15 @@ class Binder {
     /// Every step, output and declared input needs an address; the rest may do without.
     Binding finish() {
         for (std::size_t i = 0; i < grafcet_.inputs.size(); ++i) {
-            require(binding_.inputs[i], "input", std::string(input_name(grafcet_, i)));
+            require(binding_.inputs[i], say::input_without_address, input_name(grafcet_, i));
         }
         for (std::size_t i = 0; i < binding_.steps.size(); ++i) {
-            require(binding_.steps[i], "step", "X" + grafcet_.steps[static_cast<StepId>(i)].name);
+            require(binding_.steps[i], say::step_without_address,
+                    "X" + grafcet_.steps[static_cast<StepId>(i)].name);
         }
         for (std::size_t i = 0; i < binding_.outputs.size(); ++i) {
-            require(binding_.outputs[i], "output", grafcet_.outputs[static_cast<OutputId>(i)].name);
+            require(binding_.outputs[i], say::output_without_address,
+                    grafcet_.outputs[static_cast<OutputId>(i)].name);
         }
         return std::move(binding_);
     }
@@ -118,17 +120,15 @@ class Binder {
         for (const auto& [name, slot] : slots_) names.push_back(name);
         std::sort(names.begin(), names.end());
         const auto nearest = nearest_name(entry.name, {names.begin(), names.end()});
-        diagnostics_.error(
-            code::unknown_name, entry.where,
-            fmt::format("the GRAFCET has no {}{}", in_quotes(entry.name),
-                        nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+        const std::string shown = shortened(entry.name);
+        diagnostics_.error(code::unknown_name, entry.where,
+                           nearest.empty() ? say::not_in_the_grafcet(shown)
+                                           : say::not_in_the_grafcet_near(shown, nearest));
     }
 
-    void require(const std::optional<Operand>& operand, std::string_view what,
-                 const std::string& name) {
-        if (operand) return;
-        diagnostics_.error(code::bad_address, {},
-                           fmt::format("{} '{}' of the GRAFCET has no address", what, name));
+    void require(const std::optional<Operand>& operand, const Message<std::string_view>& message,
+                 std::string_view name) {
+        if (!operand) diagnostics_.error(code::bad_address, {}, message(name));
     }
 
     const Grafcet& grafcet_;
