@@ -286,7 +286,7 @@ class FaultSearch {
                 return false;
             }
         }
-        const auto known = [this](EnclosureId id) { return id != none; };
+        const auto known = [](EnclosureId id) { return id != none; };
         const auto enclosing = std::count_if(g_.steps.begin(), g_.steps.end(),
                                              [&](const Step& s) { return known(s.enclosure); });
         const auto enclosed = std::count_if(g_.graphs.begin(), g_.graphs.end(),

@@ -83,7 +83,8 @@ void try_all(const std::vector<std::string>& command, const Values& values,
         std::ostringstream shown;
         for (const std::string& word : request) shown << ' ' << word;
         INFO("request: " << shown.str());
-        for (const auto& [option, value] : values) {
+        for (const auto& [name, value] : values) {
+            const std::string option(name);  // a binding cannot be captured by INFO
             if (std::count(request.begin(), request.end(), option) != 0) continue;
             INFO("option: " << option);
             std::vector<std::string> arguments = request;

@@ -231,7 +231,7 @@ TEST_CASE("PL7-2: what it cannot express is refused, with its place") {
         CHECK(text.empty() == diagnostics.has_errors());
         if (!diagnostics.has_errors()) return "";
         const Diagnostic& first = diagnostics.items().front();
-        return std::to_string(first.where.line) + ": " + first.message;
+        return std::to_string(first.where.line) + ": " + first.message.english;
     };
     CHECK(
         refusal("input a graph G { initial 1 1 -> 1 : 15ms/a }") ==

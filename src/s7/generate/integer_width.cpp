@@ -23,7 +23,7 @@ bool fits(const IntegerRange& range) {
 class SumSurvey {
   public:
     SumSurvey(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
-        : grafcet_(grafcet), program_(program), diagnostics_(diagnostics) {
+        : grafcet_(grafcet), diagnostics_(diagnostics) {
         for (const Counter& counter : grafcet.counters) {
             note({counter.low, counter.high}, say::counter_too_wide, counter.name, counter.where);
         }
@@ -69,7 +69,6 @@ class SumSurvey {
     }
 
     const Grafcet& grafcet_;
-    const ScanProgram& program_;
     Diagnostics& diagnostics_;
     bool wide_ = false;
 };
