@@ -1,5 +1,5 @@
 // Expressions by recursive descent: chains of operators of equal rank, from the weakest to the
-// strongest, then what binds to the operand behind it. Nodes are told as their parts are finished,
+// strongest, then what binds to the operand behind it. A node is added once its parts are,
 // which is the postfix order of NamedExpression. Nesting is bounded (deepest_nesting), and with it
 // the recursion here and in everything that later walks an expression.
 

@@ -20,7 +20,7 @@ namespace grafwire {
 //   1 or more    any          0    1    1    0      2
 //
 // A buffer is an OR of one pin, an inverter a NOR of one, the constants an OR and an AND of none.
-// An XOR counts ones as an OR does, and is told from their parity.
+// An XOR counts ones as an OR does; its value is their parity.
 
 /// Bits 0-23 unknown pins, 24-47 controlling pins, 48-53 the table, two bits a row, 54-55 the value
 /// of the cell, then the flags.

@@ -222,7 +222,7 @@ TEST_CASE("netlist --bench: a test bench beside the netlist that says PASS, or w
     const std::string chart = example("rule-5.grafcet");
     const std::string stim = example("rule-5.stim");
     const ScratchFolder folder;
-    for (const std::string style : {"gates", "nand", "nor", "clocked"}) {
+    for (const std::string& style : choices_of("netlist", "--style")) {
         INFO("style: " << style);
         const Ran made = grafwire_with({"netlist", chart, "--style", style, "--to", "verilog",
                                         "--stim", stim, "--bench", "-o", folder.path("n.v")});
