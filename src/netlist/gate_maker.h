@@ -16,7 +16,7 @@ class GateMaker {
   public:
     using Pins = std::initializer_list<NetId>;
 
-    GateMaker(NetlistBuilder& builder, Place place, std::string owner)
+    GateMaker(NetlistBuilder& builder, CellPlace place, std::string owner)
         : builder_(&builder), place_(place), owner_(std::move(owner)) {}
 
     /// The same in the same module, for another origin or under another name.
@@ -26,7 +26,7 @@ class GateMaker {
     GateMaker named(std::string owner) const { return {*builder_, place_, std::move(owner)}; }
 
     NetlistBuilder& builder() const { return *builder_; }
-    Place place() const { return place_; }
+    CellPlace place() const { return place_; }
     const std::string& owner() const { return owner_; }
 
     NetId add_net(std::string_view role) const { return builder_->add_inner_net(owner_, role); }
@@ -60,7 +60,7 @@ class GateMaker {
 
   private:
     NetlistBuilder* builder_;
-    Place place_;
+    CellPlace place_;
     std::string owner_;
 };
 

@@ -58,8 +58,11 @@ struct Cell {
     std::uint32_t first_pin = 0;
     std::uint32_t pin_count = 0;
     NetId output = no_net;
-    std::uint32_t origin = 0;  ///< index into Netlist::origins
+    /// Index into Netlist::origins. A cell without one is a fault of the netlist (fault_of);
+    /// NetlistBuilder makes none.
+    std::uint32_t origin = no_origin;
     std::uint32_t timing = 0;  ///< index into Netlist::timings, for types that have timing
+    static constexpr std::uint32_t no_origin = 0xffffffffU;
 };
 
 struct Port {

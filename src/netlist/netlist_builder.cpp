@@ -89,7 +89,7 @@ NetId NetlistBuilder::add_inner_net(std::string_view owner, std::string_view rol
     return add_net(scratch_);
 }
 
-CellId NetlistBuilder::add_cell(Place place, CellType type, NetId output,
+CellId NetlistBuilder::add_cell(CellPlace place, CellType type, NetId output,
                                 std::span<const NetId> pins, const CellDetails& details) {
     assert(pins.size() >= row_of(type).min_pins && pins.size() <= row_of(type).max_pins);
     Cell cell;
@@ -114,7 +114,8 @@ void NetlistBuilder::copy_cell(ModuleId module, const Netlist& source, const Cel
     add_cell({module, cell.origin}, cell.type, cell.output, source.pins_of(cell), details);
 }
 
-void NetlistBuilder::drive(Place place, NetId output, CellType type, std::span<const NetId> pins) {
+void NetlistBuilder::drive(CellPlace place, NetId output, CellType type,
+                           std::span<const NetId> pins) {
     if (pins.size() == 1) {
         const bool inverting =
             type == CellType::inverter || type == CellType::nand_gate || type == CellType::nor_gate;
@@ -123,7 +124,7 @@ void NetlistBuilder::drive(Place place, NetId output, CellType type, std::span<c
     add_cell(place, type, output, pins);
 }
 
-NetId NetlistBuilder::gate(Place place, CellType type, std::span<const NetId> pins,
+NetId NetlistBuilder::gate(CellPlace place, CellType type, std::span<const NetId> pins,
                            std::string_view owner, std::string_view role) {
     const NetId output = add_inner_net(owner, role);
     drive(place, output, type, pins);
@@ -135,7 +136,7 @@ NetlistBuilder::Companion& NetlistBuilder::companion(NetId net) {
     return companions_[index_of(net)];
 }
 
-NetId NetlistBuilder::inverted(Place place, NetId net) {
+NetId NetlistBuilder::inverted(CellPlace place, NetId net) {
     for (const bool value : {false, true}) {
         if (is_constant(net, value)) return constant(place, !value);
     }
@@ -148,7 +149,7 @@ NetId NetlistBuilder::inverted(Place place, NetId net) {
     return companion(net).inverted;
 }
 
-NetId NetlistBuilder::delayed(Place place, NetId net, std::uint32_t levels) {
+NetId NetlistBuilder::delayed(CellPlace place, NetId net, std::uint32_t levels) {
     if (is_constant(net, false) || is_constant(net, true)) return net;
     for (; levels != 0; --levels) {
         if (companion(net).delayed == no_net) {
@@ -161,7 +162,7 @@ NetId NetlistBuilder::delayed(Place place, NetId net, std::uint32_t levels) {
     return net;
 }
 
-NetId NetlistBuilder::constant(Place place, bool value) {
+NetId NetlistBuilder::constant(CellPlace place, bool value) {
     NetId& net = constants_[value ? 1 : 0];
     if (net == no_net) {
         net = add_inner_net(no_net, value ? "high" : "low");

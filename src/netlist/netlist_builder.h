@@ -15,9 +15,11 @@ namespace grafwire {
 enum class ModuleId : std::uint32_t {};
 
 /// Where a cell belongs: its module, and what it is made for (a number in Netlist::origins).
-struct Place {
-    ModuleId module{};
-    std::uint32_t origin = 0;
+struct CellPlace {
+    CellPlace(ModuleId in_module, std::uint32_t made_for) : module(in_module), origin(made_for) {}
+
+    ModuleId module;
+    std::uint32_t origin;
 };
 
 /// How the nets between the cells get their names.
@@ -80,25 +82,25 @@ class NetlistBuilder {
     /// The value at power-up of a net that gates drive.
     void set_initial(NetId net, bool value) { netlist_.initial_values.push_back({net, value}); }
 
-    CellId add_cell(Place place, CellType type, NetId output, std::span<const NetId> pins,
+    CellId add_cell(CellPlace place, CellType type, NetId output, std::span<const NetId> pins,
                     const CellDetails& details);
-    CellId add_cell(Place place, CellType type, NetId output, std::span<const NetId> pins) {
+    CellId add_cell(CellPlace place, CellType type, NetId output, std::span<const NetId> pins) {
         return add_cell(place, type, output, pins, CellDetails());
     }
     /// A cell of the netlist gone on from (without_cells_of), as it is.
     void copy_cell(ModuleId module, const Netlist& source, const Cell& cell);
     /// Drives an existing net by a gate; a gate of one pin becomes a buffer or an inverter.
-    void drive(Place place, NetId output, CellType type, std::span<const NetId> pins);
+    void drive(CellPlace place, NetId output, CellType type, std::span<const NetId> pins);
     /// The same with an inner net of its own.
-    NetId gate(Place place, CellType type, std::span<const NetId> pins, std::string_view owner,
+    NetId gate(CellPlace place, CellType type, std::span<const NetId> pins, std::string_view owner,
                std::string_view role);
 
     /// The complement of a net, made once; a constant for a constant.
-    NetId inverted(Place place, NetId net);
+    NetId inverted(CellPlace place, NetId net);
     /// The net behind `levels` buffers, each made once.
-    NetId delayed(Place place, NetId net, std::uint32_t levels);
+    NetId delayed(CellPlace place, NetId net, std::uint32_t levels);
     /// The net that is always 0 or 1, made once.
-    NetId constant(Place place, bool value);
+    NetId constant(CellPlace place, bool value);
     bool is_constant(NetId net, bool value) const {
         return net != no_net && net == constants_[value ? 1 : 0];
     }

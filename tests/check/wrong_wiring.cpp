@@ -16,6 +16,7 @@ void add_cell(Netlist& netlist, CellType type, const std::string& output,
     cell.type = type;
     cell.initial = initial;
     cell.output = net_named(netlist, output);
+    cell.origin = 0;
     std::vector<NetId> nets;
     for (const std::string& pin : pins) nets.push_back(net_named(netlist, pin));
     cell.first_pin = static_cast<std::uint32_t>(netlist.pins.size());

@@ -49,9 +49,8 @@ NetlistMaker& NetlistMaker::cell(CellType type, std::string_view output,
     cell.pin_count = static_cast<std::uint32_t>(pins.size());
     for (const std::string& pin : pins) netlist_.pins.push_back(net(pin));
     cell.output = net(output);
-    if (netlist_.modules.back().name.starts_with('X')) {
-        cell.origin = static_cast<std::uint32_t>(netlist_.origins.size() - 1);
-    }
+    const bool is_of_a_step = netlist_.modules.back().name.starts_with('X');
+    cell.origin = is_of_a_step ? static_cast<std::uint32_t>(netlist_.origins.size() - 1) : 0;
     if (row_of(type).has_timing) {
         cell.timing = static_cast<std::uint32_t>(netlist_.timings.size());
         netlist_.timings.push_back(timing);

@@ -46,7 +46,7 @@ TEST_CASE("faults of cells are found") {
         CHECK(fault_of(netlist).find("is connected to no net") != std::string::npos);
     }
     SUBCASE("no origin") {
-        netlist.cells[first_of(netlist, CellType::and_gate)].origin = 10'000;
+        netlist.cells[first_of(netlist, CellType::and_gate)].origin = Cell().origin;
         CHECK(fault_of(netlist).find("has no origin") != std::string::npos);
     }
     SUBCASE("no timing") {
@@ -73,6 +73,7 @@ TEST_CASE("faults of nets, ports and modules are found") {
         Cell cell;
         cell.type = CellType::low;
         cell.output = netlist.names.add("X0");
+        cell.origin = 0;
         netlist.cells.add(cell);
         ++netlist.modules.back().cell_count;
         CHECK(fault_of(netlist) == "two nets are called X0");

@@ -28,7 +28,7 @@ NetId add_input(NetlistBuilder& builder, const std::string& name) {
 TEST_CASE("netlist builder: inner nets are named by owner and role, reserved names stay free") {
     NetlistBuilder builder("test", InnerNames::by_role);
     builder.reserve_name("a$not");
-    const Place place{builder.add_module("all"), 0};
+    const CellPlace place{builder.add_module("all"), 0};
     const NetId a = add_input(builder, "a");
     const NetId not_a = builder.inverted(place, a);
     CHECK(builder.inverted(place, a) == not_a);
@@ -46,7 +46,7 @@ TEST_CASE("netlist builder: inner nets are named by owner and role, reserved nam
 
 TEST_CASE("netlist builder: the complement of a constant is the other constant, undelayed") {
     NetlistBuilder builder("test", InnerNames::by_role);
-    const Place place{builder.add_module("all"), 0};
+    const CellPlace place{builder.add_module("all"), 0};
     const NetId low = builder.constant(place, false);
     const NetId high = builder.inverted(place, low);
     CHECK(builder.is_constant(high, true));
@@ -83,7 +83,7 @@ TEST_CASE("netlist builder: the cells of a module are brought together, empty mo
 
 TEST_CASE("netlist builder: nets known by name, numbers for inner nets once all names are known") {
     NetlistBuilder builder("test", InnerNames::by_number);
-    const Place place{builder.add_module("all"), 0};
+    const CellPlace place{builder.add_module("all"), 0};
     CHECK(builder.find_net("a") == no_net);
     const auto [a, is_new] = builder.net_named("a");
     CHECK(is_new);
@@ -118,7 +118,7 @@ TEST_CASE("netlist builder: a pass goes on from a netlist and gives no name twic
     const Netlist source = first.finish();
 
     NetlistBuilder pass = NetlistBuilder::without_cells_of(source);
-    const Place place{pass.add_module("again"), 0};
+    const CellPlace place{pass.add_module("again"), 0};
     for (const Cell& cell : source.cells) pass.copy_cell(place.module, source, cell);
     CHECK(pass.find_net("a$not") == taken);
     pass.inverted(place, a);

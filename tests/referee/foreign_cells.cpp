@@ -9,6 +9,7 @@ namespace grafwire::testing {
 NetId ForeignCells::add(CellType type, const std::vector<NetId>& pins, Time width) {
     Cell cell;
     cell.type = type;
+    cell.origin = 0;
     if (row_of(type).has_memory) cell.initial = Logic::zero;
     cell.output = netlist_.names.add("foreign$" + std::to_string(netlist_.net_count()));
     if (row_of(type).has_timing) {

@@ -37,6 +37,7 @@ CellId SmallNetlist::cell(CellType type, std::string_view name,
     cell.type = type;
     cell.initial = initial;
     cell.output = net(name);
+    cell.origin = 0;
     cell.first_pin = static_cast<std::uint32_t>(netlist.pins.size());
     cell.pin_count = static_cast<std::uint32_t>(pins.size());
     for (const std::string& pin : pins) netlist.pins.push_back(net(pin));

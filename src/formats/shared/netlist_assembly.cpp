@@ -21,7 +21,7 @@ NetlistAssembly::NetlistAssembly(Diagnostics& diagnostics)
 
 /// Where cells from that place belong. Cells come in the order of the file, so the last origin is
 /// the only one that can be the same.
-Place NetlistAssembly::place(Location where) {
+CellPlace NetlistAssembly::place(Location where) {
     const std::vector<Origin>& origins = builder_.netlist().origins;
     if (!where.is_known()) return {module_, 0};
     const Location last = origins.back().where;

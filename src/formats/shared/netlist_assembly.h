@@ -62,7 +62,7 @@ class NetlistAssembly {
         bool is_driven = false;
         bool is_input = false;
     };
-    Place place(Location where);
+    CellPlace place(Location where);
     void add_file_net(NetId net, Location where);
     void check_port(std::string_view name, NetId net, Location where);
     void drive(NetId net, Location where);

@@ -32,7 +32,7 @@ Time scans_of(Time delay, Time scan_period) {
 /// The gates and flip-flops in the place of one clocked timer or look-ahead.
 class CountedTimer {
   public:
-    CountedTimer(NetlistBuilder& builder, Place place, const Netlist& source, const Cell& cell)
+    CountedTimer(NetlistBuilder& builder, CellPlace place, const Netlist& source, const Cell& cell)
         : builder_(builder),
           place_(place),
           cell_(cell),
@@ -67,7 +67,7 @@ class CountedTimer {
     }
 
     NetlistBuilder& builder_;
-    Place place_;
+    CellPlace place_;
     const Cell& cell_;
     bool is_timer_;
     std::string owner_;

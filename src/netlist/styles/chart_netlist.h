@@ -27,8 +27,9 @@ class ChartNetlist {
     explicit ChartNetlist(const Grafcet& grafcet);
 
     NetlistBuilder& builder() { return builder_; }
-    /// The gates of the module `inputs`, which is the first one.
-    GateMaker at_inputs() { return {builder_, {}, {}}; }
+    /// The gates of the module `inputs`, which is the first one; their origin is the first as well,
+    /// of no kind.
+    GateMaker at_inputs() { return {builder_, {ModuleId{0}, 0}, {}}; }
     /// The gates of a further module, named after it.
     GateMaker add_module(const std::string& name, std::uint32_t origin) {
         return {builder_, {builder_.add_module(name), origin}, name};
