@@ -15,6 +15,7 @@
 #include "evolution/run.h"
 #include "explain/causal_chain.h"
 #include "grafcet/write_grafcet.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
@@ -293,8 +294,11 @@ class CauseSearch {
         const bool has_last = !stimuli.changes.empty() && stimuli.changes.back().at == stimuli.end;
         if (facts_.witness.scan_period != 0 || !has_last) return std::nullopt;
         Assignments inputs = stimuli.changes.back().assignments;
-        std::erase_if(inputs,
-                      [&](const auto& set) { return value_before(set.input) == set.value; });
+        StimuliPlayer before(stimuli, grafcet_.all_input_count());
+        before.advance(stimuli.end - 1);
+        std::erase_if(inputs, [&](const auto& set) {
+            return (before.inputs()[set.input] != 0) == set.value;
+        });
         Cause cause{CauseKind::input_race, {}, ended_delays(), {}};
         if (inputs.empty() || inputs.size() + cause.others.size() < 2) return std::nullopt;
         if (differs_in_some_order(inputs)) return std::nullopt;
@@ -302,16 +306,6 @@ class CauseSearch {
             cause.others.emplace_back(input_name(grafcet_, set.input));
         }
         return cause;
-    }
-    bool value_before(std::size_t input) const {
-        bool value = false;
-        const auto& changes = facts_.witness.stimuli.changes;
-        for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
-            for (const auto& set : changes[i].assignments) {
-                if (set.input == input) value = set.value;
-            }
-        }
-        return value;
     }
     /// All orders of a few inputs; of many, one and its reverse.
     bool differs_in_some_order(const Assignments& inputs) const {

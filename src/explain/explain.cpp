@@ -15,6 +15,7 @@
 #include "explain/cause_search.h"
 #include "explain/compare_functions.h"
 #include "explain/explanation_writer.h"
+#include "trace/stimuli_player.h"
 
 namespace grafwire {
 
@@ -220,13 +221,9 @@ class Explainer {
                 static_cast<std::uint32_t>(is_control ? i - grafcet_.inputs.size() : i);
             const VariableKind kind = is_control ? VariableKind::control : VariableKind::input;
             if (operand_name(grafcet_, {kind, number}) != name) continue;
-            bool value = false;
-            for (const Stimuli::Change& change : witness_.stimuli.changes) {
-                for (const auto& set : change.assignments) {
-                    if (set.input == i) value = set.value;
-                }
-            }
-            return logic_of(value);
+            StimuliPlayer player(witness_.stimuli, grafcet_.all_input_count());
+            player.advance(witness_.stimuli.end);
+            return logic_of(player.inputs()[i] != 0);
         }
         return Logic::unknown;
     }
