@@ -30,8 +30,8 @@ CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
 }
 
 ExplorationResult explore_netlist(const Grafcet& grafcet, const Netlist& netlist,
-                                  const CellDelays& delays, const CheckOptions& options,
-                                  const ExplorationPlan& plan) {
+                                  const CheckOptions& options, const ExplorationPlan& plan) {
+    const CellDelays delays = cell_delays(netlist, options.delays);
     NetlistCases cases(grafcet, netlist, delays, options.keep_going);
     return explore(grafcet, cases, options, plan);
 }
@@ -65,7 +65,6 @@ std::vector<Time> telling_periods(const Grafcet& grafcet, const Netlist& netlist
 /// exploration knows that a delay ends at some scan, not how many scans that takes, and a path that
 /// needs many scans is not looked for once there is a shorter one.
 std::optional<Witness> difference_with_some_period(const Grafcet& grafcet, const Netlist& netlist,
-                                                   const CellDelays& delays,
                                                    const CheckOptions& options) {
     for (const Time period : telling_periods(grafcet, netlist)) {
         CheckOptions some = options;
@@ -73,7 +72,7 @@ std::optional<Witness> difference_with_some_period(const Grafcet& grafcet, const
             some.max_cases = most_cases_of_a_period;
         }
         ExplorationResult explored = explore_netlist(
-            grafcet, netlist, delays, some, {options.changes, Passing::by_a_period, period});
+            grafcet, netlist, some, {options.changes, Passing::by_a_period, period});
         if (explored.result.witness) return std::move(explored.result.witness);
     }
     return std::nullopt;
@@ -89,7 +88,7 @@ void add(Coverage& all, const Coverage& more) {
 /// Memories that nothing is known of at power-up are unknown in three values. That may be too
 /// pessimistic, and it does not tell whether a part comes to rest that stays unknown. So where they
 /// are few, every value that they can have is gone through by itself.
-void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist,
                           const CheckOptions& options, CheckResult& result) {
     std::vector<Netlist::InitialValue> power_up = power_up_values(netlist, 0);
     if (power_up.empty() || power_up.size() > most_uninitialised_memories) return;
@@ -97,7 +96,7 @@ void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const 
         for (std::size_t i = 0; i < power_up.size(); ++i) {
             power_up[i].value = (number >> i & 1U) != 0;
         }
-        const CheckResult powered = check_changes(grafcet, with_power_up(netlist, power_up), delays,
+        const CheckResult powered = check_changes(grafcet, with_power_up(netlist, power_up),
                                                   rest_of(options, result.coverage.cases));
         add(result.coverage, powered.coverage);
         if (powered.verdict == Verdict::undecided) return;
@@ -115,7 +114,7 @@ void go_through_power_ups(const Grafcet& grafcet, const Netlist& netlist, const 
 
 }  // namespace
 
-CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist,
                           const CheckOptions& options) {
     ExplorationPlan plan;
     plan.changes = options.changes;
@@ -123,41 +122,41 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, const 
         plan.passing = Passing::by_a_period;
         plan.period = *options.scan_period;
     }
-    ExplorationResult explored = explore_netlist(grafcet, netlist, delays, options, plan);
+    ExplorationResult explored = explore_netlist(grafcet, netlist, options, plan);
     if (explored.needs_lengths) {
         plan.passing = passing_with_lengths(netlist);
-        explored = explore_netlist(grafcet, netlist, delays,
+        explored = explore_netlist(grafcet, netlist,
                                    rest_of(options, explored.result.coverage.cases), plan);
     }
     CheckResult& result = explored.result;
     if (result.depends_on_period) {
-        result.witness = difference_with_some_period(grafcet, netlist, delays,
-                                                     rest_of(options, result.coverage.cases));
+        result.witness =
+            difference_with_some_period(grafcet, netlist, rest_of(options, result.coverage.cases));
         if (result.witness) result.verdict = Verdict::different;
     }
     const bool is_unsettled = result.verdict == Verdict::equivalent
                                   ? result.has_uninitialised_memory
                                   : result.is_unexplained;
     if (is_unsettled && !result.witness) {
-        go_through_power_ups(grafcet, netlist, delays, options, result);
+        go_through_power_ups(grafcet, netlist, options, result);
     }
     if (result.witness && result.witness->power_up.empty()) {
-        result.witness = smallest_witness(grafcet, netlist, delays, *result.witness, options);
+        result.witness = smallest_witness(grafcet, netlist, *result.witness, options);
     }
     return std::move(result);
 }
 
 CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const CheckOptions& options) {
-    CheckResult result = check_changes(grafcet, netlist, delays, options);
+                              const CheckOptions& options) {
+    CheckResult result = check_changes(grafcet, netlist, options);
     if (result.verdict == Verdict::equivalent) {
-        result.witness = find_unobserved_oscillation(grafcet, netlist, delays, options,
-                                                     result.has_uninitialised_memory);
+        result.witness =
+            find_unobserved_oscillation(grafcet, netlist, options, result.has_uninitialised_memory);
         if (result.witness) result.verdict = Verdict::different;
     }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&
         result.verdict == Verdict::equivalent) {
-        result.together = check_many_changes(grafcet, netlist, delays,
+        result.together = check_many_changes(grafcet, netlist,
                                              rest_of(options, result.coverage.cases), result.never);
     }
     return result;

@@ -8,6 +8,7 @@
 
 #include "check/coverage.h"
 #include "check/witness.h"
+#include "netlist/delay_model.h"
 #include "text/keep_going.h"
 #include "trace/stimuli.h"
 
@@ -27,6 +28,8 @@ struct CheckOptions {
     /// Asynchronous netlists, where they are equivalent under Changes::one: whether to look at
     /// Changes::many as well.
     bool looks_at_many = true;
+    /// Netlists: how long the gates take.
+    DelayModel delays{};
     /// Clocked netlists: the only time from one scan to the next for which the verdict is to hold;
     /// none: it holds for every one.
     std::optional<Time> scan_period;

@@ -53,8 +53,7 @@ ExprId never_together(Grafcet& grafcet, const std::vector<Stimuli::Assignment>& 
 
 /// The assumption that keeps the inputs apart, if it does and costs nothing.
 std::string assumption_against(const Grafcet& grafcet, const Netlist& netlist,
-                               const CellDelays& delays, const CheckOptions& options,
-                               const NeverExercised& unexercised,
+                               const CheckOptions& options, const NeverExercised& unexercised,
                                const std::vector<Stimuli::Assignment>& assignments) {
     Grafcet assuming = grafcet;
     const ExprId expression = never_together(assuming, assignments);
@@ -63,7 +62,7 @@ std::string assumption_against(const Grafcet& grafcet, const Netlist& netlist,
     for (const Changes changes : {Changes::one, Changes::many}) {
         CheckOptions some = options;
         some.changes = changes;
-        const CheckResult result = check_changes(assuming, netlist, delays, some);
+        const CheckResult result = check_changes(assuming, netlist, some);
         if (result.verdict != Verdict::equivalent) return {};
         if (changes == Changes::one && result.never != unexercised) return {};
     }
@@ -73,11 +72,10 @@ std::string assumption_against(const Grafcet& grafcet, const Netlist& netlist,
 }  // namespace
 
 Together check_many_changes(const Grafcet& grafcet, const Netlist& netlist,
-                            const CellDelays& delays, const CheckOptions& options,
-                            const NeverExercised& unexercised) {
+                            const CheckOptions& options, const NeverExercised& unexercised) {
     CheckOptions at_once = options;
     at_once.changes = Changes::many;
-    CheckResult result = check_changes(grafcet, netlist, delays, at_once);
+    CheckResult result = check_changes(grafcet, netlist, at_once);
     Together together;
     together.verdict = result.verdict;
     if (!result.witness) return together;
@@ -92,7 +90,7 @@ Together check_many_changes(const Grafcet& grafcet, const Netlist& netlist,
         [&](const Stimuli::Assignment& set) { return set.input < grafcet.inputs.size(); });
     if (line->assignments.size() > 1 && is_of_the_plant) {
         together.assumption =
-            assumption_against(grafcet, netlist, delays, options, unexercised, line->assignments);
+            assumption_against(grafcet, netlist, options, unexercised, line->assignments);
     }
     return together;
 }

@@ -17,7 +17,8 @@ inline constexpr Message<std::string> netlist{"netlist {}", "câblage {}"};
 
 /// Between the parts of a line.
 inline constexpr Message<> separator{"; ", " ; "};
-inline constexpr Message<> delays{"delays: every gate 1 ns", "retards : 1 ns par porte"};
+inline constexpr Message<std::string> delays{"delays: every gate {} ns",
+                                             "retards : {} ns par porte"};
 inline constexpr Message<> one_change{"changes: one input at a time",
                                       "changements : une entrée à la fois"};
 inline constexpr Message<> many_changes{"changes: many inputs at once",

@@ -114,11 +114,11 @@ constexpr int most_trials = 1000;
 
 class Reduction {
   public:
-    Reduction(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-              const CheckOptions& options, Witness&& witness)
+    Reduction(const Grafcet& grafcet, const Netlist& netlist, const CheckOptions& options,
+              Witness&& witness)
         : grafcet_(grafcet),
           netlist_(netlist),
-          delays_(delays),
+          delays_(cell_delays(netlist, options.delays)),
           options_(options),
           best_(std::move(witness)) {}
 
@@ -183,7 +183,7 @@ class Reduction {
 
     const Grafcet& grafcet_;
     const Netlist& netlist_;
-    const CellDelays& delays_;
+    const CellDelays delays_;
     const CheckOptions& options_;
     Witness best_;
     int trials_ = 0;
@@ -191,15 +191,15 @@ class Reduction {
 
 }  // namespace
 
-Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         Witness witness, const CheckOptions& options) {
+Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, Witness witness,
+                         const CheckOptions& options) {
     // Leaving a change out moves the ends of delays, which must not come together with the change
     // of an input where one thing happens at a time.
     const bool has_delays = !grafcet.expressions.time_conditions().empty() ||
                             std::any_of(netlist.cells.begin(), netlist.cells.end(),
                                         [](const Cell& cell) { return is_timer(cell.type); });
     if (has_delays && options.changes == Changes::one && !netlist.is_clocked()) return witness;
-    return Reduction(grafcet, netlist, delays, options, std::move(witness)).make();
+    return Reduction(grafcet, netlist, options, std::move(witness)).make();
 }
 
 }  // namespace grafwire

@@ -25,7 +25,7 @@ std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
 
 /// A witness of the same netlist that changes as few inputs as possible: none of its changes can be
 /// left out. `options` say what may happen in one instant of it, and how long to look.
-Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                         Witness witness, const CheckOptions& options);
+Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, Witness witness,
+                         const CheckOptions& options);
 
 }  // namespace grafwire

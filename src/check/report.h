@@ -29,7 +29,7 @@ struct CheckSubject {
     std::string cdx;          ///< likewise: `successor` or `transition`
     std::string against;      ///< the file of a netlist or a program from elsewhere, else empty
     bool is_program = false;  ///< executed scan by scan; else a netlist
-    std::string delay;        ///< of netlists: `unit`
+    DelayModel delays{};      ///< of netlists: how long the gates take
     std::optional<Changes> changes;  ///< of asynchronous netlists
     /// Of clocked netlists and programs: the time from one scan to the next; `every` for any.
     std::string period;

@@ -65,7 +65,7 @@ void put_subject(Json& json, const CheckSubject& subject, const Grafcet& grafcet
         json["style"] = subject.style;
         json["cdx"] = subject.cdx;
     }
-    if (!subject.is_program) json["delay"] = subject.delay;
+    if (!subject.is_program) json["delay"] = subject.delays.name;
     if (subject.changes) json["changes"] = *subject.changes == Changes::one ? "one" : "many";
     if (subject.is_scanned()) json["period"] = subject.period;
     json["power_up"] = name_of(subject.power_up);

@@ -145,7 +145,9 @@ void TextReport::write_verdict() {
 
 void TextReport::write_foundation() {
     std::vector<std::string> parts;
-    if (!subject_.is_program) parts.push_back(in_words(words::delays));
+    if (!subject_.is_program) {
+        parts.push_back(in_words(words::delays, format_nanoseconds(subject_.delays.gate)));
+    }
     if (subject_.changes) {
         parts.push_back(
             in_words(*subject_.changes == Changes::one ? words::one_change : words::many_changes));

@@ -90,12 +90,12 @@ std::vector<Netlist::InitialValue> values_needed(const Grafcet& grafcet, const N
 }  // namespace
 
 std::optional<Witness> find_unobserved_oscillation(const Grafcet& grafcet, const Netlist& netlist,
-                                                   const CellDelays& delays,
                                                    const CheckOptions& options,
                                                    bool has_uninitialised_memory) {
     if (!has_uninitialised_memory && !has_unobserved_loops(grafcet, netlist)) return std::nullopt;
     const Assumptions assumptions(grafcet);
     const Time period = !netlist.is_clocked() ? 0 : options.scan_period.value_or(10 * millisecond);
+    const CellDelays delays = cell_delays(netlist, options.delays);
     for (int number = 0; number < walks; ++number) {
         if (options.keep_going && !options.keep_going()) return std::nullopt;
         Dice dice(number);

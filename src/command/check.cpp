@@ -24,7 +24,6 @@ struct Request {
     std::string io;
     std::string cpu = "214";
     std::string scan;
-    std::string delay = "unit";
     std::string changes;   ///< empty: one
     std::string power_up;  ///< empty: unknown
     std::string format = "text";
@@ -88,7 +87,7 @@ CheckSubject subject_of(const Request& request) {
         subject.style = request.netlist.style;
         subject.cdx = name_of(cdx_form(request.netlist.options()));
     }
-    subject.delay = request.delay;
+    subject.delays = request.netlist.delays();
     subject.name = request.against.empty() ? subject.style + " " + subject.cdx : request.against;
     for (const std::string* asked : {&request.changes, &request.power_up, &request.scan}) {
         if (!asked->empty()) subject.name += " " + *asked;
@@ -279,9 +278,7 @@ ExitStatus check(const Request& request, const CommandLine& line, Language langu
 void declare_subject(const CommandLine& line, Request& request) {
     line.add("FILE", request.path, "the GRAFCET, - for standard input").required();
     request.netlist.declare(line, false);
-    line.add("--delay", request.delay, "delay of every gate: unit (1 ns)")
-        .one_of({"unit"})
-        .shows_default();
+    request.netlist.declare_delay(line);
     line.add("--against", request.against,
              "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this "
              ".xml ladder diagram (PLCopen), instead of a generated netlist");

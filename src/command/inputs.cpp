@@ -104,11 +104,25 @@ void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
         .shows_default();
 }
 
+void NetlistRequest::declare_delay(const CommandLine& line) {
+    line.add("--delay", delay,
+             fmt::format("delay of every gate: {} ({} ns)", DelayModel().name,
+                         format_nanoseconds(DelayModel().gate)))
+        .one_of_names(delay_models)
+        .shows_default();
+}
+
+DelayModel NetlistRequest::delays() const {
+    const DelayModel* model = row_named(delay_models, delay);
+    return model != nullptr ? *model : DelayModel();
+}
+
 NetlistOptions NetlistRequest::options() const {
     NetlistOptions options;
     if (const StyleRow* row = row_named(style_table, style)) options.style = row->style;
     if (const CdxRow* row = row_named(cdx_table, cdx)) options.cdx = row->form;
     options.modes = modes == "on";
+    options.delays = delays();
     return options;
 }
 

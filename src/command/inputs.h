@@ -67,8 +67,11 @@ struct NetlistRequest {
     std::string style;
     std::string cdx;
     std::string modes = "on";
+    std::string delay{DelayModel().name};
     void declare(const CommandLine& line, bool style_is_required);
+    void declare_delay(const CommandLine& line);
     NetlistOptions options() const;
+    DelayModel delays() const;
 };
 
 /// The generated netlist.

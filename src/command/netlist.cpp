@@ -53,8 +53,8 @@ ExitStatus write(const Request& request, const NetlistFormat& format, Time perio
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
-    WrittenNetlist written =
-        write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr, period);
+    WrittenNetlist written = write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr,
+                                           period, request.netlist.delays());
     OutputFiles files({request.path, request.stimuli});
     files.add(request.output, std::move(written.text));
     if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));

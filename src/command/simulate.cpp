@@ -16,7 +16,6 @@ struct Request {
     NetlistRequest netlist;
     std::string against;
     std::string power_up;  ///< empty: unknown
-    std::string delay = "unit";
     std::string scan;
     TraceOutput output;
 };
@@ -71,8 +70,8 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Lan
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     // Let the gates work.
-    SimulateResult result =
-        simulate_gates(*chart, *netlist, *stimuli, period.value, !request.output.vcd.empty());
+    SimulateResult result = simulate_gates(*chart, *netlist, *stimuli, request.netlist.delays(),
+                                           period.value, !request.output.vcd.empty());
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
         complain(fmt::format(fmt::runtime(language == Language::french
@@ -101,9 +100,7 @@ Task declare_simulate(const CommandLine& line, const Language& language) {
              "netlists from elsewhere without Init: how their steps start: unknown (the default), "
              "or initial, taken as given")
         .one_of({"unknown", "initial"});
-    line.add("--delay", request->delay, "delay of every gate: unit (1 ns)")
-        .one_of({"unit"})
-        .shows_default();
+    request->netlist.declare_delay(line);
     line.add("--scan", request->scan,
              "clocked style: one scan every so much time (default: until stable)");
     request->output.declare(line);

@@ -24,15 +24,15 @@ std::string plain(const Netlist& netlist, const WriteOptions&) {
 }
 
 std::string verilog(const Netlist& netlist, const WriteOptions& options) {
-    return write_verilog(netlist, options.scan_period);
+    return write_verilog(netlist, options.scan_period, options.delays);
 }
 
 std::string verilog_bench(const Netlist& netlist, const WriteOptions& options) {
-    return write_verilog_bench(netlist, options.bench, options.scan_period);
+    return write_verilog_bench(netlist, options.bench, options.scan_period, options.delays);
 }
 
 std::string spice(const Netlist& netlist, const WriteOptions& options) {
-    return write_spice(netlist, options.bench, options.remark);
+    return write_spice(netlist, options.bench, options.remark, options.delays);
 }
 
 constexpr auto table = std::to_array<NetlistFormat>({

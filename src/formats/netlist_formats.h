@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/shared/bench.h"
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "text/diagnostics.h"
 
@@ -16,6 +17,8 @@ namespace grafwire {
 struct WriteOptions {
     /// The time between two rises of the clock of a clocked netlist.
     Time scan_period = 10 * millisecond;
+    /// How long the gates of an asynchronous netlist take.
+    DelayModel delays{};
     /// The stimuli; by default all inputs are 0 after the initialisation.
     Bench bench = idle_bench();
     /// A line for the head of the file; may be empty.
@@ -33,8 +36,8 @@ struct NetlistFormat {
     /// The netlist of such a file, or messages with their places; nullptr where the format is
     /// written only.
     std::optional<Netlist> (*read)(const SourceFile& source, Diagnostics& diagnostics) = nullptr;
-    /// A second file, which applies WriteOptions::bench to the netlist in the first: of formats that
-    /// heed `--bench` and do not hold the stimuli in the file itself.
+    /// A second file, which applies WriteOptions::bench to the netlist in the first: of formats
+    /// that heed `--bench` and do not hold the stimuli in the file itself.
     std::string (*write_bench)(const Netlist& netlist, const WriteOptions& options) = nullptr;
     /// The options that it heeds, as they are called on the command line: `--scan --stim --bench`.
     std::string_view options = "";

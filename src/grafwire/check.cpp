@@ -19,7 +19,6 @@ CheckRequest request_from(const grafwire::Chart& chart, const CheckOptions& opti
     CheckRequest request;
     request.subject.file = chart.source.name;
     request.subject.name = chart.source.name;
-    request.subject.delay = "unit";
     request.changes = options.many_changes ? Changes::many : Changes::one;
     request.period = period;
     request.max_cases = options.max_cases;

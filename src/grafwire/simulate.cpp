@@ -60,8 +60,8 @@ Result<Run> simulate(const Netlist& netlist, std::string stimuli,
         return result;
     }
     if (!start.stimuli) return result;
-    SimulateResult ran =
-        simulate_gates(chart, parts.netlist, *start.stimuli, start.period.value, true);
+    SimulateResult ran = simulate_gates(chart, parts.netlist, *start.stimuli, DelayModel(),
+                                        start.period.value, true);
     result.value = Run{write_csv(ran.trace), std::move(ran.waveform), moment(ran.unsettled_at)};
     return result;
 }

@@ -23,7 +23,8 @@ struct Run {
 Result<Run> run(const Chart& chart, std::string stimuli,
                 std::optional<std::chrono::nanoseconds> period = std::nullopt);
 
-/// The gates of a netlist over stimuli, each gate 1 ns; a period is for clocked netlists only.
+/// The gates of a netlist over stimuli, each gate taking as long; a period is for clocked netlists
+/// only.
 Result<Run> simulate(const Netlist& netlist, std::string stimuli,
                      std::optional<std::chrono::nanoseconds> period = std::nullopt);
 

@@ -57,7 +57,7 @@ Result<std::string> write_netlist(const Netlist& netlist, std::string_view forma
     if (checked.is_wrong) return {std::nullopt, {wrong_period()}};
     const Netlist::Parts& parts = netlist.parts();
     WrittenNetlist written = grafwire::write_netlist(parts.chart.parts().chart, parts.netlist, *row,
-                                                     nullptr, *checked.value);
+                                                     nullptr, *checked.value, DelayModel());
     return {std::move(written.text), {}};
 }
 

@@ -1,14 +1,19 @@
 #include "netlist/delay_model.h"
 
+#include <algorithm>
+
 namespace grafwire {
 
-CellDelays cell_delays(const Netlist& netlist, const DelayModel& model) {
-    const std::vector<Time> delays(netlist.cells.size(), model.gate);
-    return {delays, delays};
+Time DelayModel::of_settling(std::size_t cells) const {
+    return std::max<Time>(1'000, static_cast<Time>(cells)) * gate;
 }
 
-CellDelays unit_delays(const Netlist& netlist) {
-    return cell_delays(netlist, {});
+CellDelays cell_delays(const Netlist& netlist, const DelayModel& model) {
+    CellDelays delays;
+    delays.rise.reserve(netlist.cells.size());
+    for (const Cell& cell : netlist.cells) delays.rise.push_back(model.of(cell.type));
+    delays.fall = delays.rise;
+    return delays;
 }
 
 }  // namespace grafwire

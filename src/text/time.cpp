@@ -113,4 +113,9 @@ std::string format_milliseconds(Time moment) {
     return decimal(moment, millisecond);
 }
 
+std::string format_nanoseconds(Time moment) {
+    assert(moment >= 0);
+    return decimal(moment, nanosecond);
+}
+
 }  // namespace grafwire

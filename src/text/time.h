@@ -38,4 +38,7 @@ std::string format_duration(Time duration);
 /// A moment in milliseconds without trailing zeros: `100`, `0.5`, `1500`.
 std::string format_milliseconds(Time moment);
 
+/// The same in nanoseconds.
+std::string format_nanoseconds(Time moment);
+
 }  // namespace grafwire

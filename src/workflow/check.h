@@ -23,7 +23,7 @@ namespace grafwire {
 
 /// What a check is asked to do.
 struct CheckRequest {
-    /// What is known of the subject before: file, style, cdx, against, delay, name.
+    /// What is known of the subject before: file, style, cdx, against, delays, name.
     CheckSubject subject;
     Changes changes = Changes::one;  ///< of asynchronous netlists
     /// Clocked netlists: the only scan period that the verdict is for (none: every one). Programs:

@@ -42,7 +42,8 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
 
 /// Explains the witness, with its files beside it if they are wanted.
 void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
-                     const CellDelays& delays, const CheckRequest& request) {
+                     const CheckRequest& request) {
+    const CellDelays delays = cell_delays(netlist, request.subject.delays);
     const Witness& witness = *judgement.result.witness;
     const Netlist powered = with_power_up(netlist, witness.power_up);
     const Explanation explanation = explain(grafcet, powered, delays, witness);
@@ -87,6 +88,7 @@ CheckOptions check_options(const CheckRequest& request) {
     CheckOptions options;
     options.max_cases = request.max_cases;
     options.changes = request.changes;
+    options.delays = request.subject.delays;
     options.progress = request.progress;
     options.keep_going = request.keep_going;
     return options;
@@ -115,13 +117,11 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
     subject.power_up = power_up_of(chart, netlist, !subject.against.empty());
     subject.warnings = chart.warnings;
     // Compare it with the reference in every reachable case.
-    const CellDelays delays = unit_delays(netlist);
     CheckOptions options = check_options(request);
     options.scan_period = request.period;
-    judgement.result = check_equivalence(chart.grafcet, netlist, delays, options);
+    judgement.result = check_equivalence(chart.grafcet, netlist, options);
     // Explain a difference.
-    if (judgement.result.witness)
-        add_explanation(judgement, chart.grafcet, netlist, delays, request);
+    if (judgement.result.witness) add_explanation(judgement, chart.grafcet, netlist, request);
     return judgement;
 }
 

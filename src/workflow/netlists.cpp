@@ -30,7 +30,7 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& op
         return std::nullopt;
     }
     const Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});
-    return netlist_from(chart.grafcet, equations, options.style, diagnostics);
+    return netlist_from(chart.grafcet, equations, options.style, diagnostics, options.delays);
 }
 
 std::optional<Against> against_of(std::string_view path) {
@@ -90,11 +90,12 @@ Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& s
 }  // namespace
 
 WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
-                             const NetlistFormat& format, const Stimuli* stimuli,
-                             Time scan_period) {
+                             const NetlistFormat& format, const Stimuli* stimuli, Time scan_period,
+                             const DelayModel& delays) {
     WrittenNetlist written;
     WriteOptions options;
     options.scan_period = scan_period;
+    options.delays = delays;
     if (stimuli != nullptr) {
         options.bench = bench_for(chart.grafcet, netlist, *stimuli, scan_period);
         if (format.write_bench != nullptr) written.bench = format.write_bench(netlist, options);

@@ -7,6 +7,7 @@
 #include "check/compare_ports.h"
 #include "equations/equations.h"
 #include "formats/netlist_formats.h"
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "netlist/styles/netlist_from.h"
 #include "text/diagnostics.h"
@@ -21,6 +22,7 @@ struct NetlistOptions {
     Style style = Style::nand;
     std::optional<CdxForm> cdx;  ///< none: the style's own
     bool modes = true;           ///< with Init, AUdur and AUdoux
+    DelayModel delays{};         ///< how long its gates will take
 };
 
 /// The style of that name; nullptr where there is none.
@@ -55,8 +57,9 @@ struct WrittenNetlist {
 };
 
 /// Writes the netlist of a chart. `stimuli`: what a deck or a test bench applies, or none;
-/// `scan_period`: what clocked timers count with.
+/// `scan_period`: what clocked timers count with; `delays`: how long the gates take.
 WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
-                             const NetlistFormat& format, const Stimuli* stimuli, Time scan_period);
+                             const NetlistFormat& format, const Stimuli* stimuli, Time scan_period,
+                             const DelayModel& delays);
 
 }  // namespace grafwire

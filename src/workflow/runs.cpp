@@ -15,11 +15,12 @@ RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optiona
 }
 
 SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                              std::optional<Time> period, bool with_waveform) {
+                              const DelayModel& delays, std::optional<Time> period,
+                              bool with_waveform) {
     SimulateOptions options;
     options.waveform = with_waveform;
     options.scan_period = period.value_or(0);
-    return simulate(chart.grafcet, netlist, unit_delays(netlist), stimuli, options);
+    return simulate(chart.grafcet, netlist, cell_delays(netlist, delays), stimuli, options);
 }
 
 std::string oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets) {

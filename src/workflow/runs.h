@@ -19,10 +19,11 @@ namespace grafwire {
 /// The reference over stimuli: scan by scan with that period, or until stable (none).
 RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period);
 
-/// The gates over stimuli, every gate 1 ns: a clocked netlist scan by scan with that period, or
+/// The gates over stimuli under a delay model: a clocked netlist scan by scan with that period, or
 /// until stable (none). With a waveform of every net if asked for.
 SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                              std::optional<Time> period, bool with_waveform);
+                              const DelayModel& delays, std::optional<Time> period,
+                              bool with_waveform);
 
 /// The cells that drive these nets, for the message that a netlist does not settle; the first of
 /// many.

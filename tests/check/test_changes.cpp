@@ -16,7 +16,7 @@ namespace {
 CheckResult check(const Grafcet& grafcet, const Netlist& netlist, Changes changes) {
     CheckOptions options;
     options.changes = changes;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 CheckResult check(const Grafcet& grafcet, Style style, Changes changes) {
@@ -49,6 +49,7 @@ Netlist with_slow_input(Netlist netlist, std::string_view name) {
         buffer.first_pin = static_cast<std::uint32_t>(netlist.pins.size());
         buffer.pin_count = 1;
         buffer.output = output;
+        buffer.origin = 0;
         netlist.pins.push_back(pin);
         netlist.cells.add(buffer);
     }

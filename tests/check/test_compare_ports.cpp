@@ -122,10 +122,8 @@ TEST_CASE("a netlist from elsewhere is brought into the order of the GRAFCET") {
     CHECK(netlist.outputs[0].name == "X0");
     CHECK(netlist.outputs[1].name == "X1");
     CHECK(netlist.outputs[2].name == "lamp");
-    CHECK(check_equivalence(grafcet, netlist, unit_delays(netlist), {}).verdict ==
-          check_equivalence(grafcet, netlist_of(grafcet, Style::nand),
-                            unit_delays(netlist_of(grafcet, Style::nand)), {})
-              .verdict);
+    CHECK(check_equivalence(grafcet, netlist, {}).verdict ==
+          check_equivalence(grafcet, netlist_of(grafcet, Style::nand), {}).verdict);
 }
 
 }  // namespace grafwire::testing

@@ -8,7 +8,7 @@ namespace {
 NeverExercised never_of(const std::string& chart, Style style, bool has_modes = true) {
     const Grafcet grafcet = grafcet_of(chart);
     const Netlist netlist = netlist_of(grafcet, style, has_modes);
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), {}).never;
+    return check_equivalence(grafcet, netlist, {}).never;
 }
 
 }  // namespace

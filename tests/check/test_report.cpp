@@ -22,7 +22,6 @@ CheckSubject wiring() {
     subject.file = "chart.grafcet";
     subject.style = "nand";
     subject.cdx = "successor";
-    subject.delay = "unit";
     subject.changes = Changes::one;
     return subject;
 }

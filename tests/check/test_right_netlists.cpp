@@ -17,8 +17,7 @@ void is_equivalent_in(const std::string& chart, const std::vector<Style>& styles
             INFO(style_table[static_cast<std::size_t>(style)].name << (has_modes ? ", modes" : ""));
             CheckOptions options;
             options.looks_at_many = false;
-            const CheckResult result =
-                check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+            const CheckResult result = check_equivalence(grafcet, netlist, options);
             CHECK(result.verdict == Verdict::equivalent);
             CHECK(result.coverage.cases > result.coverage.unstable);
         }
@@ -30,6 +29,32 @@ void is_equivalent_in_every_style(const std::string& chart) {
 }
 
 }  // namespace
+
+TEST_CASE("a netlist is right under the delays that it is made for") {
+    const Grafcet grafcet = grafcet_of(R"(
+input a
+output v
+graph G {
+  initial 0
+  step 1 : v
+  step 2
+  0 -> 1 : ↑a
+  1 -> 2 : ↓a
+  2 -> 0 : ↑a
+}
+)");
+    const Equations equations = equations_from(grafcet, {});
+    CheckOptions options;
+    options.delays.gate = 3 * nanosecond;
+    for (const Style style : asynchronous_styles()) {
+        Diagnostics diagnostics;
+        const auto right = netlist_from(grafcet, equations, style, diagnostics, options.delays);
+        CHECK(check_equivalence(grafcet, *right, options).verdict == Verdict::equivalent);
+        // Pulses that are too short set nothing.
+        const auto hasty = netlist_from(grafcet, equations, style, diagnostics, {});
+        CHECK(check_equivalence(grafcet, *hasty, options).verdict == Verdict::different);
+    }
+}
 
 TEST_CASE("a source transition whose receptivity is always true sets its step for good") {
     is_equivalent_in_every_style(R"(
@@ -94,7 +119,7 @@ graph G { initial 0 step 1 step 2 : lamp step 3 : horn
     for (const Changes changes : {Changes::one, Changes::many}) {
         CheckOptions options;
         options.changes = changes;
-        const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+        const CheckResult result = check_changes(grafcet, netlist, options);
         CHECK(result.verdict == Verdict::equivalent);
         // Alone, 2 or 3 follow 1; together under Changes::many only.
         CHECK(result.coverage.situations == (changes == Changes::one ? 5 : 6));

@@ -17,7 +17,7 @@ namespace {
 CheckResult check(const Grafcet& grafcet, const Netlist& netlist, Time period = 0) {
     CheckOptions options;
     if (period != 0) options.scan_period = period;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 Netlist blif(const Grafcet& grafcet, const std::string& text, bool starts_initially = true) {
@@ -242,8 +242,7 @@ graph G { initial 0 step 1 : lamp, n := n + 1, set v
     CheckOptions options;
     options.max_cases = 1000;
     const Netlist netlist = netlist_of(reading, Style::clocked);
-    CHECK(check_equivalence(reading, netlist, unit_delays(netlist), options).verdict ==
-          Verdict::undecided);
+    CHECK(check_equivalence(reading, netlist, options).verdict == Verdict::undecided);
 }
 
 TEST_CASE("an oscillation in a part that nothing reads") {

@@ -10,7 +10,7 @@ namespace {
 CheckResult check(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases = 0) {
     CheckOptions options;
     options.max_cases = max_cases;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 CheckResult check(const Grafcet& grafcet, Style style) {
@@ -62,7 +62,7 @@ TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
     REQUIRE(gates.witness);
     CHECK(gates.witness->kind == DifferenceKind::oscillation);
     const Netlist netlist = netlist_of(grafcet, Style::gates);
-    CHECK(replay(grafcet, netlist, unit_delays(netlist), gates.witness->stimuli, 0));
+    CHECK(replay(grafcet, netlist, cell_delays(netlist, {}), gates.witness->stimuli, 0));
 
     const CheckResult nand = check(grafcet, Style::nand);
     CHECK(nand.verdict == Verdict::equivalent);
@@ -132,7 +132,7 @@ graph G { initial 0 step 1
         ++asked;
         return cases < 64;
     };
-    const CheckResult stopped = check_equivalence(large, of_large, unit_delays(of_large), options);
+    const CheckResult stopped = check_equivalence(large, of_large, options);
     CHECK(stopped.verdict == Verdict::undecided);
     CHECK(asked == 4);
     CHECK(stopped.coverage.cases == 64);
@@ -278,7 +278,7 @@ graph G {
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(value_of(*result.witness, "lamp").expected == Logic::one);
-    CHECK(replay(grafcet, wrong, unit_delays(wrong), result.witness->stimuli,
+    CHECK(replay(grafcet, wrong, cell_delays(wrong, {}), result.witness->stimuli,
                  result.witness->scan_period));
     // Without the possible way the lamp does not matter.
     const std::string only = R"(
@@ -311,7 +311,7 @@ TEST_CASE("timers of the netlist that run while the GRAFCET's do not are followe
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(stimuli_of(result, grafcet).find("Init=1") != std::string::npos);
-        CHECK(replay(grafcet, other, unit_delays(other), result.witness->stimuli,
+        CHECK(replay(grafcet, other, cell_delays(other, {}), result.witness->stimuli,
                      result.witness->scan_period));
     }
 }
@@ -334,8 +334,7 @@ graph G { initial 0 step 1 : lamp step 2
             CheckOptions options;
             options.changes = changes;
             const Netlist netlist = netlist_of(lit, row.style, false);
-            const CheckResult of_lit =
-                check_equivalence(lit, netlist, unit_delays(netlist), options);
+            const CheckResult of_lit = check_equivalence(lit, netlist, options);
             CHECK(of_lit.verdict == Verdict::equivalent);
             CHECK(of_lit.coverage.situations == 3);
         }

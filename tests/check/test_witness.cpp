@@ -103,8 +103,8 @@ TEST_CASE("a replay shows a difference where there is one, and only there") {
     const Netlist wrong = netlist_of(grafcet_of(head + "/a }"), Style::gates);
     const auto stimuli = read_stimuli("0s : a=1\n1s : a=0\n5s : end\n", grafcet);
     REQUIRE(stimuli);
-    CHECK_FALSE(replay(grafcet, right, unit_delays(right), *stimuli, 0));
-    const auto witness = replay(grafcet, wrong, unit_delays(wrong), *stimuli, 0);
+    CHECK_FALSE(replay(grafcet, right, cell_delays(right, {}), *stimuli, 0));
+    const auto witness = replay(grafcet, wrong, cell_delays(wrong, {}), *stimuli, 0);
     REQUIRE(witness);
     CHECK(witness->kind == DifferenceKind::output);
     CHECK(witness->scan_period == 0);
@@ -126,14 +126,14 @@ TEST_CASE("rows are compared by their moments, where a side has instants of its 
     const Netlist hasty = netlist_of(grafcet_of(head + "1s" + tail), Style::gates);
     const auto stimuli = read_stimuli("0s :\n10s : end\n", grafcet);
     REQUIRE(stimuli);
-    const auto witness = replay(grafcet, hasty, unit_delays(hasty), *stimuli, 0);
+    const auto witness = replay(grafcet, hasty, cell_delays(hasty, {}), *stimuli, 0);
     REQUIRE(witness);
     CHECK(write_stimuli(witness->stimuli, grafcet) == "0s :\n1s : end\n");
     CHECK(witness->values[1].expected == Logic::zero);
     CHECK(witness->values[1].got == Logic::one);
     // With another delay that makes no difference, only the instants differ.
     const Netlist busy = netlist_of(grafcet_of(head + "3s/X0 . (1s/X0 + X0)" + "}"), Style::gates);
-    CHECK_FALSE(replay(grafcet, busy, unit_delays(busy), *stimuli, 0));
+    CHECK_FALSE(replay(grafcet, busy, cell_delays(busy, {}), *stimuli, 0));
 }
 
 TEST_CASE("of a witness all is left out that can be") {
@@ -151,13 +151,13 @@ graph G { initial 0 step 1 : lamp
         cell.type = CellType::low;
         cell.pin_count = 0;
     }
-    const CellDelays delays = unit_delays(netlist);
+    const CellDelays delays = cell_delays(netlist, {});
     const auto smallest = [&](const std::string& text) {
         const auto stimuli = read_stimuli(text, grafcet);
         REQUIRE(stimuli);
         const auto witness = replay(grafcet, netlist, delays, *stimuli, 0);
         REQUIRE(witness);
-        const Witness small = smallest_witness(grafcet, netlist, delays, *witness, {});
+        const Witness small = smallest_witness(grafcet, netlist, *witness, {});
         CHECK(small.kind == DifferenceKind::output);
         return write_stimuli(small.stimuli, grafcet);
     };

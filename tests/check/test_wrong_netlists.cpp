@@ -12,7 +12,7 @@ namespace {
 
 CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
     REQUIRE(fault_of(netlist) == "");
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), {});
+    return check_equivalence(grafcet, netlist, {});
 }
 
 std::string stimuli_of(const CheckResult& result, const Grafcet& grafcet) {
@@ -25,7 +25,7 @@ std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
     const CheckResult result = check(grafcet, netlist);
     CHECK(result.verdict == (result.witness ? Verdict::different : Verdict::equivalent));
     if (!result.witness) return {};
-    CHECK(replay(grafcet, netlist, unit_delays(netlist), result.witness->stimuli,
+    CHECK(replay(grafcet, netlist, cell_delays(netlist, {}), result.witness->stimuli,
                  result.witness->scan_period));
     return write_stimuli(result.witness->stimuli, grafcet);
 }
@@ -150,8 +150,7 @@ graph G { initial 0 step 1 : lamp
         for (const Changes changes : {Changes::one, Changes::many}) {
             CheckOptions options;
             options.changes = changes;
-            const CheckResult result =
-                check_changes(grafcet, netlist, unit_delays(netlist), options);
+            const CheckResult result = check_changes(grafcet, netlist, options);
             CHECK(result.verdict == Verdict::different);
             REQUIRE(result.witness);
             CHECK(result.witness->kind == DifferenceKind::output);
@@ -219,10 +218,9 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
         add_cell(netlist, CellType::and_gate, "hazard", {"X1", "c", "b", "late"});
         latch_that_darkens_the_lamp(netlist);
         CheckOptions options;
-        CHECK(check_changes(grafcet, netlist, unit_delays(netlist), options).verdict ==
-              Verdict::equivalent);
+        CHECK(check_changes(grafcet, netlist, options).verdict == Verdict::equivalent);
         options.changes = Changes::many;
-        const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+        const CheckResult result = check_changes(grafcet, netlist, options);
         CHECK(result.verdict == Verdict::different);
         const std::string both = inputs == "input a, b, c" ? "a=1 b=1" : "b=1 a=1";
         CHECK(stimuli_of(result, grafcet) ==
@@ -255,10 +253,9 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
              {delayed("X1", 2), "c", "not_d", delayed("d", 3)});
     latch_that_darkens_the_lamp(netlist);
     CheckOptions options;
-    CHECK(check_changes(grafcet, netlist, unit_delays(netlist), options).verdict ==
-          Verdict::equivalent);
+    CHECK(check_changes(grafcet, netlist, options).verdict == Verdict::equivalent);
     options.changes = Changes::many;
-    const CheckResult result = check_changes(grafcet, netlist, unit_delays(netlist), options);
+    const CheckResult result = check_changes(grafcet, netlist, options);
     CHECK(result.verdict == Verdict::different);
     CHECK(stimuli_of(result, grafcet) ==
           "0s : a=1\n100ms : a=0 d=1\n200ms : c=1 d=0\n200ms : end\n");

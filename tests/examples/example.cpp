@@ -70,7 +70,7 @@ std::vector<AgreeingNetlist> find_agreeing_netlists() {
             auto netlist = netlist_of(example.grafcet, row);
             if (!netlist) continue;
             const SimulateResult result =
-                simulate(example.grafcet, *netlist, unit_delays(*netlist), example.stimuli, {});
+                simulate(example.grafcet, *netlist, cell_delays(*netlist, {}), example.stimuli, {});
             if (result.unsettled_at ||
                 write_csv(result.trace) != write_csv(example.reference.trace)) {
                 continue;

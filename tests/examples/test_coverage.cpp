@@ -23,8 +23,7 @@ std::string coverage_of(const Example& example, const StyleRow& style, bool has_
     if (!netlist) return {};
     CheckOptions options;
     options.changes = changes;
-    const CheckResult result =
-        check_changes(example.grafcet, *netlist, unit_delays(*netlist), options);
+    const CheckResult result = check_changes(example.grafcet, *netlist, options);
     const Coverage& coverage = result.coverage;
     return fmt::format("{:<13}{:<9}{:<6}{:<8}{:<11}{:>10}{:>7}{:>9}\n", example.name, style.name,
                        has_modes ? "on" : "off", changes == Changes::one ? "one" : "many",

@@ -27,7 +27,7 @@ std::optional<Netlist> read_back(const NetlistFormat& format, const Netlist& net
 CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
     CheckOptions options;
     options.max_cases = is_slow_build ? 500 : 5'000;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 }  // namespace

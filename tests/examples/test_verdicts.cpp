@@ -23,7 +23,7 @@ bool holds(const std::vector<std::string>& styles, std::string_view style) {
 CheckResult check(const Example& example, const Netlist& netlist) {
     CheckOptions options;
     options.max_cases = max_cases;
-    return check_equivalence(example.grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(example.grafcet, netlist, options);
 }
 
 /// The last rows of reference and gates on the stimuli of a witness differ.
@@ -34,7 +34,7 @@ bool replays(const Example& example, const Netlist& netlist, const Witness& witn
     SimulateOptions options;
     options.scan_period = witness.scan_period;
     const SimulateResult gates =
-        simulate(example.grafcet, netlist, unit_delays(netlist), witness.stimuli, options);
+        simulate(example.grafcet, netlist, cell_delays(netlist, {}), witness.stimuli, options);
     CHECK(run.broken_assumptions.empty());
     if (gates.unsettled_at) return !run.unstable_at;
     return !run.unstable_at && write_csv(run.trace) != write_csv(gates.trace);

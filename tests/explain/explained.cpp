@@ -28,10 +28,10 @@ std::string Explained::cause() const {
 
 Explained explained_netlist(const std::string& chart, Netlist netlist, Changes changes) {
     Grafcet grafcet = grafcet_of(chart);
-    const CellDelays delays = unit_delays(netlist);
+    const CellDelays delays = cell_delays(netlist, {});
     CheckOptions options;
     options.changes = changes;
-    const CheckResult result = check_equivalence(grafcet, netlist, delays, options);
+    const CheckResult result = check_equivalence(grafcet, netlist, options);
     REQUIRE(result.witness);
     Explanation explanation = explain(grafcet, netlist, delays, *result.witness);
     return {std::move(grafcet), std::move(netlist), *result.witness, std::move(explanation)};

@@ -48,8 +48,7 @@ graph G { initial 1 initial 2 step 3
     Diagnostics diagnostics;
     const auto netlist = netlist_from(grafcet, equations, Style::nand, diagnostics);
     REQUIRE(netlist);
-    CHECK(check_equivalence(grafcet, *netlist, unit_delays(*netlist), {}).verdict ==
-          Verdict::equivalent);
+    CHECK(check_equivalence(grafcet, *netlist, {}).verdict == Verdict::equivalent);
 }
 
 TEST_CASE("cause: a pulse that outlives its transition") {

@@ -93,7 +93,7 @@ TEST_CASE("a wiring by hand is right in all its ways") {
     REQUIRE(netlist);
     const Grafcet grafcet = grafcet_of(chart);
     adopt_ports(grafcet, *netlist);
-    const CheckResult result = check_equivalence(grafcet, *netlist, unit_delays(*netlist), {});
+    const CheckResult result = check_equivalence(grafcet, *netlist, {});
     CHECK(result.verdict == Verdict::equivalent);
 }
 
@@ -229,9 +229,9 @@ graph G {
     const Netlist netlist = netlist_of(grafcet_of(replaced(steps, "8 : P", "8")), Style::nand);
     const auto stimuli = read_stimuli("0s :\n1s : a=1\n1s : end\n", grafcet);
     REQUIRE(stimuli);
-    const auto witness = replay(grafcet, netlist, unit_delays(netlist), *stimuli, 0);
+    const auto witness = replay(grafcet, netlist, cell_delays(netlist, {}), *stimuli, 0);
     REQUIRE(witness);
-    const Explanation explanation = explain(grafcet, netlist, unit_delays(netlist), *witness);
+    const Explanation explanation = explain(grafcet, netlist, cell_delays(netlist, {}), *witness);
     check_chain(explanation);
     const auto& chain = explanation.chain;
     CHECK(chain.front().net == "a");

@@ -119,7 +119,7 @@ TEST_CASE("examples in Icarus Verilog") {
                 netlist_from(grafcet, equations, Style::nand, diagnostics);
             REQUIRE(netlist.has_value());
             const SimulateResult result =
-                simulate(grafcet, *netlist, unit_delays(*netlist), *stimuli, {});
+                simulate(grafcet, *netlist, cell_delays(*netlist, {}), *stimuli, {});
             REQUIRE_FALSE(result.unsettled_at.has_value());
             const Bench bench = bench_from(*netlist, *stimuli, result.trace.times);
             CHECK(in_icarus(*netlist, bench, millisecond) ==

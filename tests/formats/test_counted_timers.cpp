@@ -27,7 +27,7 @@ Netlist nested_timers(const Timing& inner, const Timing& outer) {
 
 /// The outputs before every rise of the clock, for an operand that changes at random.
 std::string scans_of(const Netlist& netlist, Time period, std::uint32_t seed) {
-    Simulator simulator(netlist, unit_delays(netlist));
+    Simulator simulator(netlist, cell_delays(netlist, {}));
     std::minstd_rand random(seed);
     std::string rows;
     bool operand = false;

@@ -72,6 +72,25 @@ TEST_CASE("the stimuli and the scan period are heeded where the row says so") {
     }
 }
 
+TEST_CASE("gates have the delay of the model") {
+    const Netlist netlist = all_asynchronous_cells();
+    const DelayModel slow{.name = "slow", .gate = 2500};
+    const std::string verilog =
+        write_netlist(*netlist_format_named("verilog"), netlist, {.delays = slow});
+    CHECK(verilog.find(" #2.5 ") != std::string::npos);
+    CHECK(verilog.find("assign #2500 q") != std::string::npos);
+    CHECK(verilog.find("`define GRAFWIRE_START 250\n") != std::string::npos);
+    const std::string spice =
+        write_netlist(*netlist_format_named("spice"), netlist, {.delays = slow});
+    CHECK(spice.find("slow_and d_and(rise_delay=2500 fall_delay=2500)") != std::string::npos);
+    CHECK(spice.find("held_and d_and(rise_delay=2499 fall_delay=2499)") != std::string::npos);
+    CHECK(spice.find("flip_flop_x d_dff(clk_delay=2500 ic=2)") != std::string::npos);
+    for (const std::string_view of_default : {" #1 ", "#1000 ", "=1000 ", "=999 ", "=998 "}) {
+        CHECK(verilog.find(of_default) == std::string::npos);
+        CHECK(spice.find(of_default) == std::string::npos);
+    }
+}
+
 TEST_CASE("a format is told apart from the netlist as a list") {
     CHECK(written(latch_without_modes(), "text") == write_netlist_text(latch_without_modes()));
 }

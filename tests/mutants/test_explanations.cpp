@@ -46,8 +46,8 @@ bool is_whole(const Explanation& explanation) {
 void explain_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& mutation,
                     Counts& counts) {
     const Netlist wrong = mutated(netlist, mutation);
-    const CellDelays delays = unit_delays(wrong);
-    const CheckResult result = check_equivalence(grafcet, wrong, delays, {});
+    const CellDelays delays = cell_delays(wrong, {});
+    const CheckResult result = check_equivalence(grafcet, wrong, {});
     if (!result.witness) return;
     ++counts.different;
     const Explanation explanation = explain(grafcet, wrong, delays, *result.witness);

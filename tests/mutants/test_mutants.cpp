@@ -96,7 +96,7 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist) {
     CheckOptions options;
     options.looks_at_many = false;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 /// Whether the mutant is different.
@@ -109,7 +109,8 @@ bool try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& 
         case Verdict::different:
             REQUIRE(result.witness);
             CHECK(replay(grafcet, with_power_up(wrong, result.witness->power_up),
-                         unit_delays(wrong), result.witness->stimuli, result.witness->scan_period));
+                         cell_delays(wrong, {}), result.witness->stimuli,
+                         result.witness->scan_period));
             return true;
         case Verdict::equivalent:
             CHECK(result.complete);

@@ -22,7 +22,7 @@ std::string last_column(const Grafcet& grafcet, Style style, const std::string& 
     REQUIRE(stimuli);
     const Netlist netlist = netlist_of(grafcet, style);
     const Trace expected = run_until_stable(grafcet, *stimuli).trace;
-    const Trace got = simulate(grafcet, netlist, unit_delays(netlist), *stimuli, {}).trace;
+    const Trace got = simulate(grafcet, netlist, cell_delays(netlist, {}), *stimuli, {}).trace;
     CHECK(write_csv(got) == write_csv(expected));
     std::string text;
     for (std::size_t row = 1; row <= got.row_count(); ++row) {

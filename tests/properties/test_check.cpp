@@ -24,7 +24,7 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {
     CheckOptions options;
     options.max_cases = max_cases;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 std::string witness_text(const Grafcet& grafcet, const Witness& witness) {
@@ -75,12 +75,12 @@ std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
     }
     const Time period = result.witness->scan_period;
     const auto again =
-        replay(*grafcet, *netlist, unit_delays(*netlist), result.witness->stimuli, period);
+        replay(*grafcet, *netlist, cell_delays(*netlist, {}), result.witness->stimuli, period);
     if (!again) return "does not replay: " + witness_text(*grafcet, *result.witness);
     if (again->kind != result.witness->kind) return "replays as a difference of another kind";
     const auto written = read_stimuli(write_stimuli(result.witness->stimuli, *grafcet), *grafcet);
     if (!written) return "the stimuli of the witness cannot be read";
-    if (!replay(*grafcet, *netlist, unit_delays(*netlist), *written, period)) {
+    if (!replay(*grafcet, *netlist, cell_delays(*netlist, {}), *written, period)) {
         return "does not replay once written and read";
     }
     return {};

@@ -27,7 +27,7 @@ bool stimuli_show_it(const Grafcet& grafcet, const Netlist& netlist, const Stimu
     const RunResult expected =
         period == 0 ? run_until_stable(grafcet, stimuli) : run_scans(grafcet, stimuli, period);
     if (!expected.broken_assumptions.empty()) return false;
-    return replay(grafcet, netlist, unit_delays(netlist), stimuli, period).has_value();
+    return replay(grafcet, netlist, cell_delays(netlist, {}), stimuli, period).has_value();
 }
 
 /// Some mutants of a netlist, a few cells apart.
@@ -48,7 +48,7 @@ std::string mutants_are_found(const RandomCase& item, Style style, Tally& tally)
         }
         CheckOptions options;
         options.max_cases = 5000;
-        const CheckResult result = check_equivalence(*grafcet, wrong, unit_delays(wrong), options);
+        const CheckResult result = check_equivalence(*grafcet, wrong, options);
         if (result.verdict == Verdict::equivalent) {
             return "overlooked: " + describe(*netlist, mutations[i]);
         }

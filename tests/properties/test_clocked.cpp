@@ -32,7 +32,7 @@ SimulateResult cycles(const Grafcet& grafcet, const Netlist& netlist, const Stim
                       Time period) {
     SimulateOptions options;
     options.scan_period = period;
-    return simulate(grafcet, netlist, unit_delays(netlist), stimuli, options);
+    return simulate(grafcet, netlist, cell_delays(netlist, {}), stimuli, options);
 }
 
 std::string clocked_scans(const RandomCase& item) {

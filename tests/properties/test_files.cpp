@@ -25,7 +25,7 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
 
 /// The trace as text, without vars and counters, whose nets a file does not name.
 std::string trace_of(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli) {
-    const SimulateResult result = simulate(grafcet, netlist, unit_delays(netlist), stimuli, {});
+    const SimulateResult result = simulate(grafcet, netlist, cell_delays(netlist, {}), stimuli, {});
     Trace visible;
     const std::size_t columns =
         grafcet.all_input_count() + grafcet.steps.size() + grafcet.outputs.size();

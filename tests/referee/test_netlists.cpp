@@ -75,7 +75,7 @@ std::string told(const Item& item, const std::string& what, const Grafcet& grafc
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {
     CheckOptions options;
     options.max_cases = max_cases;
-    return check_equivalence(grafcet, netlist, unit_delays(netlist), options);
+    return check_equivalence(grafcet, netlist, options);
 }
 
 /// Runs in search of a difference; the first that shows one.

@@ -41,8 +41,7 @@ void must_be_found(const std::string& chart, const Netlist& netlist) {
     CHECK(differs_in_a_run(*grafcet, netlist));
     CheckOptions options;
     options.changes = Changes::many;
-    CHECK(check_equivalence(*grafcet, netlist, unit_delays(netlist), options).verdict ==
-          Verdict::different);
+    CHECK(check_equivalence(*grafcet, netlist, options).verdict == Verdict::different);
 }
 
 const char* const door = R"(

@@ -48,7 +48,7 @@ class SmallNetlist {
 /// A simulator over a small netlist that speaks of nets by name.
 class Bench {
   public:
-    explicit Bench(SmallNetlist& small) : Bench(small, unit_delays(small.netlist)) {}
+    explicit Bench(SmallNetlist& small) : Bench(small, cell_delays(small.netlist, {})) {}
     Bench(SmallNetlist& small, const CellDelays& delays)
         : small_(small), simulator(small.netlist, delays) {}
 

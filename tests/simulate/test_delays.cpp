@@ -83,7 +83,7 @@ TEST_CASE("a pulse shorter than the delay is swallowed, one exactly as long pass
     small.cell(CellType::and_gate, "p", {"a", "n"});
     small.cell(CellType::buffer, "y", {"p"});
     const auto changes = [&](Time rise, Time fall) {
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.rise[4] = rise;
         delays.fall[4] = fall;
         Bench bench(small, delays);
@@ -111,7 +111,7 @@ TEST_CASE("a change that is taken back and made again starts its delay anew") {
     small.cell(CellType::inverter, "n", {"b2"});
     small.cell(CellType::xor_gate, "q", {"b1", "b2", "a"});
     small.cell(CellType::buffer, "y", {"q"});
-    CellDelays delays = unit_delays(small.netlist);
+    CellDelays delays = cell_delays(small.netlist, {});
     delays.rise[4] = 6000;
     delays.fall[4] = 2000;
     Bench bench(small, delays);

@@ -119,7 +119,7 @@ TEST_CASE("cross-coupled NOR gates released together oscillate with equal delays
     small.input("r");
     small.cell(CellType::nor_gate, "q", {"r", "nq"});
     small.cell(CellType::nor_gate, "nq", {"s", "q"});
-    CellDelays delays = unit_delays(small.netlist);
+    CellDelays delays = cell_delays(small.netlist, {});
     const auto release = [&] {
         Bench bench(small, delays);
         bench.set("s", one);
@@ -145,7 +145,7 @@ TEST_CASE("two rings of different periods come back together") {
     add_ring(small, "a");
     add_ring(small, "b");
     small.cell(CellType::and_gate, "both", {"a1", "b1"});
-    CellDelays delays = unit_delays(small.netlist);
+    CellDelays delays = cell_delays(small.netlist, {});
     delays.rise = {700, 700, 700, 1100, 1300, 1700, 1000};
     delays.fall = {900, 700, 700, 1100, 1300, 1700, 1000};
     Bench bench(small, delays);
@@ -190,7 +190,7 @@ TEST_CASE("a cascade may be long without being an oscillation") {
         small.cell(CellType::or_gate, x(i), {"s" + n, "h" + n});
     }
     for (const Time odd : {1000, 1500}) {
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.rise[0] = odd;
         Bench bench(small, delays);
         {
@@ -247,7 +247,7 @@ TEST_CASE("a cascade that is broken off stops where it is") {
         before = name;
     }
     for (const Time odd : {1000, 1500}) {
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.rise[0] = odd;
         Bench bench(small, delays);
         bench.step("a", zero);

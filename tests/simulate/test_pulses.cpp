@@ -20,7 +20,7 @@ struct PulseBench {
         small.timed(CellType::rise_pulse, "up", {"a"}, {0, 10 * nanosecond, 0});
         small.timed(CellType::fall_pulse, "down", {"a"}, {0, 10 * nanosecond, 0});
         small.cell(CellType::inverter, "n", {"b"});
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.rise[0] = delay;
         delays.rise[2] = inverter_delay;
         bench = std::make_unique<Bench>(small, delays);
@@ -60,7 +60,7 @@ struct Shaped {
         }
         small.cell(CellType::xor_gate, "x", taps);
         small.timed(type, "p", {"x"}, {0, 10 * nanosecond, 0});
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         for (std::size_t i = 0; i < buffer_delays.size(); ++i) {
             delays.rise[i] = delays.fall[i] = buffer_delays[i];
         }

@@ -117,7 +117,7 @@ TEST_CASE("random netlists do nanosecond by nanosecond what the naive simulation
         CAPTURE(round);
         SmallNetlist small = random_netlist(random, 1 + random() % 4, 1 + random() % 24);
         const Netlist& netlist = small.netlist;
-        CellDelays delays = unit_delays(netlist);
+        CellDelays delays = cell_delays(netlist, {});
         if (round % 2 == 1) {
             // An idle cell of another delay: the same events by way of the wheel.
             small.cell(CellType::high, "idle", {});

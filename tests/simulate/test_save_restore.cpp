@@ -33,7 +33,7 @@ void settle_with(Bench& bench, std::initializer_list<Logic> s_r_d_c) {
 TEST_CASE("what follows a restored state is what followed the saved one") {
     for (const Time odd : {1000, 1500}) {
         SmallNetlist small = mixed();
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.fall[0] = odd;
         Bench bench(small, delays);
         settle_with(bench, {zero, one, zero, zero});
@@ -97,7 +97,7 @@ TEST_CASE("a state can be restored in the midst of an oscillation") {
     small.timed(CellType::rise_pulse, "p", {"y"}, {0, 2 * nanosecond, 0});
     small.cell(CellType::nand_gate, "y", {"go", "y"});
     for (const Time odd : {1000, 1500}) {
-        CellDelays delays = unit_delays(small.netlist);
+        CellDelays delays = cell_delays(small.netlist, {});
         delays.fall[1] = odd;
         Bench bench(small, delays);
         bench.step("go", zero);

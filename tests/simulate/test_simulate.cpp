@@ -9,7 +9,7 @@ namespace {
 
 SimulateResult run(SmallNetlist& small, const Grafcet& grafcet, std::string_view stimuli,
                    const SimulateOptions& options = {}) {
-    return simulate(grafcet, small.netlist, unit_delays(small.netlist),
+    return simulate(grafcet, small.netlist, cell_delays(small.netlist, {}),
                     stimuli_of(stimuli, grafcet), options);
 }
 

@@ -21,7 +21,7 @@ SimulateResult run(SmallNetlist& small, std::string_view stimuli, Time period) {
     const Grafcet grafcet = grafcet_of(text);
     SimulateOptions options;
     options.scan_period = period;
-    return simulate(grafcet, small.netlist, unit_delays(small.netlist),
+    return simulate(grafcet, small.netlist, cell_delays(small.netlist, {}),
                     stimuli_of(stimuli, grafcet), options);
 }
 

@@ -69,6 +69,12 @@ TEST_CASE("moments are written in milliseconds") {
     CHECK(format_milliseconds(1) == "0.000000001");
 }
 
+TEST_CASE("times are written in nanoseconds") {
+    CHECK(format_nanoseconds(nanosecond) == "1");
+    CHECK(format_nanoseconds(2500) == "2.5");
+    CHECK(format_nanoseconds(millisecond) == "1000000");
+}
+
 TEST_CASE("adding times stops at never") {
     CHECK(add_times(2, 3) == 5);
     CHECK(add_times(never - 1, 2) == never);

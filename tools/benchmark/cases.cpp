@@ -27,12 +27,11 @@ void measure_example(const std::string& name, Style style) {
     const Equations equations = equations_from(*grafcet, EquationOptions{});
     const auto netlist = netlist_from(*grafcet, equations, style, diagnostics);
     if (!netlist) std::abort();
-    const CellDelays delays = unit_delays(*netlist);
     CheckOptions options;
     options.changes = Changes::many;
     CheckResult result;
     const double seconds =
-        time_of([&] { result = check_equivalence(*grafcet, *netlist, delays, options); });
+        time_of([&] { result = check_equivalence(*grafcet, *netlist, options); });
     const char* verdict = result.verdict == Verdict::equivalent  ? "equivalent"
                           : result.verdict == Verdict::different ? "different"
                                                                  : "undecided";

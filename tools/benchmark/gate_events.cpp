@@ -116,7 +116,7 @@ Measured measure_ours(std::size_t steps, const fs::path& folder, std::size_t sho
         write_file(folder / "bench.v", test_bench(shown));
     }
 
-    NetlistMachine machine(*grafcet, *netlist, unit_delays(*netlist));
+    NetlistMachine machine(*grafcet, *netlist, cell_delays(*netlist, {}));
     Simulator& simulator = machine.simulator();
     const PortMap& ports = machine.ports();
     machine.start(std::vector<Logic>(5, Logic::zero));

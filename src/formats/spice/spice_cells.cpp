@@ -1,6 +1,7 @@
-// Gates are XSPICE digital models with a delay of 1 ns (ngspice manual, "XSPICE: digital models").
-// Cells without a model of their own are put together from others; what is inside such a cell takes
-// a picosecond, and the rest is shortened by as much: every way through the whole takes 1 ns.
+// Gates are XSPICE digital models with a delay (ngspice manual, "XSPICE: digital models"). Cells
+// without a model of their own are put together from others; what is inside such a cell takes a
+// picosecond, and the rest is shortened by as much: every way through the whole takes what the
+// delay model says.
 //
 //     latch       q = s + /r.q
 //     pulse       a flip-flop set by the edge, reset by its own output through a delay

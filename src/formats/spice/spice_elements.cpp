@@ -104,30 +104,58 @@ void SpiceElements::add_gate(std::string_view speed, CellType type,
     add(spice_list(pins), ' ', output, ' ', speed, model.name);
 }
 
-void append_spice_models(std::string& out, const SpiceModels& models) {
-    constexpr std::pair<std::string_view, std::string_view> gates[] = {
-        {"buffer", "d_buffer"}, {"not", "d_inverter"}, {"and", "d_and"}, {"or", "d_or"},
-        {"nand", "d_nand"},     {"nor", "d_nor"},      {"xor", "d_xor"}, {"xnor", "d_xnor"}};
-    out += '\n';
-    for (const auto& [name, model] : gates) {
+namespace {
+
+struct Primitive {
+    std::string_view name;
+    std::string_view model;
+    CellType type;  ///< whose delay it has
+};
+
+constexpr Primitive primitives[] = {
+    {"buffer", "d_buffer", CellType::buffer}, {"not", "d_inverter", CellType::inverter},
+    {"and", "d_and", CellType::and_gate},     {"or", "d_or", CellType::or_gate},
+    {"nand", "d_nand", CellType::nand_gate},  {"nor", "d_nor", CellType::nor_gate},
+    {"xor", "d_xor", CellType::xor_gate},     {"xnor", "d_xnor", CellType::xor_gate}};
+
+void append_gate_models(std::string& out, const DelayModel& delays) {
+    for (const Primitive& gate : primitives) {
+        const Time slow = delays.of(gate.type);
         for (const auto& [speed, delay] :
-             {std::pair("slow", 1000), std::pair("held", 999), std::pair("fast", 1)}) {
-            append(out, ".model ", speed, '_', name, ' ', model, "(rise_delay=", delay,
+             {std::pair("slow", slow), std::pair("held", slow - 1), std::pair("fast", Time{1})}) {
+            append(out, ".model ", speed, '_', gate.name, ' ', gate.model, "(rise_delay=", delay,
                    " fall_delay=", delay, ")\n");
         }
     }
-    out += R"(.model late_or d_or(rise_delay=998 fall_delay=998)
-.model zero d_pulldown
-.model one d_pullup
-.model hold_0 d_dlatch(data_delay=1000 enable_delay=1000 ic=0)
-.model hold_1 d_dlatch(data_delay=1000 enable_delay=1000 ic=1)
-.model hold_x d_dlatch(data_delay=1000 enable_delay=1000 ic=2)
-.model flip_flop_0 d_dff(clk_delay=1000 ic=0)
-.model flip_flop_1 d_dff(clk_delay=1000 ic=1)
-.model flip_flop_x d_dff(clk_delay=1000 ic=2)
-.model one_shot_rise d_dff(clk_delay=1000 reset_delay=1 ic=0)
-.model one_shot_fall d_dff(clk_delay=999 reset_delay=1 ic=0)
-.model sampler d_dff(clk_delay=1 ic=2)
+}
+
+/// The parts that cells with a memory are made of; each initial value is a model of its own.
+void append_memory_models(std::string& out, const DelayModel& delays) {
+    const Time latch = delays.of(CellType::latch) - 2;
+    append(out, ".model late_or d_or(rise_delay=", latch, " fall_delay=", latch, ")\n");
+    out += ".model zero d_pulldown\n.model one d_pullup\n";
+    constexpr std::string_view initial = "01x";
+    const Time hold = delays.of(CellType::hold_latch);
+    for (std::size_t ic = 0; ic < initial.size(); ++ic) {
+        append(out, ".model hold_", initial[ic], " d_dlatch(data_delay=", hold,
+               " enable_delay=", hold, " ic=", ic, ")\n");
+    }
+    for (std::size_t ic = 0; ic < initial.size(); ++ic) {
+        append(out, ".model flip_flop_", initial[ic],
+               " d_dff(clk_delay=", delays.of(CellType::flip_flop), " ic=", ic, ")\n");
+    }
+}
+
+}  // namespace
+
+void append_spice_models(std::string& out, const SpiceModels& models, const DelayModel& delays) {
+    out += '\n';
+    append_gate_models(out, delays);
+    append_memory_models(out, delays);
+    append(out, ".model one_shot_rise d_dff(clk_delay=", delays.of(CellType::rise_pulse),
+           " reset_delay=1 ic=0)\n.model one_shot_fall d_dff(clk_delay=",
+           delays.of(CellType::fall_pulse) - 1, " reset_delay=1 ic=0)\n");
+    out += R"(.model sampler d_dff(clk_delay=1 ic=2)
 .model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1 fall_delay=1)
 )";
     for (const auto& [width, number] : models.pulses) {
@@ -135,10 +163,12 @@ void append_spice_models(std::string& out, const SpiceModels& models) {
         append(out, ".model pulse", number, " d_buffer(rise_delay=", std::max<Time>(1, width - 2),
                " fall_delay=1)\n");
     }
-    for (const auto& [delays, number] : models.timers) {
-        const auto delay = [](Time time) { return time == 0 ? nanosecond - 1 : time - 1; };
-        append(out, ".model timer", number, " d_buffer(rise_delay=", delay(delays.first),
-               " fall_delay=", delay(delays.second), ")\n");
+    for (const auto& [lengths, number] : models.timers) {
+        const auto delay = [&](Time time) {
+            return (time == 0 ? delays.of(CellType::timer) : time) - 1;
+        };
+        append(out, ".model timer", number, " d_buffer(rise_delay=", delay(lengths.first),
+               " fall_delay=", delay(lengths.second), ")\n");
     }
 }
 

@@ -11,6 +11,7 @@
 
 #include "formats/shared/append.h"
 #include "formats/shared/net_spelling.h"
+#include "netlist/delay_model.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -69,8 +70,9 @@ struct SpiceModels {
     std::map<Time, std::size_t> pulses;                   ///< by their widths
 };
 
-/// Writes the `.model` lines of a deck that counts in picoseconds: gates of 1 ns (`slow_`), of a
-/// picosecond less for those that a quick one follows (`held_`), and of one picosecond (`fast_`).
-void append_spice_models(std::string& out, const SpiceModels& models);
+/// Writes the `.model` lines of a deck that counts in picoseconds: gates that take what the delay
+/// model says (`slow_`), a picosecond less for those that a quick one follows (`held_`), and one
+/// picosecond (`fast_`).
+void append_spice_models(std::string& out, const SpiceModels& models, const DelayModel& delays);
 
 }  // namespace grafwire

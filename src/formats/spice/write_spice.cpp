@@ -29,13 +29,15 @@ namespace {
 
 class DeckWriter {
   public:
-    DeckWriter(const Netlist& netlist, const Bench& bench, std::string_view remark)
+    DeckWriter(const Netlist& netlist, const Bench& bench, std::string_view remark,
+               const DelayModel& delays)
         : netlist_(netlist),
           bench_(bench),
           remark_(remark),
+          delays_(delays),
           nets_(spice_nodes(netlist)),
           elements_(out_),
-          start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {}
+          start_(delays.of_settling(netlist.cells.size())) {}
 
     std::string write();
 
@@ -51,6 +53,7 @@ class DeckWriter {
     const Netlist& netlist_;
     const Bench& bench_;
     std::string_view remark_;  ///< for the head
+    const DelayModel& delays_;
     NetSpelling nets_;
     std::string out_;
     SpiceElements elements_;
@@ -63,7 +66,7 @@ std::string DeckWriter::write() {
     write_cells();
     const Time end = append_spice_stimuli(out_, elements_, netlist_, nets_, bench_, start_);
     write_sampling();
-    append_spice_models(out_, models_);
+    append_spice_models(out_, models_, delays_);
     write_control(start_ + start_ + end);  // the start may end late
     return std::move(out_);
 }
@@ -148,8 +151,9 @@ void DeckWriter::write_control(Time end) {
 
 }  // namespace
 
-std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark) {
-    return DeckWriter(netlist, bench, remark).write();
+std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark,
+                        const DelayModel& delays) {
+    return DeckWriter(netlist, bench, remark, delays).write();
 }
 
 }  // namespace grafwire

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "formats/shared/bench.h"
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {
@@ -15,6 +16,7 @@ namespace grafwire {
 /// The netlist must have no clocked timers (with_counted_timers() makes counters of them). The
 /// clock rises once at every instant of the bench, so the instants should be scans. `remark` is one
 /// more line for the head of the deck.
-std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark = {});
+std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark = {},
+                        const DelayModel& delays = {});
 
 }  // namespace grafwire

@@ -1,6 +1,7 @@
-// A gate primitive has a delay of 1 ns, none in a clocked netlist, whose gates only have to settle
-// between two rises of the clock. Where gates start from a known value, their nets are forced to it
-// until GRAFWIRE_START (verilog_helpers.cpp) and released then: a primitive has no initial value.
+// A gate primitive has the delay of the model, none in a clocked netlist, whose gates only have to
+// settle between two rises of the clock. Where gates start from a known value, their nets are
+// forced to it until GRAFWIRE_START (verilog_helpers.cpp) and released then: a primitive has no
+// initial value.
 
 #include "formats/verilog/verilog_cells.h"
 
@@ -27,14 +28,15 @@ constexpr std::string_view bit_of(Logic value) {
 
 }  // namespace
 
-VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets)
+VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets,
+                           const DelayModel& delays)
     : out_(out),
       netlist_(netlist),
       nets_(nets),
       suffix_(cell_suffix(netlist)),
       helpers_(helper_prefix(netlist)),
       scan_parameter_(verilog_scan_parameter(netlist)),
-      delay_(netlist.is_clocked() ? " " : " #1 "),
+      delays_(delays),
       initial_(netlist.net_count(), Logic::unknown) {
     for (const Netlist::InitialValue& item : netlist.initial_values) {
         initial_[index_of(item.net)] = logic_of(item.value);
@@ -77,7 +79,10 @@ void VerilogCells::write(const Cell& cell) {
 }
 
 void VerilogCells::write_gate(std::string_view primitive, const Cell& cell) {
-    append(out_, "  ", primitive, delay_);
+    append(out_, "  ", primitive, " ");
+    if (!netlist_.is_clocked()) {
+        append(out_, '#', format_nanoseconds(delays_.of(cell.type)), ' ');
+    }
     append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
     append(out_, " (", nets_[cell.output]);
     for (const NetId pin : netlist_.pins_of(cell)) append(out_, ", ", nets_[pin]);

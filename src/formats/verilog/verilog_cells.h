@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/shared/net_spelling.h"
+#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 
 namespace grafwire {
@@ -14,7 +15,8 @@ namespace grafwire {
 /// module (verilog_helpers.h) for what has a memory or knows of time.
 class VerilogCells {
   public:
-    VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets);
+    VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets,
+                 const DelayModel& delays);
 
     void write(const Cell& cell);
 
@@ -33,7 +35,7 @@ class VerilogCells {
     std::string suffix_;          ///< of instance names
     std::string helpers_;         ///< begins the names of helper modules
     std::string scan_parameter_;  ///< of modules whose timers count scans
-    std::string_view delay_;      ///< of a gate
+    const DelayModel& delays_;
     std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
 };
 

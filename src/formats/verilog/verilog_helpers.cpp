@@ -18,7 +18,7 @@ namespace {
 
 struct Helper {
     CellType type;
-    /// `%` stands for the prefix of the module names.
+    /// `%` stands for the prefix of the module names, `^` for the delay of the cell in picoseconds.
     std::string_view text;
 };
 
@@ -38,7 +38,7 @@ module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
   end
   always @(s or r or started) if (started) m = s | (~r & m);
 `endif
-  assign #1000 q = m;
+  assign #^ q = m;
 endmodule
 )"},
     {CellType::hold_latch, R"(
@@ -56,7 +56,7 @@ module %hold #(parameter INIT = 1'bx) (input d, input e, output q);
   end
   always @(d or e or started) if (started) m = e ? d : m;
 `endif
-  assign #1000 q = m;
+  assign #^ q = m;
 endmodule
 )"},
     {CellType::rise_pulse, R"(
@@ -64,7 +64,7 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module %rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module %rise_pulse #(parameter [63:0] WIDTH_PS = ^) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
@@ -75,7 +75,7 @@ module %rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
     end
     last = a;
   end
-  assign #1000 q = begun != ended;
+  assign #^ q = begun != ended;
 `endif
 endmodule
 )"},
@@ -84,7 +84,7 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module %fall_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module %fall_pulse #(parameter [63:0] WIDTH_PS = ^) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
@@ -95,7 +95,7 @@ module %fall_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
     end
     last = a;
   end
-  assign #1000 q = begun != ended;
+  assign #^ q = begun != ended;
 `endif
 endmodule
 )"},
@@ -122,7 +122,7 @@ module %timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0
       begun = begun + 1;
       target = a;
       delay = a ? RISE_PS : FALL_PS;
-      end_time = delay == 0 ? $time + 1000 : `GRAFWIRE_INSTANT + delay;
+      end_time = delay == 0 ? $time + ^ : `GRAFWIRE_INSTANT + delay;
       due <= #(end_time > $time ? end_time - $time : 64'd0) begun;
     end
   end
@@ -185,7 +185,8 @@ bool has_cell(const Netlist& netlist, CellType type) {
 
 }  // namespace
 
-void append_verilog_helpers(std::string& out, const Netlist& netlist, std::string_view prefix) {
+void append_verilog_helpers(std::string& out, const Netlist& netlist, const DelayModel& delays,
+                            std::string_view prefix) {
     bool any = false;
     for (const Helper& helper : helpers) {
         if (!has_cell(netlist, helper.type)) continue;
@@ -194,6 +195,8 @@ void append_verilog_helpers(std::string& out, const Netlist& netlist, std::strin
         for (const char c : helper.text) {
             if (c == '%') {
                 out += prefix;
+            } else if (c == '^') {
+                append(out, delays.of(helper.type));
             } else {
                 out.push_back(c);
             }
@@ -206,17 +209,20 @@ bool needs_verilog_start(const Netlist& netlist) {
            has_cell(netlist, CellType::latch) || has_cell(netlist, CellType::hold_latch);
 }
 
-void append_verilog_start(std::string& out) {
-    out += R"(
+void append_verilog_start(std::string& out, const DelayModel& delays) {
+    // A hundred gate delays, in whole nanoseconds.
+    const Time start = (100 * delays.gate + nanosecond - 1) / nanosecond;
+    append(out, R"(
 // When the netlist is let go after power-up, in ns, and the moment, in ps, from which a delay that
 // begins now counts. A test bench may set these before.
 `ifndef GRAFWIRE_START
-`define GRAFWIRE_START 100
+`define GRAFWIRE_START )",
+           start, R"(
 `endif
 `ifndef GRAFWIRE_INSTANT
 `define GRAFWIRE_INSTANT $time
 `endif
-)";
+)");
 }
 
 }  // namespace grafwire

@@ -29,14 +29,15 @@ constexpr std::size_t modules_per_block = 200;
 
 class VerilogWriter {
   public:
-    VerilogWriter(const Netlist& netlist, Time scan_period)
+    VerilogWriter(const Netlist& netlist, Time scan_period, const DelayModel& delays)
         : netlist_(netlist),
           nets_(netlist, spell_verilog),
           suffix_(cell_suffix(netlist)),
           helpers_(helper_prefix(netlist)),
           scan_parameter_(verilog_scan_parameter(netlist)),
           scan_period_(scan_period),
-          cells_(out_, netlist, nets_) {
+          delays_(delays),
+          cells_(out_, netlist, nets_, delays) {
         spell_verilog(name_, netlist.name);
     }
 
@@ -69,6 +70,7 @@ class VerilogWriter {
     std::string helpers_;
     std::string scan_parameter_;
     Time scan_period_;
+    const DelayModel& delays_;
     bool has_scan_timer_ = false;
     std::vector<std::uint8_t> declared_;  ///< per net: an output port of its block
     std::string out_;
@@ -86,7 +88,7 @@ std::string VerilogWriter::write() {
     } else {
         write_in_blocks();
     }
-    append_verilog_helpers(out_, netlist_, helpers_);
+    append_verilog_helpers(out_, netlist_, delays_, helpers_);
     return std::move(out_);
 }
 
@@ -112,7 +114,7 @@ void VerilogWriter::write_head() {
     append_verilog_comment(out_, title);
     write_changed_names();
     out_ += "`timescale 1ns/1ps\n";
-    if (needs_verilog_start(netlist_)) append_verilog_start(out_);
+    if (needs_verilog_start(netlist_)) append_verilog_start(out_, delays_);
 }
 
 /// Lists the ports that even an escaped identifier cannot spell as they are.
@@ -267,8 +269,8 @@ void VerilogWriter::write_in_blocks() {
 
 }  // namespace
 
-std::string write_verilog(const Netlist& netlist, Time scan_period) {
-    return VerilogWriter(netlist, scan_period).write();
+std::string write_verilog(const Netlist& netlist, Time scan_period, const DelayModel& delays) {
+    return VerilogWriter(netlist, scan_period, delays).write();
 }
 
 }  // namespace grafwire

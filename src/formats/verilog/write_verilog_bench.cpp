@@ -21,12 +21,13 @@ namespace {
 
 class BenchWriter {
   public:
-    BenchWriter(const Netlist& netlist, const Bench& bench, Time scan_period)
+    BenchWriter(const Netlist& netlist, const Bench& bench, Time scan_period,
+                const DelayModel& delays)
         : netlist_(netlist),
           bench_(bench),
           scan_period_(scan_period),
           module_(helper_prefix(netlist) + "bench"),
-          start_(std::max<Time>(1'000, static_cast<Time>(netlist.cells.size())) * nanosecond) {
+          start_(delays.of_settling(netlist.cells.size())) {
         for (std::size_t i = 0; i < netlist.inputs.size(); ++i) {
             if (netlist.inputs[i].net == netlist.clock) clock_ = i;
         }
@@ -125,7 +126,7 @@ void BenchWriter::write_row_task() {
     append(out_, "\n  task row;\n    begin\n      for (i = 0; i < ", netlist_.outputs.size(),
            "; i = i + 1) $write(\",%b\", out[i]);\n      $write(\"\\n\");\n    end\n  endtask\n");
     // More changes within an instant than any evolution makes; without this an oscillation would go
-    // on until the next instant, nanosecond by nanosecond.
+    // on until the next instant, gate delay by gate delay.
     append(out_, "\n  always @(out) begin\n    changes = changes + 1;\n    if (changes > ",
            10'000 + 10 * netlist_.outputs.size(),
            ") begin\n      $fdisplay(32'h8000_0002, \"The netlist does not settle.\");\n      ",
@@ -210,8 +211,9 @@ void BenchWriter::write_event(const BenchEvent& event) {
 
 }  // namespace
 
-std::string write_verilog_bench(const Netlist& netlist, const Bench& bench, Time scan_period) {
-    return BenchWriter(netlist, bench, scan_period).write();
+std::string write_verilog_bench(const Netlist& netlist, const Bench& bench, Time scan_period,
+                                const DelayModel& delays) {
+    return BenchWriter(netlist, bench, scan_period, delays).write();
 }
 
 }  // namespace grafwire

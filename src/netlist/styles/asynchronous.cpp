@@ -46,12 +46,13 @@ std::vector<std::uint8_t> steps_with_writes(const Grafcet& grafcet, const Equati
 }  // namespace
 
 AsynchronousBuild::AsynchronousBuild(const Grafcet& chart_of, const Equations& equations_of,
-                                     Time pulse_width)
+                                     const DelayModel& delays_for, Time pulse_width)
     : grafcet(chart_of),
       equations(equations_of),
+      delays(delays_for),
       chart(grafcet),
       nets(add_ports(chart, equations.options.modes)),
-      logic(grafcet, equations, chart, nets, pulse_width),
+      logic(grafcet, equations, chart, nets, delays, pulse_width),
       links(transitions_by_step(grafcet)),
       clearing_(grafcet.transitions.size(), no_net),
       writing_steps_(steps_with_writes(grafcet, equations)) {}
@@ -184,7 +185,7 @@ void make_outputs(AsynchronousBuild& build) {
 
 Netlist make_asynchronous(const Grafcet& grafcet, const Equations& equations,
                           const AsynchronousStyle& style, const DelayModel& delays) {
-    AsynchronousBuild build(grafcet, equations, delays.of_chain(style.set_depth));
+    AsynchronousBuild build(grafcet, equations, delays, delays.of_path(style.path_of_set));
     if (equations.options.modes) {
         // The complements that every module shares stand with the inputs.
         const GateMaker gates = build.chart.at_inputs();

@@ -28,12 +28,14 @@ struct StepSignals {
 /// What the parts of an asynchronous netlist share while it is being made.
 class AsynchronousBuild {
   public:
-    AsynchronousBuild(const Grafcet& grafcet, const Equations& equations, Time pulse_width);
+    AsynchronousBuild(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays,
+                      Time pulse_width);
     AsynchronousBuild(const AsynchronousBuild&) = delete;
     AsynchronousBuild& operator=(const AsynchronousBuild&) = delete;
 
     const Grafcet& grafcet;
     const Equations& equations;
+    const DelayModel& delays;
     ChartNetlist chart;
     const VariableNets nets;
     LogicBuilder logic;
@@ -58,10 +60,10 @@ class AsynchronousBuild {
 struct AsynchronousStyle {
     /// Makes the module of a step, driving its X.
     void (*make_step)(AsynchronousBuild& build, const StepSignals& step, const GateMaker& gates);
-    /// The gates from an input change to the X it activates. The time they take is also how long a
+    /// The cells from an input change to the X it activates. The time they take is also how long a
     /// pulse has to last: until the memory holds by itself, and no longer, so that it does not
     /// reach the step after.
-    unsigned set_depth;
+    std::vector<CellType> path_of_set;
 };
 
 Netlist make_asynchronous(const Grafcet& grafcet, const Equations& equations,

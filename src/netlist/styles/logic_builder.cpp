@@ -9,16 +9,11 @@
 
 namespace grafwire {
 
-LogicBuilder::LogicBuilder(const Grafcet& grafcet, const Equations& equations, ChartNetlist& chart,
-                           const VariableNets& nets, Time pulse_width)
-    : grafcet_(grafcet),
-      pool_(equations.expressions),
-      chart_(chart),
-      nets_(nets),
-      pulse_width_(pulse_width),
-      made_(equations.expressions.size()) {}
-
 namespace {
+
+/// From an X to the stored variable that it writes.
+constexpr CellType path_of_write[] = {CellType::rise_pulse, CellType::and_gate, CellType::or_gate,
+                                      CellType::latch};
 
 CellType gate_for(ExprKind kind) {
     switch (kind) {
@@ -32,6 +27,17 @@ CellType gate_for(ExprKind kind) {
 }
 
 }  // namespace
+
+LogicBuilder::LogicBuilder(const Grafcet& grafcet, const Equations& equations, ChartNetlist& chart,
+                           const VariableNets& nets, const DelayModel& delays, Time pulse_width)
+    : grafcet_(grafcet),
+      pool_(equations.expressions),
+      chart_(chart),
+      nets_(nets),
+      delays_(delays),
+      pulse_width_(pulse_width),
+      write_latency_(delays.of_path(path_of_write)),
+      made_(equations.expressions.size()) {}
 
 LogicBuilder::Signal LogicBuilder::signal(ExprId id, const GateMaker& gates) {
     if (made_[index_of(id)].net == no_net) {
@@ -49,7 +55,7 @@ LogicBuilder::Signal LogicBuilder::make(ExprId id, const GateMaker& gates) {
             return make_variable(pool_.variable_of(id), gates);
         case ExprKind::negation: {
             const Signal operand = signal(pool_.operands(id)[0], gates);
-            return operand.through(gates.inverted(operand.net));
+            return operand.through(gates.inverted(operand.net), delays_.of(CellType::inverter));
         }
         case ExprKind::conjunction:
         case ExprKind::disjunction:
@@ -82,9 +88,9 @@ LogicBuilder::Signal LogicBuilder::make_variable(Variable variable, const GateMa
         case VariableKind::step:
             return {nets_.steps[variable.index], Signal::independent, 0};
         case VariableKind::output:
-            return {nets_.outputs[variable.index], Signal::independent, write_latency};
+            return {nets_.outputs[variable.index], Signal::independent, write_latency_};
         case VariableKind::var:
-            return {nets_.vars[variable.index], Signal::independent, write_latency};
+            return {nets_.vars[variable.index], Signal::independent, write_latency_};
         case VariableKind::counter:
         case VariableKind::macro:
         case VariableKind::graph:
@@ -95,9 +101,10 @@ LogicBuilder::Signal LogicBuilder::make_variable(Variable variable, const GateMa
 }
 
 /// Returns what the operands have in common then: their latencies (and no net).
-LogicBuilder::Signal LogicBuilder::align(std::vector<Signal>& operands, const GateMaker& gates) {
-    int input = Signal::independent;
-    int step = Signal::independent;
+LogicBuilder::Signal LogicBuilder::align(std::vector<Signal>& operands,
+                                         const GateMaker& gates) const {
+    Time input = Signal::independent;
+    Time step = Signal::independent;
     bool mixed = false;
     for (const Signal& operand : operands) {
         input = std::max(input, operand.since_input);
@@ -106,10 +113,10 @@ LogicBuilder::Signal LogicBuilder::align(std::vector<Signal>& operands, const Ga
     }
     if (mixed) input = step = std::max(input, step);
     for (Signal& operand : operands) {
-        const int latency = std::max(operand.since_input, operand.since_step);
+        const Time latency = std::max(operand.since_input, operand.since_step);
         if (latency < 0) continue;
-        const int wanted = operand.since_input >= 0 ? input : step;
-        operand.net = gates.delayed(operand.net, static_cast<std::uint32_t>(wanted - latency));
+        const Time wanted = operand.since_input >= 0 ? input : step;
+        operand.net = delayed(operand.net, wanted - latency, gates);
     }
     return {no_net, input, step};
 }
@@ -120,7 +127,7 @@ LogicBuilder::Signal LogicBuilder::make_gate(CellType type, std::vector<Signal> 
     std::vector<NetId> nets;
     for (const Signal& operand : operands) nets.push_back(operand.net);
     const std::string role = fmt::format("{}", ++role_numbers_[gates.owner()]);
-    return aligned.through(gates.gate(type, nets, role));
+    return aligned.through(gates.gate(type, nets, role), delays_.of(type));
 }
 
 /// An edge or time condition is an origin of its own, at the place of what reads it first.
@@ -136,9 +143,9 @@ LogicBuilder::Signal LogicBuilder::make_edge(ExprId id, const GateMaker& gates) 
     const NetId output = chart_.builder().add_inner_net(
         operand.net, fmt::format("{}{}", rising ? "rise" : "fall", pool_.ordinal(id)));
     const Timing timing{0, pulse_width_, Timing::no_ordinal};
-    own.add_cell(rising ? CellType::rise_pulse : CellType::fall_pulse, output, {&operand.net, 1},
-                 {Logic::unknown, timing});
-    return operand.through(output);
+    const CellType type = rising ? CellType::rise_pulse : CellType::fall_pulse;
+    own.add_cell(type, output, {&operand.net, 1}, {Logic::unknown, timing});
+    return operand.through(output, delays_.of(type));
 }
 
 LogicBuilder::Signal LogicBuilder::make_time_condition(ExprId id, const GateMaker& gates) {
@@ -162,7 +169,8 @@ std::vector<LogicBuilder::Signal> LogicBuilder::factor_signals(ExprId id, const 
     return operands;
 }
 
-std::vector<NetId> LogicBuilder::aligned_nets(std::vector<Signal> signals, const GateMaker& gates) {
+std::vector<NetId> LogicBuilder::aligned_nets(std::vector<Signal> signals,
+                                              const GateMaker& gates) const {
     align(signals, gates);
     std::vector<NetId> nets;
     for (const Signal& signal : signals) nets.push_back(signal.net);
@@ -186,18 +194,18 @@ std::vector<NetId> LogicBuilder::clearing_factors(ExprId id, const std::vector<s
             waits |= variable.kind == VariableKind::step && slow[variable.index] != 0;
         }
         if (!waits) continue;
-        signals[i].net = gates.delayed(signals[i].net, write_latency);
-        signals[i].since_step += write_latency;
+        signals[i].net = delayed(signals[i].net, write_latency_, gates);
+        signals[i].since_step += write_latency_;
     }
     return aligned_nets(std::move(signals), gates);
 }
 
-unsigned LogicBuilder::input_latency(ExprId product, const GateMaker& gates) {
-    int latency = 0;
+Time LogicBuilder::input_latency(ExprId product, const GateMaker& gates) {
+    Time latency = 0;
     for (const Signal& factor : factor_signals(product, gates)) {
         latency = std::max(latency, factor.since_input);
     }
-    return static_cast<unsigned>(latency);
+    return latency;
 }
 
 LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const HeldNets& held,
@@ -221,7 +229,7 @@ LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const HeldNets& held,
     }
     if (!any_held) return signal(id, gates);
     if (kind == ExprKind::negation) {
-        return operands[0].through(gates.inverted(operands[0].net));
+        return operands[0].through(gates.inverted(operands[0].net), delays_.of(CellType::inverter));
     }
     return make_gate(gate_for(kind), std::move(operands), gates);
 }

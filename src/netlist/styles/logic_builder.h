@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "equations/equations.h"
+#include "netlist/delay_model.h"
 #include "netlist/styles/chart_netlist.h"
 
 namespace grafwire {
@@ -16,33 +17,28 @@ namespace grafwire {
 /// input that comes straight and one that comes through an inverter are one gate delay apart, and
 /// in that time `a./b` is 1 although it is 0 before and after. Likewise for X variables: where a
 /// step is activated in the same instant as the one that freezes its graph, /X3 must not be later
-/// than X11. So every signal knows how many gates it has come through since an input and since an X
-/// variable, and the operands of a gate that stem from the same kind of source are brought to the
-/// same latency by buffers. Inputs and X variables need not be brought together: an X changes as
-/// the consequence of something that all gates have already seen.
+/// than X11. So every signal knows how long it takes from an input and from an X variable under the
+/// delay model, and the operands of a gate that stem from the same kind of source are brought to
+/// the same latency by buffers. Inputs and X variables need not be brought together: an X changes
+/// as the consequence of something that all gates have already seen.
 class LogicBuilder {
   public:
     struct Signal {
-        static constexpr int independent = -1;
+        static constexpr Time independent = -1;
         NetId net = no_net;
-        int since_input = independent;  ///< gates since an input; independent: stems from none
-        int since_step = independent;   ///< gates since an X variable
-        /// The same signal behind one more gate.
-        Signal through(NetId gate) const {
-            return {gate, since_input == independent ? independent : since_input + 1,
-                    since_step == independent ? independent : since_step + 1};
+        Time since_input = independent;  ///< delay since an input; independent: stems from none
+        Time since_step = independent;   ///< delay since an X variable
+        /// The same signal behind one more gate, which takes that long.
+        Signal through(NetId gate, Time delay) const {
+            return {gate, since_input == independent ? independent : since_input + delay,
+                    since_step == independent ? independent : since_step + delay};
         }
     };
 
     /// `pulse_width`: how long the output of a pulse cell stays 1. What it refers to must outlive
     /// it; of the outputs the nets of stored ones are read.
     LogicBuilder(const Grafcet& grafcet, const Equations& equations, ChartNetlist& chart,
-                 const VariableNets& nets, Time pulse_width);
-
-    /// The gates from an X to the stored variable that it writes: pulse cell, AND, OR, latch. A
-    /// variable counts as a signal that has come so far since an X, so that where a transition
-    /// reads it the X before the transition is delayed until what that step writes can be seen.
-    static constexpr int write_latency = 4;
+                 const VariableNets& nets, const DelayModel& delays, Time pulse_width);
 
     Signal signal(ExprId id, const GateMaker& gates);
     NetId net(ExprId id, const GateMaker& gates) { return signal(id, gates).net; }
@@ -55,8 +51,13 @@ class LogicBuilder {
     /// (no_expr for none) stays as it was for as long.
     std::vector<NetId> clearing_factors(ExprId id, const std::vector<std::uint8_t>& slow,
                                         ExprId frozen, const GateMaker& gates);
-    /// The gates an input has gone through where it enters that product; 0 where it reads none.
-    unsigned input_latency(ExprId product, const GateMaker& gates);
+    /// How long an input takes to where it enters that product; 0 where it reads none.
+    Time input_latency(ExprId product, const GateMaker& gates);
+
+    /// The net, later by so much: behind as many buffers as take that time.
+    NetId delayed(NetId net, Time time, const GateMaker& gates) const {
+        return gates.delayed(net, delays_.buffers_for(time));
+    }
 
     /// Where stored outputs and vars keep what they were while they are being written; no_net where
     /// that is not read.
@@ -75,15 +76,20 @@ class LogicBuilder {
     Signal make_edge(ExprId id, const GateMaker& gates);
     Signal make_time_condition(ExprId id, const GateMaker& gates);
     GateMaker made_for(ExprId id, const GateMaker& gates);
-    static Signal align(std::vector<Signal>& operands, const GateMaker& gates);
-    static std::vector<NetId> aligned_nets(std::vector<Signal> signals, const GateMaker& gates);
+    Signal align(std::vector<Signal>& operands, const GateMaker& gates) const;
+    std::vector<NetId> aligned_nets(std::vector<Signal> signals, const GateMaker& gates) const;
     std::vector<Signal> factor_signals(ExprId id, const GateMaker& gates);
 
     const Grafcet& grafcet_;
     const Expressions& pool_;
     ChartNetlist& chart_;
     const VariableNets& nets_;
+    const DelayModel& delays_;
     Time pulse_width_;
+    /// From an X to the stored variable that it writes. A variable counts as a signal that has come
+    /// so far since an X, so that where a transition reads it the X before the transition is
+    /// delayed until what that step writes can be seen.
+    Time write_latency_;
     std::vector<Signal> made_;
     /// Per owner the gates numbered so far; an owner may be come back to.
     std::unordered_map<std::string, std::uint32_t> role_numbers_;

@@ -28,11 +28,13 @@ NetId not_cdx(const StepSignals& step, const GateMaker& gates) {
 
 /// What an order that lists the step makes 1, as late as what the order to its graph makes 0: both
 /// come from the same X, and are to go through the same number of gates.
-NetId forced_on_in_time(const StepSignals& step, const GateMaker& gates) {
-    const auto depth = [](const LogicBuilder::Signal& signal) {
-        return signal.since_step == 0 ? 0U : 1U;  // an X, or an OR of several
+NetId forced_on_in_time(const AsynchronousBuild& build, const StepSignals& step,
+                        const GateMaker& gates) {
+    const auto latency = [&](const LogicBuilder::Signal& signal) {
+        return signal.since_step == 0 ? 0 : build.delays.of(CellType::or_gate);  // or an X alone
     };
-    return gates.delayed(step.forced_on.net, depth(step.forced_off) + 1 - depth(step.forced_on));
+    const Time permit = latency(step.forced_off) + build.delays.of(CellType::inverter);
+    return build.logic.delayed(step.forced_on.net, permit - latency(step.forced_on), gates);
 }
 
 void make_gates_step(AsynchronousBuild& build, const StepSignals& step, const GateMaker& gates) {
@@ -48,18 +50,22 @@ void make_gates_step(AsynchronousBuild& build, const StepSignals& step, const Ga
 
     // An input reaches the last AND through its transition condition, the AND of CAX and the OR;
     // Init and AUdur must not get there before it.
-    unsigned latency = 0;
+    Time latency = 0;
     for (const TransitionId into : step.into) {
         latency =
             std::max(latency, build.logic.input_latency(build.equations.clearing[into], gates));
     }
-    const auto in_time = [&](NetId complement) { return gates.delayed(complement, latency + 1); };
+    latency += build.delays.of(CellType::and_gate) + build.delays.of(CellType::or_gate) -
+               build.delays.of(CellType::inverter);
+    const auto in_time = [&](NetId complement) {
+        return build.logic.delayed(complement, latency, gates);
+    };
     std::vector<NetId> permits;
     NetId forced_on = no_net;
     if (step.forced_off.net != no_net) {
         NetId permit = gates.inverted(step.forced_off.net);
         if (step.forced_on.net != no_net) {
-            forced_on = forced_on_in_time(step, gates);
+            forced_on = forced_on_in_time(build, step, gates);
             permit = gates.gate(CellType::or_gate, {permit, forced_on}, "free");
         }
         permits.push_back(permit);
@@ -90,8 +96,9 @@ void make_gates_step(AsynchronousBuild& build, const StepSignals& step, const Ga
 }  // namespace
 
 Netlist make_gates(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays) {
-    return make_asynchronous(grafcet, equations,
-                             {make_gates_step, equations.options.modes ? 3U : 2U}, delays);
+    std::vector<CellType> path_of_set{CellType::and_gate, CellType::or_gate};
+    if (equations.options.modes) path_of_set.push_back(CellType::and_gate);
+    return make_asynchronous(grafcet, equations, {make_gates_step, std::move(path_of_set)}, delays);
 }
 
 }  // namespace grafwire

@@ -83,7 +83,8 @@ void make_nand_step(AsynchronousBuild& build, const StepSignals& step, const Gat
 }  // namespace
 
 Netlist make_nand(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays) {
-    return make_asynchronous(grafcet, equations, {make_nand_step, 2}, delays);
+    return make_asynchronous(grafcet, equations,
+                             {make_nand_step, {CellType::nand_gate, CellType::nand_gate}}, delays);
 }
 
 }  // namespace grafwire

@@ -73,7 +73,9 @@ void make_nor_step(AsynchronousBuild& build, const StepSignals& step, const Gate
 }  // namespace
 
 Netlist make_nor(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays) {
-    return make_asynchronous(grafcet, equations, {make_nor_step, 3}, delays);
+    return make_asynchronous(
+        grafcet, equations,
+        {make_nor_step, {CellType::and_gate, CellType::nor_gate, CellType::nor_gate}}, delays);
 }
 
 }  // namespace grafwire
