@@ -82,8 +82,8 @@ struct LogicWord {
     }
     friend constexpr LogicWord operator|(LogicWord a, LogicWord b) { return ~(~a & ~b); }
     friend constexpr LogicWord operator^(LogicWord a, LogicWord b) {
-        const std::uint32_t known = a.known & b.known;
-        return {(a.value ^ b.value) & known, known};
+        const std::uint32_t both = a.known & b.known;
+        return {(a.value ^ b.value) & both, both};
     }
 };
 
