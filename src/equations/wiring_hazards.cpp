@@ -22,6 +22,8 @@
 
 namespace grafwire {
 
+namespace say = messages::equations;
+
 namespace {
 
 bool contains(std::span<const StepId> steps, StepId step) {
@@ -252,47 +254,33 @@ class Warnings {
     void warn_of_loop(const WiringHazard& hazard) {
         const Step& step = grafcet_.steps[hazard.step];
         if (hazard.out == hazard.back) {
-            diagnostics_.warning(
-                code::wiring_hazard, place_of(hazard.out),
-                fmt::format("step {} follows itself: with --cdx successor it resets itself as soon "
-                            "as it is set; use --cdx transition or the clocked style",
-                            step.name));
+            diagnostics_.warning(code::wiring_hazard, place_of(hazard.out),
+                                 say::step_follows_itself(step.name));
             return;
         }
         // Both ways round it is the same loop.
         if (hazard.out > hazard.back) return;
         const auto after = grafcet_.following(grafcet_.transitions[hazard.out]);
         diagnostics_
-            .warning(
-                code::wiring_hazard, place_of(hazard.out),
-                fmt::format("steps {} and {} follow each other: with --cdx successor either is "
-                            "reset by the one from which it is set; put a step between them, "
-                            "or use style nand or the clocked style",
-                            step.name, names_of(after)))
-            .notes.push_back({place_of(hazard.back), "the way back is here"});
+            .warning(code::wiring_hazard, place_of(hazard.out),
+                     say::steps_follow_each_other(step.name, names_of(after)))
+            .notes.push_back({place_of(hazard.back), say::way_back_here()});
     }
 
     void warn_of_tokens(const WiringHazard& hazard) {
         const auto after = grafcet_.following(grafcet_.transitions[hazard.out]);
         diagnostics_.warning(
             code::wiring_hazard, place_of(hazard.out),
-            fmt::format("steps {} and {} can be active together: with --cdx successor step {} is "
-                        "then reset without this transition being cleared; use --cdx transition or "
-                        "the clocked style",
-                        grafcet_.steps[hazard.step].name, names_of(after),
-                        grafcet_.steps[hazard.step].name));
+            say::active_together(grafcet_.steps[hazard.step].name, names_of(after)));
     }
 
     void warn_of_edge(const WiringHazard& hazard) {
         diagnostics_
             .warning(
                 code::wiring_hazard, place_of(hazard.out),
-                fmt::format("{} is read again right after step {} was activated by it: a pulse "
-                            "longer than the passage through the step clears both transitions; "
-                            "wait for its end in a step between them, or use the clocked style",
-                            write_expression(grafcet_, grafcet_.expressions, hazard.edge),
-                            grafcet_.steps[hazard.step].name))
-            .notes.push_back({place_of(hazard.back), "the transition before is here"});
+                say::edge_read_again(write_expression(grafcet_, grafcet_.expressions, hazard.edge),
+                                     grafcet_.steps[hazard.step].name))
+            .notes.push_back({place_of(hazard.back), say::transition_before_here()});
     }
 
     const Grafcet& grafcet_;

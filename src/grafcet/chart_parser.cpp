@@ -12,9 +12,10 @@
 #include "grafcet/checking.h"
 #include "grafcet/expression_parser.h"
 #include "grafcet/messages.h"
-#include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -44,7 +45,7 @@ void ChartParser::reserve() {
 void ChartParser::parse_header() {
     take();
     Name read;
-    if (!parse_name(read, "the name of the GRAFCET", false)) return recover_in_file();
+    if (!parse_name(read, say::name_of_grafcet, false)) return recover_in_file();
     const bool has_title = at(TokenKind::quoted);
     builder_.set_name(read.text, has_title ? text() : std::string_view());
     if (has_title) take();
@@ -55,24 +56,20 @@ void ChartParser::parse_item() {
     bool is_good = true;
     if (at_declaration()) {
         if (has_blocks_) {
-            fail(fmt::format("declarations stand before the graphs; move this '{}' up",
-                             reserved_word(token().kind)));
+            fail(say::declaration_after_graphs(reserved_word(token().kind)));
         }
         is_good = parse_declaration();
     } else if (at(TokenKind::kw_grafcet)) {
-        is_good = fail("'grafcet' stands once, at the beginning of the file");
+        is_good = fail(say::grafcet_not_first());
         take();
     } else if (at(TokenKind::right_brace)) {
-        is_good = fail("this '}' closes nothing; remove it");
+        is_good = fail(say::brace_closes_nothing());
         take();
     } else if (at_block_item()) {
-        is_good =
-            fail(fmt::format("'{}' stands inside a graph or an expansion, as in "
-                             "graph G1 {{ … }}",
-                             reserved_word(token().kind)));
+        is_good = fail(say::stands_inside_graph(reserved_word(token().kind)));
         take();
     } else {
-        is_good = fail(fmt::format("expected a declaration or a graph, got {}", shown()));
+        is_good = fail_expecting(say::declaration_or_graph());
         take();
     }
     if (!is_good) recover_in_file();
@@ -83,7 +80,7 @@ bool ChartParser::parse_declaration() {
     if (at(TokenKind::kw_assume)) return parse_assumption();
     const bool is_output = at(TokenKind::kw_output);
     const bool is_var = at(TokenKind::kw_var);
-    const std::string_view what = is_output ? "an output" : is_var ? "a var" : "an input";
+    const Message<>& what = is_output ? say::an_output : is_var ? say::a_var : say::an_input;
     take();
     do {
         Name read;
@@ -98,7 +95,7 @@ bool ChartParser::parse_declaration() {
         is_counter_.add(read.text, false);
     } while (take_if(TokenKind::comma));
     if (at_name() && !token().first_on_line) {
-        return fail(fmt::format("expected ',' between the names, got {}", shown()));
+        return fail_expecting(say::comma_between_names());
     }
     return true;
 }
@@ -106,17 +103,15 @@ bool ChartParser::parse_declaration() {
 bool ChartParser::parse_counter() {
     take();
     Name read;
-    if (!parse_name(read, "a counter", false)) return false;
+    if (!parse_name(read, say::a_counter, false)) return false;
     is_counter_.add(read.text, true);
     std::int64_t low = 0;
     std::int64_t high = 0;
-    const bool is_good =
-        expect(TokenKind::colon, "':' and the range, as in counter c : 0..9") && parse_bound(low) &&
-        expect(TokenKind::dot_dot, "'..' between the lowest and the highest value") &&
-        parse_bound(high);
+    const bool is_good = expect(TokenKind::colon, say::colon_and_range) && parse_bound(low) &&
+                         expect(TokenKind::dot_dot, say::dots_of_range) && parse_bound(high);
     builder_.add_counter(read, low, high);
     if (is_good && at(TokenKind::comma)) {
-        return fail("each counter has a declaration of its own; write 'counter' again");
+        return fail(say::one_counter_each());
     }
     return is_good;
 }
@@ -124,7 +119,7 @@ bool ChartParser::parse_counter() {
 bool ChartParser::parse_bound(std::int64_t& value) {
     const bool is_negative = take_if(TokenKind::minus);
     if (!at(TokenKind::integer)) {
-        return fail(fmt::format("expected a number for the range of the counter, got {}", shown()));
+        return fail_expecting(say::number_for_range());
     }
     if (!parse_number(value)) return false;
     if (is_negative) value = -value;
@@ -163,12 +158,10 @@ void ChartParser::parse_block() {
     const bool is_expansion = at(TokenKind::kw_expansion);
     take();
     Name read;
-    const std::string_view what =
-        is_expansion ? "the name of the expansion" : "the name of the graph";
+    const Message<>& what = is_expansion ? say::name_of_expansion : say::name_of_graph;
     const bool has_header =
         parse_name(read, what, true) &&
-        expect(TokenKind::left_brace, is_expansion ? "'{' and the steps of the expansion"
-                                                   : "'{' and the steps of the graph");
+        expect(TokenKind::left_brace, is_expansion ? say::brace_of_expansion : say::brace_of_graph);
     if (!has_header) {
         if (read.text.empty()) read.where = keyword;
         while (!at(TokenKind::end) && !at(TokenKind::left_brace) && !at_file_item() &&
@@ -184,11 +177,10 @@ void ChartParser::parse_block() {
         parse_block_item({id, is_expansion});
     }
     if (take_if(TokenKind::right_brace) || !has_header) return;
+    const auto& end = is_expansion ? say::end_of_expansion : say::end_of_graph;
     diagnostics()
-        .error(code::unexpected_token, token().where,
-               fmt::format("expected '}}' at the end of {} {}, got {}",
-                           is_expansion ? "expansion" : "graph", in_quotes(read.text), shown()))
-        .notes.push_back({read.where, "it begins here"});
+        .error(code::unexpected_token, token().where, end(quoted(read.text), shown()))
+        .notes.push_back({read.where, say::begins_here()});
 }
 
 void ChartParser::parse_block_item(OpenBlock block) {
@@ -203,13 +195,10 @@ void ChartParser::parse_block_item(OpenBlock block) {
     } else if (at_name() || at(TokenKind::left_parenthesis) || at(TokenKind::arrow)) {
         is_good = parse_transition(block.id);
     } else if (at_declaration()) {
-        fail(
-            fmt::format("declarations stand before the graphs; move this '{}' up, or close the "
-                        "graph with '}}' before it",
-                        reserved_word(token().kind)));
+        fail(say::declaration_in_graph(reserved_word(token().kind)));
         is_good = parse_declaration();
     } else {
-        is_good = fail(fmt::format("expected a step, a transition or '}}', got {}", shown()));
+        is_good = fail_expecting(say::step_or_transition());
         take();
     }
     if (!is_good) recover_in_block();
@@ -263,7 +252,7 @@ bool ChartParser::parse_step(BlockId block) {
     const bool is_initial = take_if(TokenKind::kw_initial);
     if (!take_if(TokenKind::kw_step) && !is_initial) return false;
     Name read;
-    if (!parse_name(read, "the name of the step", true)) return false;
+    if (!parse_name(read, say::name_of_step, true)) return false;
     const GrafcetBuilder::StepKey step = builder_.add_step(block, read, is_initial);
     std::optional<NamedEnclosure> enclosure;
     bool is_good = true;
@@ -282,14 +271,14 @@ bool ChartParser::parse_step(BlockId block) {
 bool ChartParser::parse_enclosure(std::optional<NamedEnclosure>& enclosure) {
     take();
     NamedEnclosure read;
-    if (!parse_name(read.graph, "the name of the enclosed graph", true)) return false;
+    if (!parse_name(read.graph, say::name_of_enclosed_graph, true)) return false;
     open_brace_line_ = token().where.line;
-    if (!expect(TokenKind::left_brace, "'{' and the steps to activate, as in G3{60}")) return false;
+    if (!expect(TokenKind::left_brace, say::brace_of_links)) return false;
     if (at(TokenKind::right_brace)) {
-        return fail("an enclosing step names the steps that are activated with it, as in G3{60}");
+        return fail(say::enclosure_without_links());
     }
-    if (!parse_names(read.links, "the name of a step", true) ||
-        !expect(TokenKind::right_brace, "',' or '}'")) {
+    if (!parse_names(read.links, say::name_of_a_step, true) ||
+        !expect(TokenKind::right_brace, say::comma_or_brace)) {
         return false;
     }
     open_brace_line_ = 0;
@@ -300,10 +289,10 @@ bool ChartParser::parse_enclosure(std::optional<NamedEnclosure>& enclosure) {
 bool ChartParser::parse_macro(BlockId block) {
     take();
     Name read;
-    if (!parse_name(read, "the name of the macro-step", true)) return false;
+    if (!parse_name(read, say::name_of_macro_step, true)) return false;
     Name expansion;
-    const bool is_good = expect(TokenKind::equal, "'=' and the name of the expansion") &&
-                         parse_name(expansion, "the name of the expansion", true);
+    const bool is_good = expect(TokenKind::equal, say::equal_and_expansion) &&
+                         parse_name(expansion, say::name_of_expansion, true);
     builder_.add_macro(block, read, is_good ? std::optional(expansion) : std::nullopt);
     return is_good;
 }
@@ -317,8 +306,7 @@ bool ChartParser::parse_entry_or_exit(OpenBlock block) {
     }
     take();
     Name read;
-    const std::string_view what =
-        is_entry ? "the name of the entry step" : "the name of the exit step";
+    const Message<>& what = is_entry ? say::name_of_entry : say::name_of_exit;
     if (!parse_name(read, what, true)) return false;
     const GrafcetBuilder::StepKey step = !block.is_expansion ? builder_.add_step(block.id, read)
                                          : is_entry          ? builder_.add_entry(block.id, read)
@@ -334,8 +322,8 @@ bool ChartParser::parse_transition(BlockId block) {
     transition.writes.clear();
     if (take_if(TokenKind::left_parenthesis)) {
         Name label;
-        if (!parse_name(label, "the name of the transition", true) ||
-            !expect(TokenKind::right_parenthesis, "')' after the name of the transition")) {
+        if (!parse_name(label, say::name_of_transition, true) ||
+            !expect(TokenKind::right_parenthesis, say::parenthesis_of_label)) {
             return false;
         }
         transition.label = label;
@@ -354,14 +342,14 @@ bool ChartParser::parse_side(std::vector<Name>& names, bool is_preceding) {
     if (is_preceding && take_if(TokenKind::arrow)) return true;
     const TokenKind first_kind = token().kind;
     const std::string_view first = text();
-    if (!parse_names(names, "the name of a step", true)) return false;
+    if (!parse_names(names, say::name_of_a_step, true)) return false;
     if (!is_preceding || take_if(TokenKind::arrow)) return true;
-    std::string message = fmt::format("expected ',' or '->', got {}", shown());
+    Localized message = say::expected(say::comma_or_arrow(), shown());
     if (first_kind == TokenKind::word) {
         const std::string_view nearest = nearest_name(
             first, {"step", "initial", "macro", "entry", "exit", "graph", "expansion"});
         if (!nearest.empty()) {
-            message += fmt::format("; did you mean '{}' instead of {}?", nearest, in_quotes(first));
+            message = say::did_you_mean_instead(message, nearest, quoted(first));
         }
     }
     return fail(std::move(message));
@@ -370,7 +358,7 @@ bool ChartParser::parse_side(std::vector<Name>& names, bool is_preceding) {
 bool ChartParser::parse_condition(NamedTransition& transition) {
     if (take_if(TokenKind::colon)) {
         take_if(TokenKind::equal);
-    } else if (!expect(TokenKind::assign, "',' or ':' and the transition condition")) {
+    } else if (!expect(TokenKind::assign, say::comma_or_condition)) {
         return false;
     }
     if (!parse_expression(*this, transition.condition)) return false;
@@ -395,13 +383,11 @@ bool ChartParser::parse_action(GrafcetBuilder::StepKey step) {
     if (at(TokenKind::kw_set) || at(TokenKind::kw_reset)) return parse_stored(step, nullptr);
     const bool is_integer = at(TokenKind::integer);
     Name read;
-    if (!parse_name(read, "an action", true)) return false;
+    if (!parse_name(read, say::an_action, true)) return false;
     if (at(TokenKind::left_brace)) return parse_order(step, read);
     if (is_integer) {
         diagnostics().error(code::unexpected_token, where,
-                            fmt::format("expected an action, got {}; an output of that name is "
-                                        "written between quotation marks",
-                                        in_quotes(read.text)));
+                            say::number_as_action(quoted(read.text)));
         return false;
     }
     if (at(TokenKind::assign)) return parse_stored(step, &read);
@@ -438,9 +424,10 @@ bool ChartParser::parse_order(GrafcetBuilder::StepKey step, Name graph) {
         take();
     } else if (!at(TokenKind::right_brace)) {
         kind = OrderKind::listed;
-        if (!parse_names(steps, "the name of a step, '*', INIT or '}'", true)) return false;
+        if (!parse_names(steps, say::situation_of_order, true)) return false;
     }
-    if (!expect(TokenKind::right_brace, kind == OrderKind::listed ? "',' or '}'" : "'}'")) {
+    if (!expect(TokenKind::right_brace,
+                kind == OrderKind::listed ? say::comma_or_brace : say::closing_brace)) {
         return false;
     }
     open_brace_line_ = 0;
@@ -454,15 +441,15 @@ bool ChartParser::parse_write(NamedWrite& write, const Name* target) {
     if (target == nullptr && (at(TokenKind::kw_set) || at(TokenKind::kw_reset))) {
         write.operation = at(TokenKind::kw_set) ? WriteOperation::set : WriteOperation::reset;
         take();
-        return parse_name(write.target, "the name of an output or var", false);
+        return parse_name(write.target, say::written_name, false);
     }
     write.operation = WriteOperation::assign;
     if (target != nullptr) {
         write.target = *target;
-    } else if (!parse_name(write.target, "'set', 'reset' or a name and ':='", false)) {
+    } else if (!parse_name(write.target, say::set_reset_or_assign, false)) {
         return false;
     }
-    if (!expect(TokenKind::assign, "':=' and the value")) return false;
+    if (!expect(TokenKind::assign, say::assign_and_value)) return false;
     const bool* is_counter = is_counter_.find(write.target.text);
     const auto is_of_counters = [this] {
         const bool* found = is_counter_.find(text());

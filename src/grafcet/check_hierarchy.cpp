@@ -11,14 +11,14 @@
 // A graph is enclosed by one step at most; if that step is initial the graph starts with it, and so
 // needs an initial step, and if it is not the graph must have none.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -131,30 +131,28 @@ std::vector<const Edge*> circle_through(std::uint32_t start, const Hierarchy& hi
 }
 
 void report_self(const Checking& checking, const Edge& edge) {
-    checking.error(
-        code::forcing_circle, edge.where,
-        fmt::format("{} {} its own {}; only another graph can be forced or enclosed",
-                    checking.shown_node(edge.step), edge.is_enclosure ? "encloses" : "forces",
-                    checking.shown_block(edge.from)));
+    const auto& message = edge.is_enclosure ? say::encloses_its_graph : say::forces_its_graph;
+    checking.error(code::forcing_circle, edge.where,
+                   message(checking.shown_node(edge.step),
+                           checking.shown(checking.draft.blocks[edge.from].name)));
 }
 
 void report_circle(const Checking& checking, const std::vector<const Edge*>& circle) {
-    const auto verb = [](const Edge& edge) { return edge.is_enclosure ? "encloses" : "forces"; };
     const auto name = [&](std::uint32_t block) {
         return checking.shown(checking.draft.blocks[block].name);
     };
-    std::string message = "graphs force or enclose one another in a circle: ";
+    std::vector<Localized> parts;
     for (const Edge* edge : circle) {
-        message += fmt::format("{}{} {} {}", edge == circle.front() ? "" : ", ", name(edge->from),
-                               verb(*edge), name(edge->to));
+        const auto& part = edge->is_enclosure ? say::encloses : say::forces;
+        parts.push_back(part(name(edge->from), name(edge->to)));
     }
     Diagnostic& error = checking.error(code::forcing_circle, circle.front()->where,
-                                       message + "; break the circle at one place");
+                                       say::circle_of_graphs(joined(parts, ", ")));
     for (std::size_t i = 1; i < circle.size(); ++i) {
+        const Edge& edge = *circle[i];
+        const auto& part = edge.is_enclosure ? say::encloses_here : say::forces_here;
         error.notes.push_back(
-            {circle[i]->where,
-             fmt::format("{} of {} {} {} here", checking.shown_node(circle[i]->step),
-                         name(circle[i]->from), verb(*circle[i]), name(circle[i]->to))});
+            {edge.where, part(checking.shown_node(edge.step), name(edge.from), name(edge.to))});
     }
 }
 
@@ -173,12 +171,10 @@ std::vector<std::uint32_t> enclosing_steps(const Checking& checking) {
             continue;
         }
         checking
-            .error(
-                code::enclosed_twice, enclosure.graph.where,
-                fmt::format("{} is enclosed by {} already; a graph is enclosed by one step at "
-                            "most",
-                            checking.shown_block(enclosure.resolved), checking.shown_node(first)))
-            .notes.push_back({draft.nodes[first].name.where, "it is first enclosed here"});
+            .error(code::enclosed_twice, enclosure.graph.where,
+                   say::enclosed_twice(checking.shown_block(enclosure.resolved),
+                                       checking.shown_node(first)))
+            .notes.push_back({draft.nodes[first].name.where, say::first_enclosed_here()});
     }
     return result;
 }
@@ -188,11 +184,9 @@ void report_initial_mismatch(const Checking& checking, std::uint32_t node, std::
     const Draft& draft = checking.draft;
     checking
         .error(code::enclosure_initial_mismatch, draft.nodes[node].name.where,
-               fmt::format("{} is initial, but {}, which encloses its graph {}, is not; make both "
-                           "initial or neither",
-                           checking.shown_node(node), checking.shown_node(enclosing),
-                           checking.shown(draft.blocks[graph].name)))
-        .notes.push_back({draft.nodes[enclosing].name.where, "the enclosing step is here"});
+               say::initial_in_enclosed(checking.shown_node(node), checking.shown_node(enclosing),
+                                        checking.shown(draft.blocks[graph].name)))
+        .notes.push_back({draft.nodes[enclosing].name.where, say::enclosing_step_here()});
 }
 
 }  // namespace
@@ -214,12 +208,9 @@ void check_enclosures(const Checking& checking) {
         const std::uint32_t step = enclosing[graph];
         if (step == none || !draft.nodes[step].initial || has_initial[graph]) continue;
         checking
-            .error(
-                code::enclosure_initial_mismatch, draft.nodes[step].name.where,
-                fmt::format("{} is initial, but {}, which it encloses, has no initial step; make "
-                            "both initial or neither",
-                            checking.shown_node(step), checking.shown_block(graph)))
-            .notes.push_back({draft.blocks[graph].name.where, "the enclosed graph is here"});
+            .error(code::enclosure_initial_mismatch, draft.nodes[step].name.where,
+                   say::initial_encloses(checking.shown_node(step), checking.shown_block(graph)))
+            .notes.push_back({draft.blocks[graph].name.where, say::enclosed_graph_here()});
     }
 }
 

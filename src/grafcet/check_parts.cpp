@@ -6,8 +6,6 @@
 // the levels in which the text language writes an expression: a negation, an edge and a time
 // condition are one each, and so is a pair of parentheses.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "grafcet/checking.h"
@@ -15,6 +13,8 @@
 #include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -47,47 +47,50 @@ class PartsCheck {
         check_steps();
         check_actions();
         for (const DraftAssumption& assumption : draft_.assumptions) {
-            check_expression(assumption.expression, assumption.where, "this assumption");
+            check_expression(assumption.expression, assumption.where,
+                             say::assumption_without_condition);
         }
         for (const DraftTransition& transition : draft_.transitions) {
-            check_expression(transition.condition, transition.where, "this transition");
+            check_expression(transition.condition, transition.where,
+                             say::transition_without_condition);
             for (const std::uint32_t i : transition.writes) check_write(draft_.writes[i]);
         }
         check_numbers();
     }
 
   private:
-    void missing(Location where, std::string message) {
+    void missing(Location where, Localized message) {
         checking_.error(code::unexpected_token, where, std::move(message));
     }
 
-    void check_name(const Word& word, std::string_view what) {
+    void check_name(const Word& word, const Message<>& without_name) {
         const std::string_view name = draft_.text(word);
-        if (name.empty()) missing(word.where, fmt::format("{} has no name", what));
+        if (name.empty()) missing(word.where, without_name());
         if (find_control(name) != name.npos) {
             checking_.error(code::unexpected_character, word.where, control_in_name_message(name));
         }
         if (name.find('"') != name.npos) {
             checking_.error(code::unexpected_character, word.where,
-                            fmt::format("the name {} holds a quotation mark, and no name may",
-                                        in_quotes(name)));
+                            say::quotation_mark_in_name(quoted(name)));
         }
     }
 
     void check_names() {
-        if (draft_.has_name) check_name(draft_.name, "the GRAFCET");
-        if (draft_.title.length != 0) check_name(draft_.title, "the title");
+        if (draft_.has_name) check_name(draft_.name, say::grafcet_without_name);
+        if (draft_.title.length != 0) check_name(draft_.title, say::title_without_name);
         for (const DraftDeclaration& declaration : draft_.declarations) {
-            check_name(declaration.name, "a variable");
+            check_name(declaration.name, say::variable_without_name);
         }
         for (const DraftBlock& block : draft_.blocks) {
-            check_name(block.name, block.is_expansion ? "an expansion" : "a graph");
+            check_name(block.name,
+                       block.is_expansion ? say::expansion_without_name : say::graph_without_name);
         }
         for (const DraftNode& node : draft_.nodes) {
-            check_name(node.name, node.is_macro ? "a macro-step" : "a step");
+            check_name(node.name,
+                       node.is_macro ? say::macro_step_without_name : say::step_without_name);
         }
         for (const DraftTransition& transition : draft_.transitions) {
-            if (transition.labelled) check_name(transition.label, "a transition");
+            if (transition.labelled) check_name(transition.label, say::transition_without_name);
         }
     }
 
@@ -95,21 +98,18 @@ class PartsCheck {
         for (std::uint32_t i = 0; i < draft_.nodes.size(); ++i) {
             const DraftNode& node = draft_.nodes[i];
             if (node.is_macro && node.extra == none) {
-                missing(node.name.where,
-                        fmt::format("{} has no expansion", checking_.shown_node(i)));
+                missing(node.name.where, say::no_expansion(checking_.shown_node(i)));
             }
             if (node.is_macro || node.extra == none) continue;
             const DraftEnclosure& enclosure = draft_.enclosures[node.extra];
             if (enclosure.links.empty()) {
                 missing(enclosure.graph.where,
-                        fmt::format("{} encloses {} without a step to activate",
-                                    checking_.shown_node(i), checking_.shown(enclosure.graph)));
+                        say::encloses_without_links(checking_.shown_node(i),
+                                                    checking_.shown(enclosure.graph)));
             }
             if (node.role != StepRole::ordinary) {
                 checking_.error(code::expansion_entry_exit, enclosure.graph.where,
-                                fmt::format("{} is the entry or exit of an expansion, which "
-                                            "encloses nothing",
-                                            checking_.shown_node(i)));
+                                say::enclosing_end(checking_.shown_node(i)));
             }
         }
     }
@@ -119,7 +119,7 @@ class PartsCheck {
             if (action.kind == ActionKind::stored) {
                 check_write(draft_.writes[action.write]);
                 if (action.trigger == Trigger::event) {
-                    check_expression(action.expression, action.where, "the event");
+                    check_expression(action.expression, action.where, say::event_without_condition);
                 }
             } else if (!action.expression.empty()) {
                 check_depth(action.expression);
@@ -129,13 +129,13 @@ class PartsCheck {
 
     void check_write(const DraftWrite& write) {
         if (write.operation != WriteOperation::assign || !write.sum.empty()) return;
-        check_expression(write.value, write.where, "the assignment");
+        check_expression(write.value, write.where, say::assignment_without_condition);
     }
 
     void check_expression(const DraftExpression& expression, Location where,
-                          std::string_view what) {
+                          const Message<>& without_condition) {
         if (expression.empty()) {
-            missing(where, fmt::format("{} has no condition", what));
+            missing(where, without_condition());
         } else {
             check_depth(expression);
         }
@@ -163,19 +163,18 @@ class PartsCheck {
         for (const DraftTerm& term : draft_.terms) {
             if (term.value <= largest_number) continue;
             checking_.error(code::number_too_large, term.word.where,
-                            number_too_large_message(std::to_string(term.value)));
+                            number_too_large_message(term.value));
         }
         for (const ExpressionNode& node : draft_.expression_nodes) {
             if (node.kind == ExprKind::time_condition) {
                 const TimeCondition& time = draft_.times[node.value];
                 const auto is_duration = [](Time t) { return t >= 0 && t < never; };
                 if (is_duration(time.on_delay) && is_duration(time.off_delay)) continue;
-                checking_.error(code::duration_out_of_range, node.word.where,
-                                "a duration is negative or too long; durations go up to 106 days");
+                checking_.error(code::duration_out_of_range, node.word.where, say::bad_delay());
             } else if (node.kind == ExprKind::comparison) {
                 const DraftComparison& comparison = draft_.comparisons[node.value];
                 for (const Range<>& sum : {comparison.left, comparison.right}) {
-                    if (sum.empty()) missing(node.word.where, "a side of the comparison is empty");
+                    if (sum.empty()) missing(node.word.where, say::side_of_comparison_empty());
                     check_length(sum, node.word.where);
                 }
             }
@@ -194,18 +193,16 @@ class PartsCheck {
 
 }  // namespace
 
-std::string nested_too_deep_message() {
-    return fmt::format(
-        "this expression is nested more than {} levels deep; give parts of it to vars of their own",
-        deepest_nesting);
+Localized nested_too_deep_message() {
+    return say::nested_too_deep(deepest_nesting);
 }
 
-std::string number_too_large_message(std::string_view number) {
-    return fmt::format("the number {} is too large; numbers go up to {}", number, largest_number);
+Localized number_too_large_message(std::int64_t number) {
+    return say::number_too_large(number, largest_number);
 }
 
-std::string sum_too_long_message() {
-    return fmt::format("a sum has {} terms at most", longest_sum);
+Localized sum_too_long_message() {
+    return say::sum_too_long(longest_sum);
 }
 
 void check_parts(const Checking& checking) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grafcet/draft.h"
+#include "grafcet/messages.h"
 #include "grafcet/name_table.h"
 #include "text/diagnostics.h"
 
@@ -34,8 +35,9 @@ class Suggestions {
     explicit Suggestions(const Draft& draft,
                          std::vector<std::string_view> more = {"Init", "AUdur", "AUdoux"})
         : draft_(draft), more_(std::move(more)) {}
-    /// `; did you mean 'x'?`, or nothing.
-    std::string did_you_mean(std::string_view name, Meant meant);
+    /// The message about an unknown name, with the nearest declared one behind it where there is
+    /// one: `unknown step '22'; did you mean '2'?`
+    Localized with_nearest(Localized message, std::string_view name, Meant meant);
 
   private:
     struct List {
@@ -63,14 +65,14 @@ struct Checking {
     Diagnostics& diagnostics;
 
     /// A name in quotation marks.
-    std::string shown(const Word& word) const;
-    Diagnostic& error(Code code, Location where, std::string message) const {
+    Localized shown(const Word& word) const;
+    Diagnostic& error(Code code, Location where, Localized message) const {
         return diagnostics.error(code, where, std::move(message));
     }
-    /// "graph 'G1'", "expansion 'cycle'"
-    std::string shown_block(std::uint32_t block) const;
+    /// "graph 'G1'", "expansion 'cycle'"; in French with the article
+    Localized shown_block(std::uint32_t block) const;
     /// "step '5'", "macro-step 'M2'"
-    std::string shown_node(std::uint32_t node) const;
+    Localized shown_node(std::uint32_t node) const;
 };
 
 // Each fills in what it resolves and reports what it finds wrong.
@@ -104,11 +106,11 @@ void check_parts(const Checking& checking);
 inline constexpr int deepest_nesting = 500;  ///< of expressions, in levels
 inline constexpr std::int64_t largest_number = 1'000'000'000'000;
 inline constexpr std::uint32_t longest_sum = 1'000'000;
-std::string nested_too_deep_message();
-std::string number_too_large_message(std::string_view number);
-std::string sum_too_long_message();
-std::string encloses_twice_message(std::string_view step);
-std::string outside_of_expansion_message(bool is_entry);
+Localized nested_too_deep_message();
+Localized number_too_large_message(std::int64_t number);
+Localized sum_too_long_message();
+Localized encloses_twice_message(std::string_view step);
+Localized outside_of_expansion_message(bool is_entry);
 
 /// The model of a draft without errors.
 Grafcet build_model(const Draft& draft);
@@ -125,8 +127,9 @@ void resolve_steps(const Checking& checking, Range<> list, const Accept& accept)
         const std::uint32_t* node = checking.names.nodes.find(name);
         if (node == nullptr) {
             checking.error(code::unknown_name, draft.words[i].where,
-                           "unknown step " + checking.shown(draft.words[i]) +
-                               checking.suggestions.did_you_mean(name, Meant::step));
+                           checking.suggestions.with_nearest(
+                               messages::grafcet::unknown_step(checking.shown(draft.words[i])),
+                               name, Meant::step));
         } else if (accept(*node, draft.words[i])) {
             draft.word_nodes[i] = *node;
         }

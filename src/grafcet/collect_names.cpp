@@ -10,40 +10,35 @@
 #include "grafcet/checking.h"
 #include "grafcet/lexer.h"
 #include "grafcet/messages.h"
-#include "text/utf8.h"
+#include "text/messages.h"
 
 namespace grafwire {
 
+namespace say = messages::grafcet;
+
 namespace {
 
-void report_twice(const Checking& checking, std::string_view what, const Word& word, Location first,
-                  std::string_view advice) {
-    checking
-        .error(code::duplicate_name, word.where,
-               fmt::format("{} {} exists already; {}", what, checking.shown(word), advice))
-        .notes.push_back({first, "it is first declared here"});
+void report_twice(const Checking& checking, const Message<Localized>& message, const Word& word,
+                  Location first) {
+    checking.error(code::duplicate_name, word.where, message(checking.shown(word)))
+        .notes.push_back({first, say::first_declared_here()});
 }
 
 void check_counter(const Checking& checking, const DraftDeclaration& counter) {
     constexpr std::int64_t most_values = 65'536;
     for (const std::int64_t bound : {counter.low, counter.high}) {
         if (bound >= -largest_number && bound <= largest_number) continue;
-        checking.error(code::number_too_large, counter.name.where,
-                       number_too_large_message(std::to_string(bound)));
+        checking.error(code::number_too_large, counter.name.where, number_too_large_message(bound));
         return;
     }
     const std::int64_t values = counter.high - counter.low + 1;
     if (values < 1) {
         checking.error(code::counter_range, counter.name.where,
-                       fmt::format("the range {}..{} of counter {} is empty; write the lowest "
-                                   "value first",
-                                   counter.low, counter.high, checking.shown(counter.name)));
+                       say::empty_range(counter.low, counter.high, checking.shown(counter.name)));
     } else if (values > most_values) {
         checking.error(code::counter_range, counter.name.where,
-                       fmt::format("the range {}..{} of counter {} spans {} values; a counter has "
-                                   "{} at most",
-                                   counter.low, counter.high, checking.shown(counter.name), values,
-                                   most_values));
+                       say::range_too_wide(counter.low, counter.high, checking.shown(counter.name),
+                                           values, most_values));
     }
 }
 
@@ -65,13 +60,10 @@ void collect_variables(const Checking& checking) {
         if (is_new) continue;
         if (first.declaration == none) {
             checking.error(code::duplicate_name, declaration.name.where,
-                           fmt::format("{} is a control input, which every GRAFCET has without "
-                                       "declaring it; remove this declaration or choose another "
-                                       "name",
-                                       checking.shown(declaration.name)));
+                           say::control_input_declared(checking.shown(declaration.name)));
         } else {
-            report_twice(checking, "the variable", declaration.name,
-                         draft.declarations[first.declaration].name.where, "rename one of the two");
+            report_twice(checking, say::variable_twice, declaration.name,
+                         draft.declarations[first.declaration].name.where);
         }
     }
 }
@@ -84,8 +76,8 @@ void collect_blocks(const Checking& checking) {
         auto& names = block.is_expansion ? checking.names.expansions : checking.names.graphs;
         const auto [first, is_new] = names.add(draft.text(block.name), i);
         if (!is_new) {
-            report_twice(checking, block.is_expansion ? "the expansion" : "the graph", block.name,
-                         draft.blocks[first].name.where, "rename one of the two");
+            report_twice(checking, block.is_expansion ? say::expansion_twice : say::graph_twice,
+                         block.name, draft.blocks[first].name.where);
         }
     }
 }
@@ -98,8 +90,7 @@ void collect_nodes(const Checking& checking) {
         const Word& name = draft.nodes[i].name;
         const auto [first, is_new] = nodes.add(draft.text(name), i);
         if (!is_new) {
-            report_twice(checking, "the step", name, draft.nodes[first].name.where,
-                         "step names are unique in the whole file, so rename one of the two");
+            report_twice(checking, say::step_twice, name, draft.nodes[first].name.where);
         }
     }
 }
@@ -123,49 +114,41 @@ void collect_labels(const Checking& checking) {
         const std::string_view text = draft.text(transition.label);
         const auto [first, is_new] = labels.add(text, i);
         if (!is_new) {
-            report_twice(checking, "the transition", transition.label,
-                         draft.transitions[first].label.where,
-                         "transition names are unique in the whole file, so rename one of the two");
+            report_twice(checking, say::transition_twice, transition.label,
+                         draft.transitions[first].label.where);
             continue;
         }
         const std::uint32_t rank = rank_of(text, draft.transitions.size());
         if (rank == none || draft.transitions[rank].labelled) continue;
         checking
             .error(code::duplicate_name, transition.label.where,
-                   fmt::format("the label {} is also the rank of a transition without a label; "
-                               "label that one too, or choose another label",
-                               checking.shown(transition.label)))
-            .notes.push_back(
-                {draft.transitions[rank].where,
-                 fmt::format("this transition has rank {}: it is named '{}'", rank, rank)});
+                   say::label_is_rank(checking.shown(transition.label)))
+            .notes.push_back({draft.transitions[rank].where, say::transition_of_rank(rank)});
     }
 }
 
-std::string_view kind_name(VariableKind kind) {
+/// The row that names a declared variable with its kind.
+const Message<Localized>& row_of(VariableKind kind) {
     switch (kind) {
         case VariableKind::input:
-            return "input";
+            return say::input_named;
         case VariableKind::output:
-            return "output";
+            return say::output_named;
         case VariableKind::var:
-            return "var";
-        case VariableKind::counter:
-            return "counter";
+            return say::var_named;
         default:
-            return "control input";
+            return say::counter_named;
     }
 }
 
 /// Reports at the later of the two places, with a note at the other.
-void report_clash(const Checking& checking, std::string_view variable, const std::string& a,
-                  Location where_a, const std::string& b, Location where_b) {
+void report_clash(const Checking& checking, std::string_view variable, const Localized& a,
+                  Location where_a, const Localized& b, Location where_b) {
     const bool a_is_later = is_before(where_b, where_a);
     checking
         .error(code::variable_clash, a_is_later ? where_a : where_b,
-               fmt::format("{} and {} both have the variable {}; rename one of them",
-                           a_is_later ? b : a, a_is_later ? a : b, in_quotes(variable)))
-        .notes.push_back({a_is_later ? where_b : where_a,
-                          fmt::format("{} is declared here", a_is_later ? b : a)});
+               say::variable_clash(a_is_later ? b : a, a_is_later ? a : b, quoted(variable)))
+        .notes.push_back({a_is_later ? where_b : where_a, say::declared_here(a_is_later ? b : a)});
 }
 
 void check_clashes(const Checking& checking) {
@@ -173,8 +156,7 @@ void check_clashes(const Checking& checking) {
     for (const DraftDeclaration& declaration : draft.declarations) {
         const std::string_view name = draft.text(declaration.name);
         if (name.size() < 2 || name[0] != 'X') continue;
-        const std::string shown =
-            fmt::format("{} {}", kind_name(declaration.kind), checking.shown(declaration.name));
+        const Localized shown = row_of(declaration.kind)(checking.shown(declaration.name));
         if (const auto* node = checking.names.nodes.find(name.substr(1))) {
             report_clash(checking, name, shown, declaration.name.where, checking.shown_node(*node),
                          draft.nodes[*node].name.where);
@@ -206,31 +188,31 @@ void collect_names(const Checking& checking) {
     check_clashes(checking);
 }
 
-std::string Checking::shown(const Word& word) const {
-    return in_quotes(draft.text(word));
+Localized Checking::shown(const Word& word) const {
+    return quoted(draft.text(word));
 }
 
-std::string Checking::shown_block(std::uint32_t block) const {
+Localized Checking::shown_block(std::uint32_t block) const {
     const DraftBlock& item = draft.blocks[block];
-    return fmt::format("{} {}", item.is_expansion ? "expansion" : "graph", shown(item.name));
+    return (item.is_expansion ? say::expansion_named : say::graph_named)(shown(item.name));
 }
 
-std::string Checking::shown_node(std::uint32_t node) const {
+Localized Checking::shown_node(std::uint32_t node) const {
     const DraftNode& item = draft.nodes[node];
-    return fmt::format("{} {}", item.is_macro ? "macro-step" : "step", shown(item.name));
+    return (item.is_macro ? say::macro_step_named : say::step_named)(shown(item.name));
 }
 
-std::string Suggestions::did_you_mean(std::string_view name, Meant meant) {
+Localized Suggestions::with_nearest(Localized message, std::string_view name, Meant meant) {
     constexpr std::size_t most_work = 400'000'000;
     constexpr std::size_t longest_name = 100;
-    if (name.size() > longest_name) return {};
+    if (name.size() > longest_name) return message;
     List& list = lists_[static_cast<std::size_t>(meant)];
     if (!list.is_made) make(list, meant);
     work_done_ += list.names.size() * (1 + name.size() * name.size() / 8);
-    if (work_done_ > most_work) return {};
+    if (work_done_ > most_work) return message;
     const std::string_view nearest = nearest_name(name, list.names);
-    if (nearest.empty() || nearest == name) return {};
-    return fmt::format("; did you mean {}?", in_quotes(nearest));
+    if (nearest.empty() || nearest == name) return message;
+    return messages::text::did_you_mean(message, quoted(nearest));
 }
 
 void Suggestions::make(List& list, Meant meant) {

@@ -7,93 +7,19 @@
 
 #include <algorithm>
 
+#include "grafcet/messages.h"
 #include "grafcet/write_grafcet.h"
-#include "text/utf8.h"
 
 namespace grafwire {
 
+namespace say = messages::grafcet;
+
 namespace {
-
-struct Noun {
-    std::string_view one;
-    std::string_view many;
-};
-
-struct Wording {
-    Noun graph, step, initial_step, transition, macro_step, input, output, var, counter, edge, time;
-    bool zero_is_plural;
-    std::string_view graphs, macro_steps, enclosures, hierarchy;
-    std::string_view steps_list, transitions_list;
-    std::string_view initial, and_more;
-    std::string_view macro_line, enclosure_line;
-    std::string_view forced_by, frozen_by, enclosed_by, shown_above;
-};
-
-/// The arguments of macro_line: macro-step, graph, expansion, entry, exit, number of steps with its
-/// noun. Those of enclosure_line: step, graph of the step, enclosed graph, activation links.
-const Wording& wording(Language language) {
-    static constexpr Wording english = {{"graph", "graphs"},
-                                        {"step", "steps"},
-                                        {"initial step", "initial steps"},
-                                        {"transition", "transitions"},
-                                        {"macro-step", "macro-steps"},
-                                        {"input", "inputs"},
-                                        {"output", "outputs"},
-                                        {"var", "vars"},
-                                        {"counter", "counters"},
-                                        {"edge", "edges"},
-                                        {"time condition", "time conditions"},
-                                        true,
-                                        "Graphs",
-                                        "Macro-steps",
-                                        "Enclosing steps",
-                                        "Hierarchy of forcing orders and enclosures",
-                                        "steps",
-                                        "transitions",
-                                        "initial",
-                                        "… and {} more",
-                                        "{} of {}: expansion {}, entry {}, exit {}, {}",
-                                        "{} of {} encloses {}, activation links: {}",
-                                        "forced by {}",
-                                        "frozen by {}",
-                                        "enclosed by {}",
-                                        "(shown above)"};
-    static constexpr Wording french = {{"graphe", "graphes"},
-                                       {"étape", "étapes"},
-                                       {"étape initiale", "étapes initiales"},
-                                       {"transition", "transitions"},
-                                       {"macro-étape", "macro-étapes"},
-                                       {"entrée", "entrées"},
-                                       {"sortie", "sorties"},
-                                       {"variable interne", "variables internes"},
-                                       {"compteur", "compteurs"},
-                                       {"front", "fronts"},
-                                       {"condition temporelle", "conditions temporelles"},
-                                       false,
-                                       "Graphes",
-                                       "Macro-étapes",
-                                       "Étapes encapsulantes",
-                                       "Hiérarchie des ordres de forçage et des encapsulations",
-                                       "étapes",
-                                       "transitions",
-                                       "initiale",
-                                       "… et {} de plus",
-                                       "{} de {} : expansion {}, entrée {}, sortie {}, {}",
-                                       "{} de {} encapsule {}, liens d'activation : {}",
-                                       "forçage par {}",
-                                       "figeage par {}",
-                                       "encapsulation par {}",
-                                       "(voir plus haut)"};
-    return language == Language::french ? french : english;
-}
 
 class Description {
   public:
     Description(const Grafcet& grafcet, Language language)
-        : grafcet_(grafcet),
-          words_(wording(language)),
-          colon_(language == Language::french ? " : " : ": "),
-          semicolon_(language == Language::french ? " ; " : "; ") {}
+        : grafcet_(grafcet), language_(language) {}
 
     std::string write() {
         write_head();
@@ -107,9 +33,8 @@ class Description {
   private:
     static constexpr std::size_t most_listed = 24;
 
-    std::string counted(std::size_t count, const Noun& noun) const {
-        const bool is_one = count == 1 || (count == 0 && !words_.zero_is_plural);
-        return fmt::format("{} {}", count, is_one ? noun.one : noun.many);
+    std::string counted(std::size_t count, const CountedMessage<>& noun) const {
+        return noun.in(language_, count);
     }
     std::string step_name(StepId step) const {
         return quoted_where_needed(grafcet_.steps[step].name);
@@ -125,11 +50,8 @@ class Description {
         for (std::size_t i = 0; i < std::min(count, most_listed); ++i) {
             result += fmt::format("{}{}", i == 0 ? "" : ", ", text_at(i));
         }
-        if (count > most_listed) {
-            result += fmt::format(", {}",
-                                  fmt::format(fmt::runtime(words_.and_more), count - most_listed));
-        }
-        return result;
+        if (count <= most_listed) return result;
+        return say::and_more.in(language_, result, count - most_listed);
     }
 
     void write_head() {
@@ -138,38 +60,43 @@ class Description {
         const auto initial =
             static_cast<std::size_t>(std::count_if(grafcet_.steps.begin(), grafcet_.steps.end(),
                                                    [](const Step& step) { return step.initial; }));
+        out_ += fmt::format("\n  {}, {}, {}, {}, {}\n",
+                            counted(grafcet_.graphs.size(), say::count_graphs),
+                            counted(grafcet_.steps.size(), say::count_steps),
+                            counted(initial, say::count_initial_steps),
+                            counted(grafcet_.transitions.size(), say::count_transitions),
+                            counted(grafcet_.macros.size(), say::count_macro_steps));
+        out_ +=
+            fmt::format("  {}, {}, {}, {}\n", counted(grafcet_.inputs.size(), say::count_inputs),
+                        counted(grafcet_.outputs.size(), say::count_outputs),
+                        counted(grafcet_.vars.size(), say::count_vars),
+                        counted(grafcet_.counters.size(), say::count_counters));
         out_ += fmt::format(
-            "\n  {}, {}, {}, {}, {}\n", counted(grafcet_.graphs.size(), words_.graph),
-            counted(grafcet_.steps.size(), words_.step), counted(initial, words_.initial_step),
-            counted(grafcet_.transitions.size(), words_.transition),
-            counted(grafcet_.macros.size(), words_.macro_step));
-        out_ += fmt::format("  {}, {}, {}, {}\n", counted(grafcet_.inputs.size(), words_.input),
-                            counted(grafcet_.outputs.size(), words_.output),
-                            counted(grafcet_.vars.size(), words_.var),
-                            counted(grafcet_.counters.size(), words_.counter));
-        out_ += fmt::format("  {}, {}\n", counted(grafcet_.expressions.edges().size(), words_.edge),
-                            counted(grafcet_.expressions.time_conditions().size(), words_.time));
+            "  {}, {}\n", counted(grafcet_.expressions.edges().size(), say::count_edges),
+            counted(grafcet_.expressions.time_conditions().size(), say::count_time_conditions));
     }
 
-    void write_title(std::string_view title) { out_ += fmt::format("\n{}\n", title); }
+    void write_title(const Message<>& title) { out_ += fmt::format("\n{}\n", title.in(language_)); }
 
     void write_graphs() {
-        write_title(words_.graphs);
+        write_title(say::graphs);
         for (const Graph& graph : grafcet_.graphs) {
-            out_ += fmt::format("  {}{}{}, {}\n", quoted_where_needed(graph.name), colon_,
-                                counted(graph.steps.count, words_.step),
-                                counted(graph.transitions.count, words_.transition));
+            out_ += fmt::format(
+                "  {}\n",
+                say::graph_line.in(language_, quoted_where_needed(graph.name),
+                                   counted(graph.steps.count, say::count_steps),
+                                   counted(graph.transitions.count, say::count_transitions)));
             if (graph.steps.count != 0) {
-                out_ += fmt::format("    {}{}{}\n", words_.steps_list, colon_,
-                                    listed(graph.steps.count, [&](std::size_t i) {
-                                        return step_in_list(graph.steps.first + i);
-                                    }));
+                const std::string steps = listed(graph.steps.count, [&](std::size_t i) {
+                    return step_in_list(graph.steps.first + i);
+                });
+                out_ += fmt::format("    {}\n", say::steps_line.in(language_, steps));
             }
             if (graph.transitions.count != 0) {
-                out_ += fmt::format("    {}{}{}\n", words_.transitions_list, colon_,
-                                    listed(graph.transitions.count, [&](std::size_t i) {
-                                        return transition_in_list(graph.transitions.first + i);
-                                    }));
+                const std::string transitions = listed(graph.transitions.count, [&](std::size_t i) {
+                    return transition_in_list(graph.transitions.first + i);
+                });
+                out_ += fmt::format("    {}\n", say::transitions_line.in(language_, transitions));
             }
         }
     }
@@ -177,7 +104,7 @@ class Description {
     std::string step_in_list(std::size_t index) const {
         const Step& step = grafcet_.steps.items()[index];
         const std::string name = quoted_where_needed(step.name);
-        return step.initial ? fmt::format("{} ({})", name, words_.initial) : name;
+        return step.initial ? say::initial_step.in(language_, name) : name;
     }
     std::string transition_in_list(std::size_t index) const {
         return quoted_where_needed(grafcet_.transitions.items()[index].name);
@@ -185,29 +112,29 @@ class Description {
 
     void write_macros() {
         if (grafcet_.macros.empty()) return;
-        write_title(words_.macro_steps);
+        write_title(say::macro_steps);
         for (const Macro& macro : grafcet_.macros) {
             out_ += fmt::format(
                 "  {}\n",
-                fmt::format(fmt::runtime(words_.macro_line), quoted_where_needed(macro.name),
-                            quoted_where_needed(grafcet_.blocks[macro.block].name),
-                            quoted_where_needed(grafcet_.blocks[macro.expansion].name),
-                            step_name(macro.entry), step_name(macro.exit),
-                            counted(macro.steps.count, words_.step)));
+                say::macro_step_line.in(language_, quoted_where_needed(macro.name),
+                                        quoted_where_needed(grafcet_.blocks[macro.block].name),
+                                        quoted_where_needed(grafcet_.blocks[macro.expansion].name),
+                                        step_name(macro.entry), step_name(macro.exit),
+                                        counted(macro.steps.count, say::count_steps)));
         }
     }
 
     void write_enclosures() {
         if (grafcet_.enclosures.empty()) return;
-        write_title(words_.enclosures);
+        write_title(say::enclosing_steps);
         for (const Enclosure& enclosure : grafcet_.enclosures) {
             out_ += fmt::format(
-                "  {}\n",
-                fmt::format(fmt::runtime(words_.enclosure_line), step_name(enclosure.step),
-                            graph_name(grafcet_.steps[enclosure.step].graph),
-                            graph_name(enclosure.graph),
-                            listed(enclosure.links.size(),
-                                   [&](std::size_t i) { return step_name(enclosure.links[i]); })));
+                "  {}\n", say::enclosure_line.in(language_, step_name(enclosure.step),
+                                                 graph_name(grafcet_.steps[enclosure.step].graph),
+                                                 graph_name(enclosure.graph),
+                                                 listed(enclosure.links.size(), [&](std::size_t i) {
+                                                     return step_name(enclosure.links[i]);
+                                                 })));
         }
     }
 
@@ -271,7 +198,7 @@ class Description {
     void write_hierarchy() {
         const std::vector<Dominance> all = dominances();
         if (all.empty()) return;
-        write_title(words_.hierarchy);
+        write_title(say::hierarchy);
         std::vector<std::size_t> first(grafcet_.graphs.size() + 1, 0);
         std::vector<bool> is_under(grafcet_.graphs.size(), false);
         for (const Dominance& dominance : all) {
@@ -312,26 +239,26 @@ class Description {
     void write_dominance(const Dominance& dominance, std::size_t depth, bool is_shown_above) {
         constexpr std::size_t deepest_indent = 20;
         out_.append(2 + 2 * std::min(depth, deepest_indent), ' ');
-        out_ += graph_name(dominance.under);
-        std::string_view separator = colon_;
-        const auto add = [&](std::string_view phrase, const std::vector<std::string>& steps) {
+        std::string line = graph_name(dominance.under);
+        bool is_first = true;
+        const auto add = [&](const Message<std::string>& phrase,
+                             const std::vector<std::string>& steps) {
             if (steps.empty()) return;
-            out_ += separator;
-            out_ += fmt::format(fmt::runtime(phrase),
-                                listed(steps.size(), [&](std::size_t i) { return steps[i]; }));
-            separator = semicolon_;
+            const std::string part =
+                phrase.in(language_, listed(steps.size(), [&](std::size_t i) { return steps[i]; }));
+            line = (is_first ? say::dominance : say::further_dominance).in(language_, line, part);
+            is_first = false;
         };
-        add(words_.forced_by, dominance.forced_by);
-        add(words_.frozen_by, dominance.frozen_by);
-        add(words_.enclosed_by, dominance.enclosed_by);
-        if (is_shown_above) out_ += fmt::format(" {}", words_.shown_above);
+        add(say::forced_by, dominance.forced_by);
+        add(say::frozen_by, dominance.frozen_by);
+        add(say::enclosed_by, dominance.enclosed_by);
+        if (is_shown_above) line = say::shown_above.in(language_, line);
+        out_ += line;
         out_ += '\n';
     }
 
     const Grafcet& grafcet_;
-    const Wording& words_;
-    std::string_view colon_;
-    std::string_view semicolon_;
+    Language language_;
     std::string out_;
 };
 

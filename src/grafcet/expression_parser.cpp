@@ -15,6 +15,8 @@
 
 namespace grafwire {
 
+namespace say = messages::grafcet;
+
 namespace {
 
 /// The chains of operators of equal rank, from the weakest to the strongest.
@@ -69,7 +71,7 @@ bool parse_term(TokenReader& tokens, bool negative, NamedSum& sum) {
         term.counter = tokens.name();
         tokens.take();
     } else {
-        return tokens.fail(fmt::format("expected a counter or a number, got {}", tokens.shown()));
+        return tokens.fail_expecting(say::counter_or_number());
     }
     sum.push_back(term);
     return true;
@@ -165,10 +167,10 @@ bool ExpressionParser::parse_prefixed(ExprKind kind) {
 
 bool ExpressionParser::parse_called(ExprKind kind) {
     const Location where = tokens_.token().where;
-    const std::string expected = fmt::format("'(' after '{}'", reserved_word(tokens_.token().kind));
+    const std::string_view name = reserved_word(tokens_.token().kind);
     tokens_.take();
     if (!tokens_.at(TokenKind::left_parenthesis)) {
-        return tokens_.fail(fmt::format("expected {}, got {}", expected, tokens_.shown()));
+        return tokens_.fail_expecting(say::parenthesis_after(name));
     }
     if (!parse_parenthesised()) return false;
     expression_.join(kind, 1, where);
@@ -177,15 +179,15 @@ bool ExpressionParser::parse_called(ExprKind kind) {
 
 bool ExpressionParser::parse_parenthesised() {
     tokens_.take();
-    return parse_chain(0) && tokens_.expect(TokenKind::right_parenthesis, "an operator or ')'");
+    return parse_chain(0) &&
+           tokens_.expect(TokenKind::right_parenthesis, say::operator_or_parenthesis);
 }
 
 bool ExpressionParser::parse_time_condition() {
     const Location where = tokens_.token().where;
     Time on_delay = 0;
     Time off_delay = 0;
-    if (!parse_delay(on_delay) ||
-        !tokens_.expect(TokenKind::slash, "'/' after the duration, as in 5s/X13")) {
+    if (!parse_delay(on_delay) || !tokens_.expect(TokenKind::slash, say::slash_after_duration)) {
         return false;
     }
     if (!parse_unary()) return false;
@@ -196,18 +198,12 @@ bool ExpressionParser::parse_time_condition() {
 
 bool ExpressionParser::parse_delay(Time& delay) {
     if (!tokens_.at(TokenKind::duration)) {
-        return tokens_.fail(
-            fmt::format("expected a duration after '/', as in 1s/X5/2s, or an operator "
-                        "before it, got {}",
-                        tokens_.shown()));
+        return tokens_.fail_expecting(say::duration_after_slash());
     }
     const auto value = parse_duration(tokens_.text());
     if (!value) {
-        tokens_.diagnostics().error(
-            code::duration_out_of_range, tokens_.token().where,
-            fmt::format("the duration {} is too long or too fine; durations go up to 106 days in "
-                        "whole picoseconds",
-                        tokens_.shown()));
+        tokens_.diagnostics().error(code::duration_out_of_range, tokens_.token().where,
+                                    say::duration_out_of_range(tokens_.shown()));
     }
     delay = value.value_or(0);
     tokens_.take();
@@ -222,12 +218,11 @@ bool ExpressionParser::parse_comparison() {
     if (!parse_sum(tokens_, left)) return false;
     const std::optional<Relation> relation = relation_of(tokens_.token().kind);
     if (!relation) {
-        return tokens_.fail(fmt::format("expected one of = <> < <= > >= in the comparison, got {}",
-                                        tokens_.shown()));
+        return tokens_.fail_expecting(say::relation());
     }
     tokens_.take();
     if (!parse_sum(tokens_, right) ||
-        !tokens_.expect(TokenKind::right_bracket, "']' at the end of the comparison")) {
+        !tokens_.expect(TokenKind::right_bracket, say::end_of_comparison)) {
         return false;
     }
     expression_.comparison(std::move(left), *relation, std::move(right), where);
@@ -241,12 +236,9 @@ bool ExpressionParser::parse_constant_or_variable() {
     } else if (tokens_.at(TokenKind::integer) && (name.text == "0" || name.text == "1")) {
         expression_.constant(name.text == "1", name.where);
     } else if (tokens_.at(TokenKind::integer)) {
-        return tokens_.fail(fmt::format(
-            "the number {} is no condition: the variable of a step 5 is X5, and counters are "
-            "compared in brackets, as in [c = 5]",
-            tokens_.shown()));
+        return tokens_.fail(say::number_as_condition(tokens_.shown()));
     } else {
-        return tokens_.fail(fmt::format("expected a condition, got {}", tokens_.shown()));
+        return tokens_.fail_expecting(say::a_condition());
     }
     tokens_.take();
     return true;

@@ -15,9 +15,10 @@
 #include "grafcet/plant_conditions.h"
 #include "grafcet/warnings.h"
 #include "grafcet/write_grafcet.h"
-#include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -43,22 +44,16 @@ void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
     const Assumption& last = grafcet.assumptions[contradicting.back()];
     contradicting.pop_back();
     if (contradicting.empty()) {
-        diagnostics.error(code::contradicting_assumptions, last.where,
-                          "this assumption is never 1, so that no input is left");
+        diagnostics.error(code::contradicting_assumptions, last.where, say::assumption_never_1());
         return;
     }
-    Diagnostic& error = diagnostics.error(
-        code::contradicting_assumptions, last.where,
-        contradicting.size() == 1
-            ? "this assumption contradicts another, so that no input is left"
-            : fmt::format(
-                  "this assumption contradicts {} others together, so that no input is left",
-                  contradicting.size()));
+    Diagnostic& error = diagnostics.error(code::contradicting_assumptions, last.where,
+                                          say::contradicting_assumptions(contradicting.size()));
     for (const std::size_t i : contradicting) {
         const Assumption& other = grafcet.assumptions[i];
         const std::string text = write_expression(grafcet, grafcet.expressions, other.expression);
         error.notes.push_back(
-            {i < first_here ? Location{} : other.where, fmt::format("the other: assume {}", text)});
+            {i < first_here ? Location{} : other.where, say::other_assumption(text)});
     }
 }
 
@@ -66,8 +61,7 @@ void refuse_no_steps(const Grafcet& grafcet, Diagnostics& diagnostics) {
     if (!grafcet.steps.empty()) return;
     const Location where =
         grafcet.blocks.empty() ? Location{1, 1} : grafcet.blocks.items().front().where;
-    diagnostics.error(code::no_steps, where,
-                      "there is no step, and a GRAFCET needs one at least: graph G { initial 0 }");
+    diagnostics.error(code::no_steps, where, say::no_steps());
 }
 
 /// Every variable of a model by its name.
@@ -268,14 +262,12 @@ std::optional<Grafcet> GrafcetBuilder::finish() {
     return grafcet;
 }
 
-std::string encloses_twice_message(std::string_view step) {
-    return fmt::format("step {} encloses a graph already; a step encloses one graph at most",
-                       in_quotes(step));
+Localized encloses_twice_message(std::string_view step) {
+    return say::encloses_twice(quoted(step));
 }
 
-std::string outside_of_expansion_message(bool is_entry) {
-    return fmt::format("'{}' stands in an expansion only; in a graph write 'step'",
-                       is_entry ? "entry" : "exit");
+Localized outside_of_expansion_message(bool is_entry) {
+    return is_entry ? say::entry_outside_of_expansion() : say::exit_outside_of_expansion();
 }
 
 void add_assumption(Grafcet& grafcet, const NamedExpression& expression, Location where,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "grafcet/messages.h"
 #include "text/characters.h"
 #include "text/utf8.h"
 
@@ -96,11 +97,12 @@ bool is_integer(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-std::string token_in_message(std::string_view source, const Token& token) {
-    if (token.kind == TokenKind::end) return "the end of the file";
+Localized token_in_message(std::string_view source, const Token& token) {
+    if (token.kind == TokenKind::end) return messages::grafcet::end_of_file();
     const std::string_view text = source.substr(token.offset, token.length);
-    if (token.kind != TokenKind::quoted) return in_quotes(text);
-    return text.empty() ? "an empty name" : fmt::format("the name {}", in_quotes(text));
+    if (token.kind != TokenKind::quoted) return quoted(text);
+    return text.empty() ? messages::grafcet::empty_name()
+                        : messages::grafcet::quoted_word(quoted(text));
 }
 
 Lexer::Lexer(std::string_view text) : text_(text), at_(byte_order_mark_size(text)) {}
@@ -202,7 +204,7 @@ Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     const std::string_view text = text_.substr(start, end - start);
     if (!is_closed && diagnostics != nullptr) {
         diagnostics->error(code::unterminated_text, token.where,
-                           "this quoted text has no end on its line; close it with '\"'");
+                           messages::grafcet::unterminated_text());
     }
     report_control(text, diagnostics);
     token.kind = TokenKind::quoted;
@@ -284,17 +286,13 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
         ++column_;
     }
     if (diagnostics == nullptr) return;
-    std::string shown = fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.value));
     const bool is_visible = first.value != ' ' && first.value != 0xa0 && !is_control(first.value) &&
                             (first.value < 0x2000 || first.value > 0x206f) && first.value != 0xfeff;
-    if (is_visible) {
-        shown = fmt::format("'{}'", text_.substr(token.offset, std::max(first.length, 1U)));
-    }
-    diagnostics->error(
-        code::unexpected_character, token.where,
-        fmt::format("the character {} has no meaning here; remove it, or write the name it belongs "
-                    "to between quotation marks",
-                    shown));
+    const Localized shown =
+        is_visible ? grafwire::quoted(text_.substr(token.offset, std::max(first.length, 1U)))
+                   : messages::grafcet::character_code(static_cast<std::uint32_t>(first.value));
+    diagnostics->error(code::unexpected_character, token.where,
+                       messages::grafcet::unexpected_character(shown));
 }
 
 }  // namespace grafwire

@@ -128,6 +128,6 @@ bool is_plain_word(std::string_view text);
 bool is_integer(std::string_view text);
 
 /// The part of the source that a token was read from, as it is written in messages.
-std::string token_in_message(std::string_view source, const Token& token);
+Localized token_in_message(std::string_view source, const Token& token);
 
 }  // namespace grafwire

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 #include "text/diagnostics.h"
 #include "text/message.h"
 
@@ -38,5 +42,571 @@ inline constexpr Code event_without_edge{"event-without-edge"};
 inline constexpr Code unused_name{"unused-name"};
 inline constexpr Code conflicting_writes{"conflicting-writes"};
 }  // namespace code
+
+/// What is said of charts, and how they are described.
+namespace messages::grafcet {
+
+// What a text is made of.
+inline constexpr Message<> end_of_file{"the end of the file", "la fin du fichier"};
+inline constexpr Message<> empty_name{"an empty name", "un nom vide"};
+inline constexpr Message<Localized> quoted_word{"the name {}", "le nom {}"};
+inline constexpr Message<> unterminated_text{
+    "this quoted text has no end on its line; close it with '\"'",
+    "ce texte entre guillemets n'a pas de fin sur sa ligne ; fermez-le par « \" »"};
+/// The same in both languages.
+inline constexpr Message<std::uint32_t> character_code{"U+{:04X}", "U+{:04X}"};
+inline constexpr Message<Localized> unexpected_character{
+    "the character {} has no meaning here; remove it, or write the name it belongs to between "
+    "quotation marks",
+    "le caractère {} n'a pas de sens ici ; supprimez-le, ou mettez entre guillemets droits le nom "
+    "dont il fait partie"};
+inline constexpr Message<Localized, Localized> expected{"expected {}, got {}",
+                                                        "on attend ici {} et non {}"};
+inline constexpr Message<Localized, std::string_view> reserved_word_as_name{
+    "expected {0}, got '{1}', a reserved word; to use it as a name write \"{1}\"",
+    "on attend ici {0} et non « {1} », qui est un mot réservé ; pour en faire un nom, écrivez "
+    "\"{1}\""};
+inline constexpr Message<Localized, Localized> number_as_name{
+    "expected {}, got {}; to use it as a name put it between quotation marks",
+    "on attend ici {} et non {} ; pour en faire un nom, mettez-le entre guillemets droits"};
+inline constexpr Message<Localized, std::int64_t> written_number_too_large{
+    "the number {} is too large; numbers go up to {}",
+    "le nombre {} est trop grand ; un nombre va jusqu'à {}"};
+inline constexpr Message<> file_too_large{
+    "the file is larger than 4 GiB; cut the GRAFCET into several",
+    "le fichier dépasse 4 Gio ; découpez le GRAFCET en plusieurs"};
+
+// Declarations.
+inline constexpr Message<> name_of_grafcet{"the name of the GRAFCET", "le nom du GRAFCET"};
+inline constexpr Message<std::string_view> declaration_after_graphs{
+    "declarations stand before the graphs; move this '{}' up",
+    "les déclarations précèdent les graphes ; remontez ce « {} »"};
+inline constexpr Message<> grafcet_not_first{
+    "'grafcet' stands once, at the beginning of the file",
+    "« grafcet » ne figure qu'une fois, au début du fichier"};
+inline constexpr Message<> brace_closes_nothing{
+    "this '}}' closes nothing; remove it", "cette accolade « }} » ne ferme rien ; supprimez-la"};
+inline constexpr Message<std::string_view> stands_inside_graph{
+    "'{}' stands inside a graph or an expansion, as in graph G1 {{ … }}",
+    "« {} » se place dans un graphe ou une expansion, comme dans graph G1 {{ … }}"};
+inline constexpr Message<> declaration_or_graph{"a declaration or a graph",
+                                                "une déclaration ou un graphe"};
+inline constexpr Message<> an_output{"an output", "une sortie"};
+inline constexpr Message<> a_var{"a var", "une variable interne"};
+inline constexpr Message<> an_input{"an input", "une entrée"};
+inline constexpr Message<> a_counter{"a counter", "un compteur"};
+inline constexpr Message<> comma_between_names{"',' between the names", "« , » entre les noms"};
+inline constexpr Message<> colon_and_range{"':' and the range, as in counter c : 0..9",
+                                           "« : » et la plage, comme dans « counter c : 0..9 »"};
+inline constexpr Message<> dots_of_range{"'..' between the lowest and the highest value",
+                                         "« .. » entre la plus petite et la plus grande valeur"};
+inline constexpr Message<> one_counter_each{
+    "each counter has a declaration of its own; write 'counter' again",
+    "chaque compteur a sa propre déclaration ; écrivez de nouveau « counter »"};
+inline constexpr Message<> number_for_range{"a number for the range of the counter",
+                                            "un nombre pour la plage du compteur"};
+
+// Graphs and their steps.
+inline constexpr Message<> name_of_expansion{"the name of the expansion", "le nom de l'expansion"};
+inline constexpr Message<> name_of_graph{"the name of the graph", "le nom du graphe"};
+inline constexpr Message<> brace_of_expansion{"'{{' and the steps of the expansion",
+                                              "« {{ » et les étapes de l'expansion"};
+inline constexpr Message<> brace_of_graph{"'{{' and the steps of the graph",
+                                          "« {{ » et les étapes du graphe"};
+inline constexpr Message<Localized, Localized> end_of_expansion{
+    "expected '}}' at the end of expansion {}, got {}",
+    "on attend « }} » à la fin de l'expansion {} et non {}"};
+inline constexpr Message<Localized, Localized> end_of_graph{
+    "expected '}}' at the end of graph {}, got {}",
+    "on attend « }} » à la fin du graphe {} et non {}"};
+inline constexpr Message<> begins_here{"it begins here", "le début est ici"};
+inline constexpr Message<std::string_view> declaration_in_graph{
+    "declarations stand before the graphs; move this '{}' up, or close the graph with '}}' before "
+    "it",
+    "les déclarations précèdent les graphes ; remontez ce « {} », ou fermez d'abord le graphe par "
+    "« }} »"};
+inline constexpr Message<> step_or_transition{"a step, a transition or '}}'",
+                                              "une étape, une transition ou « }} »"};
+inline constexpr Message<> name_of_step{"the name of the step", "le nom de l'étape"};
+inline constexpr Message<> name_of_enclosed_graph{"the name of the enclosed graph",
+                                                  "le nom du graphe encapsulé"};
+inline constexpr Message<> brace_of_links{"'{{' and the steps to activate, as in G3{{60}}",
+                                          "« {{ » et les étapes à activer, comme dans G3{{60}},"};
+inline constexpr Message<> enclosure_without_links{
+    "an enclosing step names the steps that are activated with it, as in G3{{60}}",
+    "une étape encapsulante nomme les étapes activées avec elle, comme dans G3{{60}}"};
+inline constexpr Message<> name_of_a_step{"the name of a step", "le nom d'une étape"};
+inline constexpr Message<> comma_or_brace{"',' or '}}'", "« , » ou « }} »"};
+inline constexpr Message<> name_of_macro_step{"the name of the macro-step",
+                                              "le nom de la macro-étape"};
+inline constexpr Message<> equal_and_expansion{"'=' and the name of the expansion",
+                                               "« = » et le nom de l'expansion"};
+inline constexpr Message<> name_of_entry{"the name of the entry step",
+                                         "le nom de l'étape d'entrée"};
+inline constexpr Message<> name_of_exit{"the name of the exit step", "le nom de l'étape de sortie"};
+
+// Transitions and actions.
+inline constexpr Message<> name_of_transition{"the name of the transition",
+                                              "le nom de la transition"};
+inline constexpr Message<> parenthesis_of_label{"')' after the name of the transition",
+                                                "« ) » après le nom de la transition"};
+inline constexpr Message<> comma_or_arrow{"',' or '->'", "« , » ou « -> »"};
+inline constexpr Message<Localized, std::string_view, Localized> did_you_mean_instead{
+    "{}; did you mean '{}' instead of {}?", "{} ; vouliez-vous dire « {} » au lieu de {} ?"};
+inline constexpr Message<> comma_or_condition{"',' or ':' and the transition condition",
+                                              "« , », ou « : » et la réceptivité,"};
+inline constexpr Message<> an_action{"an action", "une action"};
+inline constexpr Message<Localized> number_as_action{
+    "expected an action, got {}; an output of that name is written between quotation marks",
+    "on attend une action et non {} ; une sortie de ce nom s'écrit entre guillemets droits"};
+inline constexpr Message<> situation_of_order{"the name of a step, '*', INIT or '}}'",
+                                              "le nom d'une étape, « * », INIT ou « }} »"};
+inline constexpr Message<> closing_brace{"'}}'", "« }} »"};
+inline constexpr Message<> written_name{"the name of an output or var",
+                                        "le nom d'une sortie ou d'une variable interne"};
+inline constexpr Message<> set_reset_or_assign{"'set', 'reset' or a name and ':='",
+                                               "« set », « reset » ou un nom et « := »"};
+inline constexpr Message<> assign_and_value{"':=' and the value", "« := » et la valeur"};
+
+// Expressions.
+inline constexpr Message<> counter_or_number{"a counter or a number", "un compteur ou un nombre"};
+inline constexpr Message<std::string_view> parenthesis_after{"'(' after '{}'",
+                                                             "« ( » après « {} »"};
+inline constexpr Message<> operator_or_parenthesis{"an operator or ')'", "un opérateur ou « ) »"};
+inline constexpr Message<> slash_after_duration{"'/' after the duration, as in 5s/X13",
+                                                "« / » après la durée, comme dans 5s/X13,"};
+inline constexpr Message<> duration_after_slash{
+    "a duration after '/', as in 1s/X5/2s, or an operator before it",
+    "une durée après « / », comme dans 1s/X5/2s, ou un opérateur devant,"};
+inline constexpr Message<Localized> duration_out_of_range{
+    "the duration {} is too long or too fine; durations go up to 106 days in whole picoseconds",
+    "la durée {} est trop longue ou trop fine ; une durée va jusqu'à 106 jours, en picosecondes "
+    "entières"};
+inline constexpr Message<> relation{"one of = <> < <= > >= in the comparison",
+                                    "l'un des signes = <> < <= > >= dans la comparaison"};
+inline constexpr Message<> end_of_comparison{"']' at the end of the comparison",
+                                             "« ] » à la fin de la comparaison"};
+inline constexpr Message<Localized> number_as_condition{
+    "the number {} is no condition: the variable of a step 5 is X5, and counters are compared in "
+    "brackets, as in [c = 5]",
+    "le nombre {} n'est pas une condition : la variable d'une étape 5 est X5, et un compteur se "
+    "compare entre crochets, comme dans [c = 5]"};
+inline constexpr Message<> a_condition{"a condition", "une condition"};
+inline constexpr Message<> operator_or_end{"an operator or the end of the expression",
+                                           "un opérateur ou la fin de l'expression"};
+
+// Contradictions of a whole chart.
+inline constexpr Message<> assumption_never_1{
+    "this assumption is never 1, so that no input is left",
+    "cette hypothèse ne vaut jamais 1 : il ne reste aucune combinaison d'entrées"};
+inline constexpr CountedMessage<> contradicting_assumptions{
+    {"this assumption contradicts another, so that no input is left",
+     "cette hypothèse en contredit une autre : il ne reste aucune combinaison d'entrées"},
+    {"this assumption contradicts {} others together, so that no input is left",
+     "cette hypothèse contredit {} autres prises ensemble : il ne reste aucune combinaison "
+     "d'entrées"}};
+inline constexpr Message<std::string> other_assumption{"the other: assume {}",
+                                                       "l'autre : assume {}"};
+inline constexpr Message<> no_steps{
+    "there is no step, and a GRAFCET needs one at least: graph G {{ initial 0 }}",
+    "il n'y a pas d'étape, et il en faut au moins une à un GRAFCET : graph G {{ initial 0 }}"};
+inline constexpr Message<Localized> encloses_twice{
+    "step {} encloses a graph already; a step encloses one graph at most",
+    "l'étape {} encapsule déjà un graphe ; une étape encapsule un graphe au plus"};
+inline constexpr Message<> entry_outside_of_expansion{
+    "'entry' stands in an expansion only; in a graph write 'step'",
+    "« entry » ne se place que dans une expansion ; dans un graphe, écrivez « step »"};
+inline constexpr Message<> exit_outside_of_expansion{
+    "'exit' stands in an expansion only; in a graph write 'step'",
+    "« exit » ne se place que dans une expansion ; dans un graphe, écrivez « step »"};
+
+// Names.
+inline constexpr Message<> first_declared_here{"it is first declared here",
+                                               "la première déclaration est ici"};
+inline constexpr Message<std::int64_t, std::int64_t, Localized> empty_range{
+    "the range {}..{} of counter {} is empty; write the lowest value first",
+    "la plage {}..{} du compteur {} est vide ; écrivez d'abord la plus petite valeur"};
+inline constexpr Message<std::int64_t, std::int64_t, Localized, std::int64_t, std::int64_t>
+    range_too_wide{
+        "the range {}..{} of counter {} spans {} values; a counter has {} at most",
+        "la plage {}..{} du compteur {} compte {} valeurs ; un compteur en a {} au plus"};
+inline constexpr Message<Localized> control_input_declared{
+    "{} is a control input, which every GRAFCET has without declaring it; remove this declaration "
+    "or choose another name",
+    "{} est une entrée de commande, que tout GRAFCET possède sans la déclarer ; supprimez cette "
+    "déclaration ou choisissez un autre nom"};
+inline constexpr Message<Localized> variable_twice{
+    "the variable {} exists already; rename one of the two",
+    "la variable {} existe déjà ; renommez l'une des deux"};
+inline constexpr Message<Localized> expansion_twice{
+    "the expansion {} exists already; rename one of the two",
+    "l'expansion {} existe déjà ; renommez l'une des deux"};
+inline constexpr Message<Localized> graph_twice{
+    "the graph {} exists already; rename one of the two",
+    "le graphe {} existe déjà ; renommez l'un des deux"};
+inline constexpr Message<Localized> step_twice{
+    "the step {} exists already; step names are unique in the whole file, so rename one of the two",
+    "l'étape {} existe déjà ; un nom d'étape est unique dans tout le fichier, renommez donc l'une "
+    "des deux"};
+inline constexpr Message<Localized> transition_twice{
+    "the transition {} exists already; transition names are unique in the whole file, so rename "
+    "one of the two",
+    "la transition {} existe déjà ; un nom de transition est unique dans tout le fichier, renommez "
+    "donc l'une des deux"};
+inline constexpr Message<Localized> label_is_rank{
+    "the label {} is also the rank of a transition without a label; label that one too, or choose "
+    "another label",
+    "le repère {} est aussi le rang d'une transition sans repère ; donnez-en un à celle-ci, ou "
+    "choisissez un autre repère"};
+inline constexpr Message<std::uint32_t> transition_of_rank{
+    "this transition has rank {0}: it is named '{0}'",
+    "cette transition a le rang {0} : elle se nomme « {0} »"};
+inline constexpr Message<Localized> input_named{"input {}", "l'entrée {}"};
+inline constexpr Message<Localized> output_named{"output {}", "la sortie {}"};
+inline constexpr Message<Localized> var_named{"var {}", "la variable interne {}"};
+inline constexpr Message<Localized> counter_named{"counter {}", "le compteur {}"};
+inline constexpr Message<Localized, Localized, Localized> variable_clash{
+    "{} and {} both have the variable {}; rename one of them",
+    "{} et {} ont la même variable {} ; changez l'un des deux noms"};
+inline constexpr Message<Localized> declared_here{"{} is declared here",
+                                                  "la déclaration est ici : {}"};
+inline constexpr Message<Localized> expansion_named{"expansion {}", "l'expansion {}"};
+inline constexpr Message<Localized> graph_named{"graph {}", "le graphe {}"};
+inline constexpr Message<Localized> macro_step_named{"macro-step {}", "la macro-étape {}"};
+inline constexpr Message<Localized> step_named{"step {}", "l'étape {}"};
+inline constexpr Message<Localized> unknown_step{"unknown step {}", "l'étape {} est inconnue"};
+
+// Macro-steps and expansions.
+inline constexpr Message<Localized, std::string_view> expanded_by_graph{
+    "{} is a graph; a macro-step is expanded by an expansion, declared with 'expansion {} {{ … }}'",
+    "{} est un graphe ; une macro-étape se développe en une expansion, déclarée par « expansion {} "
+    "{{ … }} »"};
+inline constexpr Message<Localized> unknown_expansion{"unknown expansion {}",
+                                                      "l'expansion {} est inconnue"};
+inline constexpr Message<Localized, Localized> expansion_used_twice{
+    "expansion {} expands macro-step {} already; each macro-step needs an expansion of its own",
+    "l'expansion {} est déjà celle de la macro-étape {} ; il faut à chaque macro-étape sa propre "
+    "expansion"};
+inline constexpr Message<> first_used_here{"it is first used here",
+                                           "la première utilisation est ici"};
+inline constexpr Message<Localized> second_entry{
+    "expansion {} has a second entry step; an expansion has exactly one",
+    "l'expansion {} a une deuxième étape d'entrée ; une expansion en a exactement une"};
+inline constexpr Message<Localized> second_exit{
+    "expansion {} has a second exit step; an expansion has exactly one",
+    "l'expansion {} a une deuxième étape de sortie ; une expansion en a exactement une"};
+inline constexpr Message<> first_one_here{"the first one is here", "la première est ici"};
+inline constexpr Message<Localized> no_entry{
+    "expansion {} has no entry step; declare it with 'entry E1'",
+    "l'expansion {} n'a pas d'étape d'entrée ; déclarez-la par « entry E1 »"};
+inline constexpr Message<Localized> no_exit{
+    "expansion {} has no exit step; declare it with 'exit S1'",
+    "l'expansion {} n'a pas d'étape de sortie ; déclarez-la par « exit S1 »"};
+inline constexpr Message<Localized, Localized> expansion_contains_itself{
+    "expansion {} contains itself ({}); a macro-step must not lead back to an expansion it stands "
+    "in",
+    "l'expansion {} se contient elle-même ({}) ; une macro-étape ne doit pas ramener à une "
+    "expansion où elle se trouve"};
+inline constexpr Message<Localized, std::string_view> unused_expansion{
+    "no macro-step uses expansion {}; declare one with 'macro M = {}', or remove the expansion",
+    "aucune macro-étape n'utilise l'expansion {} ; déclarez-en une par « macro M = {} », ou "
+    "supprimez l'expansion"};
+
+// Transitions and their conditions.
+inline constexpr Message<Localized> unknown_variable{"unknown variable {}",
+                                                     "la variable {} est inconnue"};
+inline constexpr Message<Localized, Localized, std::string_view> unknown_variable_of{
+    "unknown variable {}; the variable of {} is X{}",
+    "la variable {} est inconnue ; {} a pour variable X{}"};
+inline constexpr Message<Localized> no_input_in_assumption{
+    "{} is no input in 'assume'; an assumption is about the plant, so it is made of inputs and "
+    "control inputs, without edges, times and comparisons",
+    "{} n'est pas une entrée ; une hypothèse (« assume ») porte sur la partie opérative et se "
+    "compose donc d'entrées et d'entrées de commande, sans front, ni temporisation, ni "
+    "comparaison"};
+inline constexpr Message<> edge_in_assumption{
+    "edge in 'assume'; an assumption is about the plant, so it is made of inputs and control "
+    "inputs, without edges, times and comparisons",
+    "un front n'a pas sa place ici ; une hypothèse (« assume ») porte sur la partie opérative et "
+    "se compose donc d'entrées et d'entrées de commande, sans front, ni temporisation, ni "
+    "comparaison"};
+inline constexpr Message<> time_in_assumption{
+    "time condition in 'assume'; an assumption is about the plant, so it is made of inputs and "
+    "control inputs, without edges, times and comparisons",
+    "une temporisation n'a pas sa place ici ; une hypothèse (« assume ») porte sur la partie "
+    "opérative et se compose donc d'entrées et d'entrées de commande, sans front, ni "
+    "temporisation, ni comparaison"};
+inline constexpr Message<> comparison_in_assumption{
+    "comparison in 'assume'; an assumption is about the plant, so it is made of inputs and control "
+    "inputs, without edges, times and comparisons",
+    "une comparaison n'a pas sa place ici ; une hypothèse (« assume ») porte sur la partie "
+    "opérative et se compose donc d'entrées et d'entrées de commande, sans front, ni "
+    "temporisation, ni comparaison"};
+inline constexpr Message<Localized, std::string_view> counter_as_condition{
+    "{} is a counter, not a condition; compare it, as in [{} > 0]",
+    "{} est un compteur et non une condition ; comparez-le, comme dans [{} > 0]"};
+inline constexpr Message<> edge_in_condition{
+    "edge in the condition of a continuous action: it would last one scan only; use a stored "
+    "action ('set … on ↑…'), or a time condition around the edge",
+    "un front dans la condition d'une action continue ne durerait qu'une scrutation ; utilisez une "
+    "action mémorisée (« set … on ↑… »), ou une temporisation autour du front"};
+inline constexpr Message<Localized, Localized, Localized> step_of_another_graph{
+    "{} belongs to {}; a transition of {} names steps and macro-steps of that graph only",
+    "{} est dans {} ; une transition placée dans {} ne nomme que des étapes et des macro-étapes de "
+    "ce graphe"};
+inline constexpr Message<Localized, Localized, Localized> step_of_another_expansion{
+    "{} belongs to {}; a transition of {} names steps and macro-steps of that expansion only",
+    "{} est dans {} ; une transition placée dans {} ne nomme que des étapes et des macro-étapes de "
+    "cette expansion"};
+inline constexpr Message<Localized> not_a_counter{
+    "{} is not a counter; only counters and numbers are compared and added",
+    "{} n'est pas un compteur ; on ne compare et n'additionne que des compteurs et des nombres"};
+inline constexpr Message<Localized> unknown_counter{"unknown counter {}",
+                                                    "le compteur {} est inconnu"};
+inline constexpr Message<Localized> named_twice{
+    "{} is named twice in this list; name it once",
+    "{} est nommée deux fois dans cette liste ; nommez-la une seule fois"};
+inline constexpr Message<> named_here_too{"it is named here too", "l'autre mention est ici"};
+inline constexpr Message<> transition_without_step{
+    "this transition has no step before it and none after it; name at least one, as in 1 -> 2",
+    "cette transition n'a d'étape ni en amont ni en aval ; nommez-en au moins une, comme dans 1 -> "
+    "2"};
+
+// Actions and orders.
+inline constexpr Message<Localized, std::string_view> continuous_on_var{
+    "continuous action on the var {}, which changes by stored actions only; write 'set {}', or "
+    "declare it as an output",
+    "cette action continue porte sur la variable interne {}, que seules des actions mémorisées "
+    "modifient ; écrivez « set {} », ou déclarez-la comme sortie"};
+inline constexpr Message<Localized, std::string_view> continuous_on_counter{
+    "continuous action on the counter {0}, which changes by stored actions only; write '{1} := {1} "
+    "+ 1', or declare it as an output",
+    "cette action continue porte sur le compteur {0}, que seules des actions mémorisées "
+    "modifient ; écrivez « {1} := {1} + 1 », ou déclarez-le comme sortie"};
+inline constexpr Message<Localized> input_written{
+    "{} is an input, which the GRAFCET reads and never writes; name an output, a var or a counter",
+    "{} est une entrée, que le GRAFCET lit sans jamais l'écrire ; nommez une sortie, une variable "
+    "interne ou un compteur"};
+inline constexpr Message<Localized> control_input_written{
+    "{} is a control input, which the GRAFCET reads and never writes; name an output, a var or a "
+    "counter",
+    "{} est une entrée de commande, que le GRAFCET lit sans jamais l'écrire ; nommez une sortie, "
+    "une variable interne ou un compteur"};
+inline constexpr Message<Localized> step_variable_written{
+    "{} follows the situation and is never written; use a forcing order to change the situation of "
+    "a graph",
+    "{} suit la situation et ne s'écrit jamais ; pour changer la situation d'un graphe, utilisez "
+    "un ordre de forçage"};
+inline constexpr Message<Localized> unknown_output{"unknown output {}",
+                                                   "la sortie {} est inconnue"};
+inline constexpr Message<Localized, std::string_view> unknown_output_is_graph{
+    "unknown output {0}; an order to graph {0} is written {1}{{…}}",
+    "la sortie {0} est inconnue ; un ordre au graphe {0} s'écrit {1}{{…}}"};
+inline constexpr Message<Localized, std::string_view> counter_set{
+    "{} is a counter, which is neither set nor reset; write a value, as in {} := 0",
+    "{} est un compteur, qui ne se met ni à 1 ni à 0 ; écrivez une valeur, comme dans {} := 0"};
+inline constexpr Message<Localized> value_of_counter{
+    "{} is a counter; assign a sum of counters and numbers",
+    "{} est un compteur ; affectez-lui une somme de compteurs et de nombres"};
+inline constexpr Message<Localized> value_of_boolean{
+    "{} is not a counter; assign a condition",
+    "{} n'est pas un compteur ; affectez-lui une condition"};
+inline constexpr Message<Localized> expansion_as_graph{
+    "{} is an expansion; orders and enclosures name graphs",
+    "{} est une expansion ; un ordre et une encapsulation nomment des graphes"};
+inline constexpr Message<Localized> unknown_graph{"unknown graph {}", "le graphe {} est inconnu"};
+inline constexpr Message<Localized> macro_step_in_order{
+    "{} is a macro-step; a forcing order names steps, such as the entry step of its expansion",
+    "{} est une macro-étape ; un ordre de forçage nomme des étapes, par exemple l'étape d'entrée "
+    "de son expansion"};
+inline constexpr Message<Localized> macro_step_in_link{
+    "{} is a macro-step; an activation link names steps, such as the entry step of its expansion",
+    "{} est une macro-étape ; un lien d'activation nomme des étapes, par exemple l'étape d'entrée "
+    "de son expansion"};
+inline constexpr Message<Localized, Localized, Localized, Localized> foreign_step{
+    "{} belongs to {}, not to {}; name steps of {}",
+    "{} est dans {} et non dans {} ; nommez des étapes de {}"};
+inline constexpr Message<Localized> output_driven_twice{
+    "output {} is driven by continuous and by stored actions; use one kind only",
+    "la sortie {} est commandée à la fois par des actions continues et par des actions "
+    "mémorisées ; n'en utilisez qu'une sorte"};
+inline constexpr Message<> continuous_drives_here{"a continuous action drives it here",
+                                                  "une action continue la commande ici"};
+inline constexpr Message<> stored_drives_here{"a stored action drives it here",
+                                              "une action mémorisée la commande ici"};
+inline constexpr Message<Localized> undriven_output_read{
+    "output {} is read, but no stored action drives it; only stored outputs can be read",
+    "la sortie {} est lue, mais aucune action mémorisée ne la commande ; seule une sortie "
+    "mémorisée peut être lue"};
+inline constexpr Message<Localized> continuous_output_read{
+    "{} is a continuous output, which cannot be read; write its condition instead",
+    "{} est une sortie continue, qui ne peut pas être lue ; écrivez plutôt sa condition"};
+inline constexpr Message<> this_continuous_action{"this continuous action drives it",
+                                                  "cette action continue la commande"};
+
+// The hierarchy of graphs.
+inline constexpr Message<Localized, Localized> encloses_its_graph{
+    "{} encloses its own graph {}; only another graph can be forced or enclosed",
+    "{} encapsule son propre graphe {} ; on ne peut forcer ou encapsuler qu'un autre graphe"};
+inline constexpr Message<Localized, Localized> forces_its_graph{
+    "{} forces its own graph {}; only another graph can be forced or enclosed",
+    "{} force son propre graphe {} ; on ne peut forcer ou encapsuler qu'un autre graphe"};
+inline constexpr Message<Localized, Localized> encloses{"{} encloses {}", "{} encapsule {}"};
+inline constexpr Message<Localized, Localized> forces{"{} forces {}", "{} force {}"};
+inline constexpr Message<Localized> circle_of_graphs{
+    "graphs force or enclose one another in a circle: {}; break the circle at one place",
+    "des graphes se forcent ou s'encapsulent en boucle : {} ; rompez cette boucle en un point"};
+inline constexpr Message<Localized, Localized, Localized> encloses_here{
+    "{} of {} encloses {} here", "{} de {} encapsule ici {}"};
+inline constexpr Message<Localized, Localized, Localized> forces_here{"{} of {} forces {} here",
+                                                                      "{} de {} force ici {}"};
+inline constexpr Message<Localized, Localized> enclosed_twice{
+    "{} is enclosed by {} already; a graph is enclosed by one step at most",
+    "{} est déjà encapsulé par {} ; un graphe est encapsulé par une étape au plus"};
+inline constexpr Message<> first_enclosed_here{"it is first enclosed here",
+                                               "la première encapsulation est ici"};
+inline constexpr Message<Localized, Localized, Localized> initial_in_enclosed{
+    "{} is initial, but {}, which encloses its graph {}, is not; make both initial or neither",
+    "{} est initiale, mais {}, qui encapsule son graphe {}, ne l'est pas ; rendez initiales les "
+    "deux étapes ou aucune"};
+inline constexpr Message<> enclosing_step_here{"the enclosing step is here",
+                                               "l'étape encapsulante est ici"};
+inline constexpr Message<Localized, Localized> initial_encloses{
+    "{} is initial, but {}, which it encloses, has no initial step; make both initial or neither",
+    "{} est initiale, mais {}, qu'elle encapsule, n'a pas d'étape initiale ; donnez-lui-en une, ou "
+    "rendez l'étape encapsulante non initiale"};
+inline constexpr Message<> enclosed_graph_here{"the enclosed graph is here",
+                                               "le graphe encapsulé est ici"};
+
+// Parts that a reader of another format may leave out or make too large.
+inline constexpr Message<> grafcet_without_name{"the GRAFCET has no name",
+                                                "le GRAFCET n'a pas de nom"};
+inline constexpr Message<> title_without_name{"the title has no name", "le titre n'a pas de nom"};
+inline constexpr Message<> variable_without_name{"a variable has no name",
+                                                 "une variable n'a pas de nom"};
+inline constexpr Message<> expansion_without_name{"an expansion has no name",
+                                                  "une expansion n'a pas de nom"};
+inline constexpr Message<> graph_without_name{"a graph has no name", "un graphe n'a pas de nom"};
+inline constexpr Message<> macro_step_without_name{"a macro-step has no name",
+                                                   "une macro-étape n'a pas de nom"};
+inline constexpr Message<> step_without_name{"a step has no name", "une étape n'a pas de nom"};
+inline constexpr Message<> transition_without_name{"a transition has no name",
+                                                   "une transition n'a pas de nom"};
+inline constexpr Message<> assumption_without_condition{"this assumption has no condition",
+                                                        "cette hypothèse n'a pas de condition"};
+inline constexpr Message<> transition_without_condition{"this transition has no condition",
+                                                        "cette transition n'a pas de réceptivité"};
+inline constexpr Message<> event_without_condition{"the event has no condition",
+                                                   "l'événement n'a pas de condition"};
+inline constexpr Message<> assignment_without_condition{"the assignment has no condition",
+                                                        "l'affectation n'a pas de condition"};
+inline constexpr Message<Localized> quotation_mark_in_name{
+    "the name {} holds a quotation mark, and no name may",
+    "le nom {} contient un guillemet droit, ce qu'aucun nom ne peut contenir"};
+inline constexpr Message<Localized> no_expansion{"{} has no expansion", "{} n'a pas d'expansion"};
+inline constexpr Message<Localized, Localized> encloses_without_links{
+    "{} encloses {} without a step to activate", "{} encapsule {} sans étape à activer"};
+inline constexpr Message<Localized> enclosing_end{
+    "{} is the entry or exit of an expansion, which encloses nothing",
+    "{} est l'entrée ou la sortie d'une expansion, qui n'encapsule rien"};
+inline constexpr Message<> bad_delay{
+    "a duration is negative or too long; durations go up to 106 days",
+    "une durée est négative ou trop longue ; une durée va jusqu'à 106 jours"};
+inline constexpr Message<> side_of_comparison_empty{"a side of the comparison is empty",
+                                                    "un membre de la comparaison est vide"};
+inline constexpr Message<int> nested_too_deep{
+    "this expression is nested more than {} levels deep; give parts of it to vars of their own",
+    "cette expression est imbriquée sur plus de {} niveaux ; confiez-en des parties à des "
+    "variables internes"};
+inline constexpr Message<std::int64_t, std::int64_t> number_too_large{
+    "the number {} is too large; numbers go up to {}",
+    "le nombre {} est trop grand ; un nombre va jusqu'à {}"};
+inline constexpr Message<std::uint32_t> sum_too_long{"a sum has {} terms at most",
+                                                     "une somme a {} termes au plus"};
+
+// Warnings.
+inline constexpr Message<Localized> graph_without_start{
+    "graph {} has no initial step and nothing forces it, so it never becomes active; make a step "
+    "initial",
+    "le graphe {} n'a pas d'étape initiale et rien ne le force : il ne devient jamais actif ; "
+    "rendez une étape initiale"};
+inline constexpr Message<Localized> unreachable_step{
+    "nothing can activate step {}: it is not initial, and no transition, forcing order or "
+    "activation link that can come about leads to it",
+    "rien ne peut activer l'étape {} : elle n'est pas initiale, et aucune transition "
+    "franchissable, aucun ordre de forçage ni aucun lien d'activation possible n'y mène"};
+inline constexpr Message<Localized> constant_receptivity{
+    "the transition condition of transition {} is constantly 0, so it is never cleared",
+    "la réceptivité de la transition {} vaut toujours 0 : cette transition n'est jamais franchie"};
+inline constexpr Message<> event_without_edge{
+    "the event after 'on' has no edge, so this action runs at every scan in which it is 1; write ↑ "
+    "or ↓ before what should happen",
+    "l'événement après « on » n'a pas de front : l'action s'exécute à chaque scrutation où il vaut "
+    "1 ; écrivez ↑ ou ↓ devant ce qui doit se produire"};
+inline constexpr Message<Localized> input_unused{"input {} is declared and never used",
+                                                 "l'entrée {} est déclarée mais jamais utilisée"};
+inline constexpr Message<Localized> output_unused{"output {} is declared and never used",
+                                                  "la sortie {} est déclarée mais jamais utilisée"};
+inline constexpr Message<Localized> var_unused{
+    "var {} is declared and never used",
+    "la variable interne {} est déclarée mais jamais utilisée"};
+inline constexpr Message<Localized> counter_unused{
+    "counter {} is declared and never used", "le compteur {} est déclaré mais jamais utilisé"};
+inline constexpr Message<Localized> conflicting_writes{
+    "several stored actions may write {} in the same scan; only the last of them then counts",
+    "plusieurs actions mémorisées peuvent écrire {} dans la même scrutation ; seule la dernière "
+    "compte alors"};
+inline constexpr Message<> another_one_here{"another one is here", "une autre est ici"};
+
+// The description of a chart.
+inline constexpr CountedMessage<> count_graphs{{"{} graph", "{} graphe"},
+                                               {"{} graphs", "{} graphes"}};
+inline constexpr CountedMessage<> count_steps{{"{} step", "{} étape"}, {"{} steps", "{} étapes"}};
+inline constexpr CountedMessage<> count_initial_steps{{"{} initial step", "{} étape initiale"},
+                                                      {"{} initial steps", "{} étapes initiales"}};
+/// The same in both languages.
+inline constexpr CountedMessage<> count_transitions{{"{} transition", "{} transition"},
+                                                    {"{} transitions", "{} transitions"}};
+inline constexpr CountedMessage<> count_macro_steps{{"{} macro-step", "{} macro-étape"},
+                                                    {"{} macro-steps", "{} macro-étapes"}};
+inline constexpr CountedMessage<> count_inputs{{"{} input", "{} entrée"},
+                                               {"{} inputs", "{} entrées"}};
+inline constexpr CountedMessage<> count_outputs{{"{} output", "{} sortie"},
+                                                {"{} outputs", "{} sorties"}};
+inline constexpr CountedMessage<> count_vars{{"{} var", "{} variable interne"},
+                                             {"{} vars", "{} variables internes"}};
+inline constexpr CountedMessage<> count_counters{{"{} counter", "{} compteur"},
+                                                 {"{} counters", "{} compteurs"}};
+inline constexpr CountedMessage<> count_edges{{"{} edge", "{} front"}, {"{} edges", "{} fronts"}};
+inline constexpr CountedMessage<> count_time_conditions{
+    {"{} time condition", "{} condition temporelle"},
+    {"{} time conditions", "{} conditions temporelles"}};
+inline constexpr Message<> graphs{"Graphs", "Graphes"};
+inline constexpr Message<std::string, std::string, std::string> graph_line{"{}: {}, {}",
+                                                                           "{} : {}, {}"};
+inline constexpr Message<std::string> steps_line{"steps: {}", "étapes : {}"};
+inline constexpr Message<std::string> transitions_line{"transitions: {}", "transitions : {}"};
+inline constexpr Message<std::string> initial_step{"{} (initial)", "{} (initiale)"};
+inline constexpr Message<std::string, std::size_t> and_more{"{}, … and {} more",
+                                                            "{}, … et {} de plus"};
+inline constexpr Message<> macro_steps{"Macro-steps", "Macro-étapes"};
+/// Macro-step, its graph, the expansion, its entry, its exit, how many steps.
+inline constexpr Message<std::string, std::string, std::string, std::string, std::string,
+                         std::string>
+    macro_step_line{"{} of {}: expansion {}, entry {}, exit {}, {}",
+                    "{} de {} : expansion {}, entrée {}, sortie {}, {}"};
+inline constexpr Message<> enclosing_steps{"Enclosing steps", "Étapes encapsulantes"};
+inline constexpr Message<std::string, std::string, std::string, std::string> enclosure_line{
+    "{} of {} encloses {}, activation links: {}", "{} de {} encapsule {}, liens d'activation : {}"};
+inline constexpr Message<> hierarchy{"Hierarchy of forcing orders and enclosures",
+                                     "Hiérarchie des ordres de forçage et des encapsulations"};
+inline constexpr Message<std::string, std::string> dominance{"{}: {}", "{} : {}"};
+inline constexpr Message<std::string, std::string> further_dominance{"{}; {}", "{} ; {}"};
+inline constexpr Message<std::string> forced_by{"forced by {}", "forçage par {}"};
+inline constexpr Message<std::string> frozen_by{"frozen by {}", "figeage par {}"};
+inline constexpr Message<std::string> enclosed_by{"enclosed by {}", "encapsulation par {}"};
+inline constexpr Message<std::string> shown_above{"{} (shown above)", "{} (voir plus haut)"};
+
+}  // namespace messages::grafcet
 
 }  // namespace grafwire

@@ -3,12 +3,11 @@
 
 #include "grafcet/parse_grafcet.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 
 #include "grafcet/chart_parser.h"
 #include "grafcet/expression_parser.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
 
@@ -16,8 +15,7 @@ namespace {
 
 bool is_readable(const SourceFile& source, Diagnostics& diagnostics) {
     if (source.text.size() >= std::numeric_limits<std::uint32_t>::max()) {
-        diagnostics.error(code::unreadable_file, {},
-                          "the file is larger than 4 GiB; cut the GRAFCET into several");
+        diagnostics.error(code::unreadable_file, {}, messages::grafcet::file_too_large());
         return false;
     }
     return check_utf8(source.text, diagnostics);
@@ -41,8 +39,7 @@ void parse_assumption(const SourceFile& source, Grafcet& grafcet, Diagnostics& d
         if (tokens.at(TokenKind::end)) {
             add_assumption(grafcet, expression, where, diagnostics);
         } else {
-            tokens.fail(fmt::format("expected an operator or the end of the expression, got {}",
-                                    tokens.shown()));
+            tokens.fail_expecting(messages::grafcet::operator_or_end());
         }
     }
     diagnostics.sort_by_place();

@@ -3,14 +3,14 @@
 // names are looked up, and afterwards an output with both is refused, and so is the reading of an
 // output that has no memory (IEC 60848 gives a continuous output no value of its own).
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -75,13 +75,9 @@ class ActionResolver {
         } else if (found != nullptr && (found->variable.kind == VariableKind::var ||
                                         found->variable.kind == VariableKind::counter)) {
             const bool is_var = found->variable.kind == VariableKind::var;
-            checking_.error(
-                code::continuous_on_internal, action.where,
-                fmt::format("continuous action on the {} {}, which changes by stored actions only; "
-                            "write '{}', or declare it as an output",
-                            is_var ? "var" : "counter", checking_.shown(action.name),
-                            is_var ? fmt::format("set {}", draft_.text(action.name))
-                                   : fmt::format("{0} := {0} + 1", draft_.text(action.name))));
+            const auto& message = is_var ? say::continuous_on_var : say::continuous_on_counter;
+            checking_.error(code::continuous_on_internal, action.where,
+                            message(checking_.shown(action.name), draft_.text(action.name)));
         } else {
             report_bad_target(action.name);
         }
@@ -99,24 +95,18 @@ class ActionResolver {
                                        checking_.names.graphs.find(name.substr(1)) != nullptr);
         if (found != nullptr) {
             const bool is_input = found->variable.kind == VariableKind::input;
-            checking_.error(
-                code::assignment_to_input, word.where,
-                fmt::format("{} is {}, which the GRAFCET reads and never writes; name "
-                            "an output, a var or a counter",
-                            checking_.shown(word), is_input ? "an input" : "a control input"));
+            const auto& message = is_input ? say::input_written : say::control_input_written;
+            checking_.error(code::assignment_to_input, word.where, message(checking_.shown(word)));
         } else if (is_step_variable) {
             checking_.error(code::assignment_to_input, word.where,
-                            fmt::format("{} follows the situation and is never written; use a "
-                                        "forcing order to change the situation of a graph",
-                                        checking_.shown(word)));
+                            say::step_variable_written(checking_.shown(word)));
         } else {
-            std::string advice = checking_.suggestions.did_you_mean(name, Meant::written);
-            if (checking_.names.graphs.find(name) != nullptr) {
-                advice = fmt::format("; an order to graph {0} is written {1}{{…}}",
-                                     checking_.shown(word), name);
-            }
+            const Localized shown = checking_.shown(word);
             checking_.error(code::unknown_name, word.where,
-                            fmt::format("unknown output {}{}", checking_.shown(word), advice));
+                            checking_.names.graphs.find(name) != nullptr
+                                ? say::unknown_output_is_graph(shown, name)
+                                : checking_.suggestions.with_nearest(say::unknown_output(shown),
+                                                                     name, Meant::written));
         }
     }
 
@@ -136,9 +126,7 @@ class ActionResolver {
             if (is_counter && write.operation != WriteOperation::assign) {
                 checking_.error(
                     code::not_a_boolean, write.target.where,
-                    fmt::format("{0} is a counter, which is neither set nor reset; "
-                                "write a value, as in {1} := 0",
-                                checking_.shown(write.target), draft_.text(write.target)));
+                    say::counter_set(checking_.shown(write.target), draft_.text(write.target)));
             }
         }
         if (write.operation != WriteOperation::assign) return;
@@ -152,21 +140,19 @@ class ActionResolver {
         const bool is_counter = write.resolved.kind == VariableKind::counter;
         if (is_counter && !write.value.empty()) {
             checking_.error(code::not_a_counter, write.target.where,
-                            fmt::format("{} is a counter; assign a sum of counters and numbers",
-                                        checking_.shown(write.target)));
+                            say::value_of_counter(checking_.shown(write.target)));
         } else if (!is_counter && !write.sum.empty()) {
             checking_.error(code::not_a_boolean, write.target.where,
-                            fmt::format("{} is not a counter; assign a condition",
-                                        checking_.shown(write.target)));
+                            say::value_of_boolean(checking_.shown(write.target)));
         }
     }
 
     void resolve_order(DraftAction& action) {
         if (const auto* graph = find_graph(action.name, code::forcing_unknown_graph)) {
             action.resolved = *graph;
-            resolve_listed(*graph, action.steps, "a forcing order");
+            resolve_listed(*graph, action.steps, say::macro_step_in_order);
         } else {
-            resolve_listed(none, action.steps, "a forcing order");
+            resolve_listed(none, action.steps, say::macro_step_in_order);
         }
     }
 
@@ -174,7 +160,7 @@ class ActionResolver {
         if (const auto* graph = find_graph(enclosure.graph, code::unknown_name)) {
             enclosure.resolved = *graph;
         }
-        resolve_listed(enclosure.resolved, enclosure.links, "an activation link");
+        resolve_listed(enclosure.resolved, enclosure.links, say::macro_step_in_link);
     }
 
     const std::uint32_t* find_graph(const Word& word, Code code) {
@@ -184,34 +170,29 @@ class ActionResolver {
         const bool is_expansion = checking_.names.expansions.find(name) != nullptr;
         checking_.error(code, word.where,
                         is_expansion
-                            ? fmt::format("{} is an expansion; orders and enclosures name graphs",
-                                          checking_.shown(word))
-                            : fmt::format("unknown graph {}{}", checking_.shown(word),
-                                          checking_.suggestions.did_you_mean(name, Meant::graph)));
+                            ? say::expansion_as_graph(checking_.shown(word))
+                            : checking_.suggestions.with_nearest(
+                                  say::unknown_graph(checking_.shown(word)), name, Meant::graph));
         return nullptr;
     }
 
     /// Steps of one graph, those of its expansions included; `graph` is none if it is not known.
-    void resolve_listed(std::uint32_t graph, Range<> list, std::string_view what) {
+    void resolve_listed(std::uint32_t graph, Range<> list, const Message<Localized>& on_macro) {
         resolve_steps(checking_, list, [&](std::uint32_t node, const Word& word) {
             const DraftNode& step = draft_.nodes[node];
             const std::uint32_t root = draft_.blocks[step.block].root;
             if (step.is_macro) {
                 checking_.error(code::macro_not_allowed_here, word.where,
-                                fmt::format("{} is a macro-step; {} names steps, such as the entry "
-                                            "step of its expansion",
-                                            checking_.shown(word), what));
+                                on_macro(checking_.shown(word)));
                 return false;
             }
             if (graph == none || root == none || root == graph) return true;
             checking_
                 .error(code::forcing_foreign_step, word.where,
-                       fmt::format("{} belongs to {}, not to {}; name steps of {}",
-                                   checking_.shown_node(node), checking_.shown_block(root),
-                                   checking_.shown_block(graph),
-                                   checking_.shown(draft_.blocks[graph].name)))
-                .notes.push_back({step.name.where,
-                                  fmt::format("{} is declared here", checking_.shown_node(node))});
+                       say::foreign_step(checking_.shown_node(node), checking_.shown_block(root),
+                                         checking_.shown_block(graph),
+                                         checking_.shown(draft_.blocks[graph].name)))
+                .notes.push_back({step.name.where, say::declared_here(checking_.shown_node(node))});
             return false;
         });
     }
@@ -224,12 +205,10 @@ class ActionResolver {
             checking_
                 .error(code::output_driven_twice,
                        stored_is_later ? *drive->stored : *drive->continuous,
-                       fmt::format("output {} is driven by continuous and by stored actions; use "
-                                   "one kind only",
-                                   checking_.shown(declaration.name)))
-                .notes.push_back({stored_is_later ? *drive->continuous : *drive->stored,
-                                  stored_is_later ? "a continuous action drives it here"
-                                                  : "a stored action drives it here"});
+                       say::output_driven_twice(checking_.shown(declaration.name)))
+                .notes.push_back(
+                    {stored_is_later ? *drive->continuous : *drive->stored,
+                     stored_is_later ? say::continuous_drives_here() : say::stored_drives_here()});
         }
     }
 
@@ -250,17 +229,13 @@ class ActionResolver {
             if (drive.stored) continue;
             if (!drive.continuous) {
                 checking_.error(code::reads_continuous_output, node.word.where,
-                                fmt::format("output {} is read, but no stored action drives it; "
-                                            "only stored outputs can be read",
-                                            checking_.shown(node.word)));
+                                say::undriven_output_read(checking_.shown(node.word)));
                 continue;
             }
             checking_
                 .error(code::reads_continuous_output, node.word.where,
-                       fmt::format("{} is a continuous output, which cannot be read; write its "
-                                   "condition instead",
-                                   checking_.shown(node.word)))
-                .notes.push_back({*drive.continuous, "this continuous action drives it"});
+                       say::continuous_output_read(checking_.shown(node.word)))
+                .notes.push_back({*drive.continuous, say::this_continuous_action()});
         }
     }
 

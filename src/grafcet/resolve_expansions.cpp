@@ -3,12 +3,12 @@
 // recursion and every block is settled once; a path that meets itself is an expansion that would
 // contain itself.
 
-#include <fmt/format.h>
-
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -23,11 +23,9 @@ void join_macro(const Checking& checking, std::uint32_t index) {
         const bool is_graph = checking.names.graphs.find(name) != nullptr;
         checking.error(
             code::unknown_name, word.where,
-            is_graph ? fmt::format("{} is a graph; a macro-step is expanded by an "
-                                   "expansion, declared with 'expansion {} {{ … }}'",
-                                   checking.shown(word), name)
-                     : fmt::format("unknown expansion {}{}", checking.shown(word),
-                                   checking.suggestions.did_you_mean(name, Meant::expansion)));
+            is_graph ? say::expanded_by_graph(checking.shown(word), name)
+                     : checking.suggestions.with_nearest(
+                           say::unknown_expansion(checking.shown(word)), name, Meant::expansion));
         return;
     }
     macro.resolved = *expansion;
@@ -38,10 +36,9 @@ void join_macro(const Checking& checking, std::uint32_t index) {
     }
     checking
         .error(code::expansion_use, word.where,
-               fmt::format("expansion {} expands macro-step {} already; each macro-step needs an "
-                           "expansion of its own",
-                           checking.shown(word), checking.shown(draft.nodes[block.macro].name)))
-        .notes.push_back({draft.nodes[block.macro].name.where, "it is first used here"});
+               say::expansion_used_twice(checking.shown(word),
+                                         checking.shown(draft.nodes[block.macro].name)))
+        .notes.push_back({draft.nodes[block.macro].name.where, say::first_used_here()});
 }
 
 void check_ends(const Checking& checking, std::uint32_t index) {
@@ -58,16 +55,13 @@ void check_ends(const Checking& checking, std::uint32_t index) {
         }
         checking
             .error(code::expansion_entry_exit, node.name.where,
-                   fmt::format("expansion {} has a second {} step; an expansion has exactly one",
-                               checking.shown(block.name), is_entry ? "entry" : "exit"))
-            .notes.push_back({draft.nodes[end].name.where, "the first one is here"});
+                   (is_entry ? say::second_entry : say::second_exit)(checking.shown(block.name)))
+            .notes.push_back({draft.nodes[end].name.where, say::first_one_here()});
     }
     for (const bool is_entry : {true, false}) {
         if ((is_entry ? block.entry : block.exit) == none) {
             checking.error(code::expansion_entry_exit, block.name.where,
-                           fmt::format("expansion {} has no {} step; declare it with '{} {}'",
-                                       checking.shown(block.name), is_entry ? "entry" : "exit",
-                                       is_entry ? "entry" : "exit", is_entry ? "E1" : "S1"));
+                           (is_entry ? say::no_entry : say::no_exit)(checking.shown(block.name)));
         }
     }
 }
@@ -77,16 +71,15 @@ void report_circle(const Checking& checking, const std::vector<std::uint32_t>& p
     std::size_t first = path.size() - 1;
     while (path[first - 1] != path.back()) --first;
     --first;
-    std::string names;
+    std::vector<Localized> names;
     // The path leads outwards; the message tells which expansion contains which.
     for (std::size_t i = path.size(); i-- > first;) {
-        names += fmt::format("{}{}", names.empty() ? "" : " → ",
-                             checking.shown(checking.draft.blocks[path[i]].name));
+        names.push_back(checking.shown(checking.draft.blocks[path[i]].name));
     }
-    checking.error(code::expansion_use, checking.draft.blocks[path.back()].name.where,
-                   fmt::format("expansion {} contains itself ({}); a macro-step must not lead back "
-                               "to an expansion it stands in",
-                               checking.shown(checking.draft.blocks[path.back()].name), names));
+    checking.error(
+        code::expansion_use, checking.draft.blocks[path.back()].name.where,
+        say::expansion_contains_itself(checking.shown(checking.draft.blocks[path.back()].name),
+                                       joined(names, " → ")));
 }
 
 void find_roots(const Checking& checking) {
@@ -133,10 +126,9 @@ void resolve_expansions(const Checking& checking) {
         check_ends(checking, i);
         const std::uint32_t* named = checking.names.expansions.find(draft.text(block.name));
         if (block.macro == none && *named == i) {
-            checking.error(code::expansion_use, block.name.where,
-                           fmt::format("no macro-step uses expansion {}; declare one with 'macro M "
-                                       "= {}', or remove the expansion",
-                                       checking.shown(block.name), draft.text(block.name)));
+            checking.error(
+                code::expansion_use, block.name.where,
+                say::unused_expansion(checking.shown(block.name), draft.text(block.name)));
         }
     }
     find_roots(checking);

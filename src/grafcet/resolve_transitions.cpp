@@ -3,14 +3,15 @@
 // where it is used: a transition condition reads everything, the condition of a continuous action
 // no edge (it would last one scan only), an assumption the inputs alone.
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <utility>
 
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -33,21 +34,17 @@ bool resolve_step_variable(const Checking& checking, std::string_view name, Expr
 
 void report_unknown(const Checking& checking, const Word& word) {
     const std::string_view name = checking.draft.text(word);
-    std::string advice = checking.suggestions.did_you_mean(name, Meant::variable);
+    const Localized shown = checking.shown(word);
+    Localized message;
     if (const auto* node = checking.names.nodes.find(name)) {
-        advice = fmt::format("; the variable of {} is X{}", checking.shown_node(*node), name);
+        message = say::unknown_variable_of(shown, checking.shown_node(*node), name);
     } else if (const auto* graph = checking.names.graphs.find(name)) {
-        advice = fmt::format("; the variable of {} is X{}", checking.shown_block(*graph), name);
+        message = say::unknown_variable_of(shown, checking.shown_block(*graph), name);
+    } else {
+        message =
+            checking.suggestions.with_nearest(say::unknown_variable(shown), name, Meant::variable);
     }
-    checking.error(code::unknown_name, word.where,
-                   fmt::format("unknown variable {}{}", checking.shown(word), advice));
-}
-
-void report_not_plant(const Checking& checking, Location where, const std::string& what) {
-    checking.error(code::not_a_plant_condition, where,
-                   fmt::format("{} in 'assume'; an assumption is about the plant, so it is made of "
-                               "inputs and control inputs, without edges, times and comparisons",
-                               what));
+    checking.error(code::unknown_name, word.where, std::move(message));
 }
 
 void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
@@ -62,22 +59,19 @@ void resolve_variable(const Checking& checking, ExpressionNode& node, Expression
     const bool is_of_plant =
         node.variable == VariableKind::input || node.variable == VariableKind::control;
     if (use == ExpressionUse::assumption && !is_of_plant) {
-        report_not_plant(checking, node.word.where,
-                         fmt::format("{} is no input", checking.shown(node.word)));
+        checking.error(code::not_a_plant_condition, node.word.where,
+                       say::no_input_in_assumption(checking.shown(node.word)));
     } else if (node.variable == VariableKind::counter) {
         checking.error(code::not_a_boolean, node.word.where,
-                       fmt::format("{} is a counter, not a condition; compare it, as in [{} > 0]",
-                                   checking.shown(node.word), name));
+                       say::counter_as_condition(checking.shown(node.word), name));
     }
 }
 
 void check_edge(const Checking& checking, const ExpressionNode& node, ExpressionUse use) {
     if (use == ExpressionUse::assumption) {
-        report_not_plant(checking, node.word.where, "edge");
+        checking.error(code::not_a_plant_condition, node.word.where, say::edge_in_assumption());
     } else if (use == ExpressionUse::condition && !node.inside_time) {
-        checking.error(code::edge_in_condition, node.word.where,
-                       "edge in the condition of a continuous action: it would last one scan only; "
-                       "use a stored action ('set … on ↑…'), or a time condition around the edge");
+        checking.error(code::edge_in_condition, node.word.where, say::edge_in_condition());
     }
 }
 
@@ -92,13 +86,15 @@ void resolve_node(const Checking& checking, ExpressionNode& node, ExpressionUse 
             break;
         case ExprKind::time_condition:
             if (use == ExpressionUse::assumption) {
-                report_not_plant(checking, node.word.where, "time condition");
+                checking.error(code::not_a_plant_condition, node.word.where,
+                               say::time_in_assumption());
             }
             break;
         case ExprKind::comparison: {
             const DraftComparison& comparison = checking.draft.comparisons[node.value];
             if (use == ExpressionUse::assumption) {
-                report_not_plant(checking, node.word.where, "comparison");
+                checking.error(code::not_a_plant_condition, node.word.where,
+                               say::comparison_in_assumption());
                 break;
             }
             resolve_sum(checking, comparison.left);
@@ -114,16 +110,14 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
     resolve_steps(checking, list, [&](std::uint32_t node, const Word& word) {
         const DraftNode& step = checking.draft.nodes[node];
         if (step.block == block) return true;
+        const bool is_expansion = checking.draft.blocks[block].is_expansion;
+        const auto& message =
+            is_expansion ? say::step_of_another_expansion : say::step_of_another_graph;
         checking
-            .error(
-                code::step_of_another_graph, word.where,
-                fmt::format("{} belongs to {}; a transition of {} names steps and macro-steps of "
-                            "that {} only",
-                            checking.shown_node(node), checking.shown_block(step.block),
-                            checking.shown_block(block),
-                            checking.draft.blocks[block].is_expansion ? "expansion" : "graph"))
-            .notes.push_back(
-                {step.name.where, fmt::format("{} is declared here", checking.shown_node(node))});
+            .error(code::step_of_another_graph, word.where,
+                   message(checking.shown_node(node), checking.shown_block(step.block),
+                           checking.shown_block(block)))
+            .notes.push_back({step.name.where, say::declared_here(checking.shown_node(node))});
         return false;
     });
 }
@@ -149,13 +143,12 @@ void resolve_sum(const Checking& checking, Range<> sum) {
             term.counter = found->variable.index;
         } else if (found != nullptr || resolve_step_variable(checking, name, other)) {
             checking.error(code::not_a_counter, term.word.where,
-                           fmt::format("{} is not a counter; only counters and numbers are "
-                                       "compared and added",
-                                       checking.shown(term.word)));
+                           say::not_a_counter(checking.shown(term.word)));
         } else {
-            checking.error(code::unknown_name, term.word.where,
-                           fmt::format("unknown counter {}{}", checking.shown(term.word),
-                                       checking.suggestions.did_you_mean(name, Meant::counter)));
+            checking.error(
+                code::unknown_name, term.word.where,
+                checking.suggestions.with_nearest(say::unknown_counter(checking.shown(term.word)),
+                                                  name, Meant::counter));
         }
     }
 }
@@ -176,9 +169,8 @@ void report_repeated_steps(const Checking& checking, Range<> list) {
         if (draft.word_nodes[places[i - 1]] != draft.word_nodes[places[i]]) continue;
         checking
             .error(code::duplicate_name, draft.words[places[i]].where,
-                   fmt::format("{} is named twice in this list; name it once",
-                               checking.shown_node(draft.word_nodes[places[i]])))
-            .notes.push_back({draft.words[places[i - 1]].where, "it is named here too"});
+                   say::named_twice(checking.shown_node(draft.word_nodes[places[i]])))
+            .notes.push_back({draft.words[places[i - 1]].where, say::named_here_too()});
     }
 }
 
@@ -191,8 +183,7 @@ void resolve_transitions(const Checking& checking) {
             resolve_side(checking, block, transition.following);
             if (transition.preceding.count == 0 && transition.following.count == 0) {
                 checking.error(code::transition_without_step, transition.where,
-                               "this transition has no step before it and none after it; name at "
-                               "least one, as in 1 -> 2");
+                               say::transition_without_step());
             }
             resolve_expression(checking, transition.condition, ExpressionUse::transition);
         }

@@ -1,10 +1,11 @@
 #include "grafcet/token_reader.h"
 
-#include <fmt/format.h>
-
 #include "grafcet/checking.h"
+#include "grafcet/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 TokenReader::TokenReader(std::string_view source, Diagnostics& diagnostics)
     : source_(source), diagnostics_(diagnostics), lexer_(source) {
@@ -17,12 +18,12 @@ bool TokenReader::take_if(TokenKind kind) {
     return true;
 }
 
-bool TokenReader::expect(TokenKind kind, std::string_view expected) {
+bool TokenReader::expect(TokenKind kind, const Message<>& expected) {
     if (take_if(kind)) return true;
-    return fail(fmt::format("expected {}, got {}", expected, shown()));
+    return fail_expecting(expected());
 }
 
-bool TokenReader::parse_name(Name& read, std::string_view what, bool may_be_integer) {
+bool TokenReader::parse_name(Name& read, const Message<>& what, bool may_be_integer) {
     const bool is_name =
         at(TokenKind::word) || at(TokenKind::quoted) || (may_be_integer && at(TokenKind::integer));
     if (is_name && token_.length != 0) {
@@ -31,25 +32,20 @@ bool TokenReader::parse_name(Name& read, std::string_view what, bool may_be_inte
         return true;
     }
     if (is_name) {
-        fail(fmt::format("expected {}, got an empty name", what));
+        fail(say::expected(what(), say::empty_name()));
         take();
         return false;
     }
     if (!reserved_word(token_.kind).empty()) {
-        return fail(
-            fmt::format("expected {}, got '{}', a reserved word; to use it as a name write \"{}\"",
-                        what, text(), text()));
+        return fail(say::reserved_word_as_name(what(), text()));
     }
     if (at(TokenKind::integer) || at(TokenKind::duration)) {
-        return fail(
-            fmt::format("expected {}, got {}; to use it as a name put it between quotation "
-                        "marks",
-                        what, shown()));
+        return fail(say::number_as_name(what(), shown()));
     }
-    return fail(fmt::format("expected {}, got {}", what, shown()));
+    return fail_expecting(what());
 }
 
-bool TokenReader::parse_names(std::vector<Name>& names, std::string_view what,
+bool TokenReader::parse_names(std::vector<Name>& names, const Message<>& what,
                               bool may_be_integer) {
     do {
         Name name;
@@ -64,7 +60,8 @@ bool TokenReader::parse_number(std::int64_t& value) {
     for (const char digit : text()) {
         value = value * 10 + (digit - '0');
         if (value <= largest_number) continue;
-        diagnostics_.error(code::number_too_large, token_.where, number_too_large_message(shown()));
+        diagnostics_.error(code::number_too_large, token_.where,
+                           say::written_number_too_large(shown(), largest_number));
         value = 0;
         break;
     }
@@ -72,13 +69,17 @@ bool TokenReader::parse_number(std::int64_t& value) {
     return true;
 }
 
-std::string TokenReader::shown() const {
+Localized TokenReader::shown() const {
     return token_in_message(source_, token_);
 }
 
-bool TokenReader::fail(std::string message) {
+bool TokenReader::fail(Localized message) {
     diagnostics_.error(code::unexpected_token, token_.where, std::move(message));
     return false;
+}
+
+bool TokenReader::fail_expecting(const Localized& expected) {
+    return fail(say::expected(expected, shown()));
 }
 
 }  // namespace grafwire

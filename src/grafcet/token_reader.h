@@ -28,9 +28,9 @@ class TokenReader {
     }
     void take() { token_ = lexer_.next(&diagnostics_); }
     bool take_if(TokenKind kind);
-    bool expect(TokenKind kind, std::string_view expected);
-    bool parse_name(Name& name, std::string_view what, bool may_be_integer);
-    bool parse_names(std::vector<Name>& names, std::string_view what, bool may_be_integer);
+    bool expect(TokenKind kind, const Message<>& expected);
+    bool parse_name(Name& name, const Message<>& what, bool may_be_integer);
+    bool parse_names(std::vector<Name>& names, const Message<>& what, bool may_be_integer);
     /// Expects a token of digits. A number that is too large is reported and read as 0.
     bool parse_number(std::int64_t& value);
 
@@ -38,9 +38,10 @@ class TokenReader {
     /// The text of the token.
     std::string_view text() const { return source_.substr(token_.offset, token_.length); }
     /// The token as it is shown in messages.
-    std::string shown() const;
+    Localized shown() const;
     /// Reports an unexpected token.
-    bool fail(std::string message);
+    bool fail(Localized message);
+    bool fail_expecting(const Localized& expected);
 
   private:
     std::string_view source_;

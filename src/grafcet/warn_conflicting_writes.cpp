@@ -20,7 +20,6 @@
 
 #include "grafcet/messages.h"
 #include "grafcet/warnings.h"
-#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -179,10 +178,9 @@ class ConflictSearch {
         const Site& earlier = sites_[b_is_later ? a : b];
         diagnostics
             .warning(code::conflicting_writes, later.where,
-                     fmt::format("several stored actions may write {} in the same scan; only the "
-                                 "last of them then counts",
-                                 in_quotes(variable_name(grafcet_, later.target))))
-            .notes.push_back({earlier.where, "another one is here"});
+                     messages::grafcet::conflicting_writes(
+                         quoted(variable_name(grafcet_, later.target))))
+            .notes.push_back({earlier.where, messages::grafcet::another_one_here()});
     }
 
     const Grafcet& grafcet_;

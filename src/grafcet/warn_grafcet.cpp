@@ -9,9 +9,10 @@
 
 #include "grafcet/messages.h"
 #include "grafcet/warnings.h"
-#include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -126,30 +127,23 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
         if (!without_start[i]) continue;
         const Graph& graph = grafcet.graphs.items()[i];
         diagnostics.warning(code::graph_without_start, grafcet.blocks[graph.block].where,
-                            fmt::format("graph {} has no initial step and nothing forces it, so it "
-                                        "never becomes active; make a step initial",
-                                        in_quotes(graph.name)));
+                            say::graph_without_start(quoted(graph.name)));
     }
     const Reachability reachability(grafcet, constants);
     for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
         const Step& step = grafcet.steps.items()[i];
         if (reachability.is_reached(i) || without_start[index_of(step.graph)]) continue;
-        diagnostics.warning(
-            code::unreachable_step, step.where,
-            fmt::format("nothing can activate step {}: it is not initial, and no transition, "
-                        "forcing order or activation link that can come about leads to it",
-                        in_quotes(step.name)));
+        diagnostics.warning(code::unreachable_step, step.where,
+                            say::unreachable_step(quoted(step.name)));
     }
 }
 
-void warn_receptivities(const Grafcet& grafcet, const ConstantExpressions& constants,
-                        Diagnostics& diagnostics) {
+void warn_conditions(const Grafcet& grafcet, const ConstantExpressions& constants,
+                     Diagnostics& diagnostics) {
     for (const Transition& transition : grafcet.transitions) {
         if (constants.is_never_true(transition.condition)) {
             diagnostics.warning(code::constant_receptivity, transition.where,
-                                fmt::format("the receptivity of transition {} is constantly 0, so "
-                                            "it is never cleared",
-                                            in_quotes(transition.name)));
+                                say::constant_receptivity(quoted(transition.name)));
         }
     }
 }
@@ -173,10 +167,7 @@ void warn_events(const Grafcet& grafcet, Diagnostics& diagnostics) {
     for (const Action& action : grafcet.actions) {
         if (action.kind != ActionKind::stored || action.trigger != Trigger::event) continue;
         if (has_edge[index_of(action.expression)]) continue;
-        diagnostics.warning(
-            code::event_without_edge, action.where,
-            "the event after 'on' has no edge, so this action runs at every scan in which it is 1; "
-            "write ↑ or ↓ before what should happen");
+        diagnostics.warning(code::event_without_edge, action.where, say::event_without_edge());
     }
 }
 
@@ -214,19 +205,18 @@ void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
     }
     for (const ClearingAction& action : grafcet.clearing_actions) use(action.write.target);
 
-    const auto warn = [&](std::string_view what, const auto& items, VariableKind kind) {
+    const auto warn = [&](const Message<Localized>& message, const auto& items, VariableKind kind) {
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (!used[static_cast<std::size_t>(kind)][i]) {
                 diagnostics.warning(code::unused_name, items.items()[i].where,
-                                    fmt::format("{} {} is declared and never used", what,
-                                                in_quotes(items.items()[i].name)));
+                                    message(quoted(items.items()[i].name)));
             }
         }
     };
-    warn("input", grafcet.inputs, VariableKind::input);
-    warn("output", grafcet.outputs, VariableKind::output);
-    warn("var", grafcet.vars, VariableKind::var);
-    warn("counter", grafcet.counters, VariableKind::counter);
+    warn(say::input_unused, grafcet.inputs, VariableKind::input);
+    warn(say::output_unused, grafcet.outputs, VariableKind::output);
+    warn(say::var_unused, grafcet.vars, VariableKind::var);
+    warn(say::counter_unused, grafcet.counters, VariableKind::counter);
 }
 
 }  // namespace
@@ -234,7 +224,7 @@ void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
 void warn_about(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const ConstantExpressions constants(grafcet);
     warn_steps(grafcet, constants, diagnostics);
-    warn_receptivities(grafcet, constants, diagnostics);
+    warn_conditions(grafcet, constants, diagnostics);
     warn_events(grafcet, diagnostics);
     warn_unused_names(grafcet, diagnostics);
     warn_conflicting_writes(grafcet, diagnostics);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "netlist/messages.h"
+
 namespace grafwire {
 
 enum class CellType : std::uint8_t {
@@ -33,8 +35,7 @@ enum class CellType : std::uint8_t {
 struct CellTypeRow {
     CellType type;
     std::string_view name;  ///< in netlist texts and file formats: `and`, `nand`, `latch`, …
-    std::string_view description;  ///< in messages: "AND gate"
-    std::string_view french;       ///< in French reports: "porte ET"
+    Message<> description;  ///< for people: "AND gate", "porte ET"
     std::uint32_t min_pins;
     std::uint32_t max_pins;  ///< any_number: no bound
     bool has_memory;         ///< keeps a value of its own and has an initial value
@@ -45,29 +46,24 @@ struct CellTypeRow {
 inline constexpr std::uint32_t any_number = 0xffffffffU;
 
 inline constexpr std::array<CellTypeRow, 17> cell_table{{
-    {CellType::low, "low", "constant 0", "constante 0", 0, 0, false, false, false},
-    {CellType::high, "high", "constant 1", "constante 1", 0, 0, false, false, false},
-    {CellType::buffer, "buf", "buffer", "porte OUI", 1, 1, false, false, false},
-    {CellType::inverter, "not", "NOT gate", "porte NON", 1, 1, false, false, false},
-    {CellType::and_gate, "and", "AND gate", "porte ET", 1, any_number, false, false, false},
-    {CellType::or_gate, "or", "OR gate", "porte OU", 1, any_number, false, false, false},
-    {CellType::nand_gate, "nand", "NAND gate", "porte NON-ET", 1, any_number, false, false, false},
-    {CellType::nor_gate, "nor", "NOR gate", "porte NON-OU", 1, any_number, false, false, false},
-    {CellType::xor_gate, "xor", "XOR gate", "porte OU exclusif", 1, any_number, false, false,
-     false},
-    {CellType::latch, "latch", "set-priority latch", "bascule RS", 2, 2, true, false, false},
-    {CellType::hold_latch, "hold", "hold latch", "bascule D à verrouillage", 2, 2, true, false,
-     false},
-    {CellType::rise_pulse, "rise_pulse", "rising-edge pulse cell", "cellule de front montant", 1, 1,
-     false, true, false},
-    {CellType::fall_pulse, "fall_pulse", "falling-edge pulse cell", "cellule de front descendant",
-     1, 1, false, true, false},
-    {CellType::timer, "timer", "timer", "temporisateur", 1, 1, true, true, false},
-    {CellType::flip_flop, "dff", "D flip-flop", "bascule D", 2, 2, true, false, true},
-    {CellType::scan_timer, "scan_timer", "clocked timer", "temporisateur synchrone", 2, 2, true,
-     true, true},
-    {CellType::scan_timer_next, "scan_timer_next", "look-ahead of a clocked timer",
-     "anticipation de temporisateur synchrone", 3, 3, false, true, true},
+    {CellType::low, "low", messages::netlist::constant_0, 0, 0, false, false, false},
+    {CellType::high, "high", messages::netlist::constant_1, 0, 0, false, false, false},
+    {CellType::buffer, "buf", messages::netlist::buffer, 1, 1, false, false, false},
+    {CellType::inverter, "not", messages::netlist::not_gate, 1, 1, false, false, false},
+    {CellType::and_gate, "and", messages::netlist::and_gate, 1, any_number, false, false, false},
+    {CellType::or_gate, "or", messages::netlist::or_gate, 1, any_number, false, false, false},
+    {CellType::nand_gate, "nand", messages::netlist::nand_gate, 1, any_number, false, false, false},
+    {CellType::nor_gate, "nor", messages::netlist::nor_gate, 1, any_number, false, false, false},
+    {CellType::xor_gate, "xor", messages::netlist::xor_gate, 1, any_number, false, false, false},
+    {CellType::latch, "latch", messages::netlist::latch, 2, 2, true, false, false},
+    {CellType::hold_latch, "hold", messages::netlist::hold_latch, 2, 2, true, false, false},
+    {CellType::rise_pulse, "rise_pulse", messages::netlist::rise_pulse, 1, 1, false, true, false},
+    {CellType::fall_pulse, "fall_pulse", messages::netlist::fall_pulse, 1, 1, false, true, false},
+    {CellType::timer, "timer", messages::netlist::timer, 1, 1, true, true, false},
+    {CellType::flip_flop, "dff", messages::netlist::flip_flop, 2, 2, true, false, true},
+    {CellType::scan_timer, "scan_timer", messages::netlist::clocked_timer, 2, 2, true, true, true},
+    {CellType::scan_timer_next, "scan_timer_next", messages::netlist::clocked_timer_next, 3, 3,
+     false, true, true},
 }};
 
 constexpr const CellTypeRow& row_of(CellType type) {

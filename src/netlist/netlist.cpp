@@ -109,41 +109,39 @@ std::string fault_of(const Netlist& netlist) {
 
 namespace {
 
-/// " of step 7" in the language of the report.
-std::string origin_text(const Origin& origin, Language language) {
-    struct Words {
-        std::string_view english;
-        std::string_view french;
-    };
-    // In the order of Origin::Kind.
-    constexpr Words words[] = {
-        {"", ""},
-        {"input ", "l'entrée "},
-        {"step ", "l'étape "},
-        {"transition ", "la transition "},
-        {"output ", "la sortie "},
-        {"var ", "la variable "},
-        {"counter ", "le compteur "},
-        {"graph ", "le graphe "},
-        {"edge ", "le front "},
-        {"time condition ", "la condition de temps "},
-    };
-    if (origin.kind == Origin::Kind::other) return {};
-    const Words& word = words[static_cast<std::size_t>(origin.kind)];
-    if (language == Language::english) return fmt::format(" of {}{}", word.english, origin.name);
-    if (word.french.starts_with("le ")) {
-        return fmt::format(" du {}{}", word.french.substr(3), origin.name);
+/// The message that names a cell with what it was made for.
+const Message<std::string, std::string>& cell_made_for(Origin::Kind kind) {
+    switch (kind) {
+        case Origin::Kind::input:
+            return messages::netlist::cell_of_input;
+        case Origin::Kind::step:
+            return messages::netlist::cell_of_step;
+        case Origin::Kind::transition:
+            return messages::netlist::cell_of_transition;
+        case Origin::Kind::output:
+            return messages::netlist::cell_of_output;
+        case Origin::Kind::var:
+            return messages::netlist::cell_of_var;
+        case Origin::Kind::counter:
+            return messages::netlist::cell_of_counter;
+        case Origin::Kind::graph:
+            return messages::netlist::cell_of_graph;
+        case Origin::Kind::edge:
+            return messages::netlist::cell_of_edge;
+        default:
+            return messages::netlist::cell_of_time_condition;
     }
-    return fmt::format(" de {}{}", word.french, origin.name);
 }
 
 }  // namespace
 
 std::string cell_description(const Netlist& netlist, CellId id, Language language) {
     const Cell& cell = netlist.cells[id];
-    const CellTypeRow& row = row_of(cell.type);
-    return fmt::format("{} {}{}", language == Language::french ? row.french : row.description,
-                       netlist.names[cell.output], origin_text(netlist.origin_of(cell), language));
+    const std::string named = messages::netlist::cell.in(
+        language, row_of(cell.type).description.in(language), netlist.names[cell.output]);
+    const Origin& origin = netlist.origin_of(cell);
+    if (origin.kind == Origin::Kind::other) return named;
+    return cell_made_for(origin.kind).in(language, named, origin.name);
 }
 
 std::string write_netlist_text(const Netlist& netlist) {

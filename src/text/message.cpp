@@ -1,5 +1,8 @@
 #include "text/message.h"
 
+#include "text/messages.h"
+#include "text/utf8.h"
+
 namespace grafwire {
 
 // Not in the header: g++ 12 sees writes beyond strings that are not there where these are inlined
@@ -11,5 +14,20 @@ Localized::Localized(std::string in_english, std::string in_french)
 Localized::Localized(std::string in_both) : english(in_both), french(std::move(in_both)) {}
 
 Localized::Localized(const char* in_both) : english(in_both), french(in_both) {}
+
+Localized quoted(std::string_view name) {
+    return messages::text::quoted_name(shortened(name));
+}
+
+Localized joined(const std::vector<Localized>& texts, std::string_view separator) {
+    Localized result;
+    for (const Localized& text : texts) {
+        for (const auto part : {&Localized::english, &Localized::french}) {
+            if (&text != &texts.front()) result.*part += separator;
+            result.*part += text.*part;
+        }
+    }
+    return result;
+}
 
 }  // namespace grafwire

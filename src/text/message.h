@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "text/language.h"
 
@@ -31,6 +32,12 @@ struct Localized {
         return language == Language::french ? french : english;
     }
 };
+
+/// A name as it is quoted in a message, a long one cut short with an ellipsis: 'name', « nom ».
+Localized quoted(std::string_view name);
+
+/// The texts one after the other, with the separator between them.
+Localized joined(const std::vector<Localized>& texts, std::string_view separator);
 
 /// How an argument of a message enters its sentence: as it is, or in the language of the sentence.
 template <class Argument>

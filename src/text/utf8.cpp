@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "text/diagnostics.h"
+#include "text/messages.h"
 
 namespace grafwire {
 
@@ -96,11 +97,10 @@ std::string visible(std::string_view text, std::string_view kept) {
     return out;
 }
 
-std::string control_in_name_message(std::string_view name) {
+Localized control_in_name_message(std::string_view name) {
     const char32_t c = decode_utf8(name, find_control(name)).value;
-    return fmt::format(
-        "{} holds the control character U+{:04X}, which no name or title may hold; remove it",
-        in_quotes(visible(name, {})), static_cast<std::uint32_t>(c));
+    return messages::text::control_in_name(quoted(visible(name, {})),
+                                           static_cast<std::uint32_t>(c));
 }
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -137,9 +137,7 @@ bool check_utf8(std::string_view text, Diagnostics& diagnostics) {
         const auto column =
             static_cast<std::uint32_t>(count_code_points(text.substr(line_start, at - line_start)));
         diagnostics.error(code::not_utf8, {line, column + 1},
-                          fmt::format("the byte 0x{:02X} is not UTF-8 here; save the file in the "
-                                      "encoding UTF-8",
-                                      static_cast<unsigned>(code_point.value)));
+                          messages::text::not_utf8(static_cast<std::uint32_t>(code_point.value)));
         return false;
     }
     return true;

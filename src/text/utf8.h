@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/message.h"
+
 namespace grafwire {
 
 struct CodePoint {
@@ -36,7 +38,7 @@ std::size_t find_control(std::string_view text);
 std::string visible(std::string_view text, std::string_view kept = "\t");
 
 /// What is said of a name that holds a control character: which one, and that it cannot stay.
-std::string control_in_name_message(std::string_view name);
+Localized control_in_name_message(std::string_view name);
 
 /// The text, cut short with an ellipsis where it has more than `most` characters; 60 is what a
 /// message shows of a name.

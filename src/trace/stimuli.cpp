@@ -4,17 +4,18 @@
 
 #include "trace/stimuli.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <unordered_map>
 
 #include "grafcet/lexer.h"
+#include "text/messages.h"
 #include "text/utf8.h"
 #include "trace/line_cursor.h"
 #include "trace/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::trace;
 
 namespace {
 
@@ -34,15 +35,14 @@ class StimuliReader {
         const Location where = cursor.here();
         read_time(cursor);
         if (end_at_.is_known() && !reported_after_end_) {
-            error(code::time_order, where, "nothing may follow the line that says 'end'")
-                .notes.push_back({end_at_, "'end' is here"});
+            error(code::time_order, where, say::line_after_end())
+                .notes.push_back({end_at_, say::end_here()});
             reported_after_end_ = true;
         }
         last_line_ = where;
         cursor.skip_blanks();
         if (!cursor.skip_if(':')) {
-            error(code::unexpected_token, cursor.here(),
-                  "expected ':' between the time and the assignments");
+            error(code::unexpected_token, cursor.here(), say::colon_missing());
             return;
         }
         cursor.skip_blanks();
@@ -59,7 +59,7 @@ class StimuliReader {
     }
 
   private:
-    Diagnostic& error(Code code, Location where, std::string message) {
+    Diagnostic& error(Code code, Location where, Localized message) {
         return diagnostics_.error(code, where, std::move(message));
     }
 
@@ -73,30 +73,23 @@ class StimuliReader {
         const bool is_finer = text.size() > 1 && text.back() == 's' &&
                               (text[text.size() - 2] == 'n' || text[text.size() - 2] == 'p');
         if (!time || is_finer) {
-            error(
-                code::bad_time, where,
-                fmt::format("expected a time such as '100ms', '1.5s' or '+50ms' (units us, ms, s, "
-                            "min, h; at most 106 days){}",
-                            text.empty() ? "" : ", got " + in_quotes(text)));
+            error(code::bad_time, where,
+                  text.empty() ? say::no_time() : say::bad_time(quoted(text)));
             return;
         }
         if (is_relative && !last_line_.is_known()) {
-            error(code::bad_time, where,
-                  "a time with '+' counts from the line before, and there is none: leave out the "
-                  "'+'");
+            error(code::bad_time, where, say::relative_first_line());
             return;
         }
         const Time at = is_relative ? add_times(now_, *time) : *time;
         if (at == never) {
-            error(code::bad_time, where, "the time is beyond the range of 106 days");
+            error(code::bad_time, where, say::time_out_of_range());
             return;
         }
         if (at < now_) {
             error(code::time_order, where,
-                  fmt::format("{} comes before {}, the time of an earlier line: lines stand in the "
-                              "order of time",
-                              format_duration(at), format_duration(now_)))
-                .notes.push_back({now_at_, "that line is here"});
+                  say::time_order(format_duration(at), format_duration(now_)))
+                .notes.push_back({now_at_, say::that_line_here()});
             return;
         }
         now_ = at;
@@ -115,7 +108,7 @@ class StimuliReader {
         cursor.skip(3);
         cursor.skip_blanks();
         if (!cursor.at_end()) {
-            error(code::unexpected_token, cursor.here(), "nothing may stand behind 'end'");
+            error(code::unexpected_token, cursor.here(), say::text_behind_end());
         }
         if (!end_at_.is_known()) end_at_ = where;
     }
@@ -140,8 +133,7 @@ class StimuliReader {
         const std::optional<std::uint32_t> input = find_input(*name, where);
         cursor.skip_blanks();
         if (!cursor.skip_if('=')) {
-            error(code::unexpected_token, cursor.here(),
-                  fmt::format("expected '=' and 0 or 1 after {}", in_quotes(*name)));
+            error(code::unexpected_token, cursor.here(), say::no_assignment(quoted(*name)));
             return false;
         }
         cursor.skip_blanks();
@@ -149,8 +141,8 @@ class StimuliReader {
         const std::string_view value = cursor.take_until_blank();
         if (value != "0" && value != "1") {
             error(code::bad_value, value_at,
-                  fmt::format("expected 0 or 1 for {}{}; assignments are separated by white space",
-                              in_quotes(*name), value.empty() ? "" : ", got " + in_quotes(value)));
+                  value.empty() ? say::no_value(quoted(*name))
+                                : say::bad_value(quoted(*name), quoted(value)));
             return true;
         }
         if (input) assign(*input, value == "1");
@@ -163,7 +155,7 @@ class StimuliReader {
             const std::string_view rest = cursor.rest();
             const std::size_t length = rest.find('"');
             if (length == std::string_view::npos) {
-                error(code::unterminated_text, where, "the quoted name is not ended on its line");
+                error(code::unterminated_text, where, say::unterminated_name());
                 cursor.skip(rest.size());
                 return std::nullopt;
             }
@@ -172,16 +164,11 @@ class StimuliReader {
         }
         const std::string_view name = cursor.take_word();
         if (name.empty()) {
-            error(code::unexpected_character, where,
-                  "expected the name of an input (quoted, if it holds other characters than "
-                  "letters, digits and '_')");
+            error(code::unexpected_character, where, say::no_input_name());
             return std::nullopt;
         }
         if (!is_letter(decode_utf8(name, 0).value)) {
-            error(code::unexpected_token, where,
-                  fmt::format("expected the name of an input, got {} (a name that begins with no "
-                              "letter is quoted)",
-                              in_quotes(name)));
+            error(code::unexpected_token, where, say::bad_input_name(quoted(name)));
             return std::nullopt;
         }
         return name;
@@ -190,11 +177,10 @@ class StimuliReader {
     std::optional<std::uint32_t> find_input(std::string_view name, Location where) {
         const auto found = inputs_.find(name);
         if (found != inputs_.end()) return found->second;
-        std::string message =
-            fmt::format("{} is not an input of the GRAFCET nor a control input", in_quotes(name));
+        Localized message = say::unknown_input(quoted(name));
         const std::string_view nearest = suggestion(name);
         if (!nearest.empty()) {
-            message += fmt::format("; did you mean {}?", in_quotes(nearest));
+            message = messages::text::did_you_mean(message, quoted(nearest));
         }
         error(code::unknown_name, where, std::move(message));
         return std::nullopt;

@@ -7,11 +7,20 @@
 
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
+#include "support/french.h"
 
 namespace grafwire::testing {
 
-/// Every message of a text: `line:column error: message`, notes behind `; note line:column: `, each
-/// diagnostic on a line of its own.
+/// That a message has been translated. Every chart that a test breaks comes by here.
+inline void check_french(const Localized& message) {
+    CAPTURE(message.english);
+    CHECK(message.french != message.english);
+    CHECK_MESSAGE(english_word_in(message.french) == "", message.french);
+    CHECK_MESSAGE(wrong_mark_in(message.french) == "", message.french);
+}
+
+/// Every message of a text in English: `line:column error: message`, notes behind `; note
+/// line:column: `, each diagnostic on a line of its own. The French is checked on the way.
 inline std::string messages_of(const Diagnostics& diagnostics) {
     std::string result;
     const auto place = [](Location where) {
@@ -21,8 +30,11 @@ inline std::string messages_of(const Diagnostics& diagnostics) {
         result += place(item.where);
         result += item.severity == Severity::error ? " error: " : " warning: ";
         result += item.message.english + "\n";
-        for (const Diagnostic::Note& note : item.notes)
+        check_french(item.message);
+        for (const Diagnostic::Note& note : item.notes) {
             result += "  " + place(note.where) + " note: " + note.message.english + "\n";
+            check_french(note.message);
+        }
     }
     return result;
 }

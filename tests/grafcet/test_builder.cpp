@@ -76,7 +76,7 @@ struct SmallChart {
         Diagnostics only;
         for (const Diagnostic& item : diagnostics.items()) {
             if (item.severity != Severity::error) continue;
-            only.error(item.code, item.where, item.message.english).notes = item.notes;
+            only.error(item.code, item.where, item.message).notes = item.notes;
         }
         return messages_of(only);
     }
@@ -322,9 +322,9 @@ TEST_CASE("names that cannot be written") {
     chart.builder.set_name("", "a\nb");
     chart.builder.add_input({"", {10, 1}});
     chart.builder.add_step(chart.graph, {"5\"", {11, 1}});
-    CHECK(chart.errors() ==
-          "0:0 error: the GRAFCET has no name\n0:0 error: " + control_in_name_message("a\nb") +
-              R"(
+    CHECK(chart.errors() == "0:0 error: the GRAFCET has no name\n0:0 error: " +
+                                control_in_name_message("a\nb").english +
+                                R"(
 10:1 error: a variable has no name
 11:1 error: the name '5"' holds a quotation mark, and no name may
 )");
@@ -353,7 +353,7 @@ TEST_CASE("parts that are missing") {
 
 TEST_CASE("what a reader has refused itself is not refused again") {
     SmallChart chart;
-    chart.diagnostics.error(code::unexpected_token, {9, 9}, "not understood");
+    chart.diagnostics.error(code::unexpected_token, {9, 9}, {"not understood", "non compris"});
     chart.builder.add_transition(chart.graph, transition({{"0", {}}}, {}, {}, {10, 1}));
     chart.builder.add_graph({"", {11, 1}});
     chart.builder.add_macro(chart.graph, {"M", {12, 1}}, std::nullopt);

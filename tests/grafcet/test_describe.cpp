@@ -70,31 +70,31 @@ TEST_CASE("a description in French") {
   1 front, 1 condition temporelle
 
 Graphes
-  Top : 3 étapes, 3 transitions
-    étapes : 0 (initiale), 1, 2
-    transitions : 0, 1, 2
-  Mid : 3 étapes, 3 transitions
-    étapes : 10 (initiale), E, S
-    transitions : 3, 4, 8
-  Low : 2 étapes, 2 transitions
-    étapes : 20 (initiale), "a b"
-    transitions : 5, back
-  In : 1 étape, 1 transition
-    étapes : 30
-    transitions : 7
+  Top : 3 étapes, 3 transitions
+    étapes : 0 (initiale), 1, 2
+    transitions : 0, 1, 2
+  Mid : 3 étapes, 3 transitions
+    étapes : 10 (initiale), E, S
+    transitions : 3, 4, 8
+  Low : 2 étapes, 2 transitions
+    étapes : 20 (initiale), "a b"
+    transitions : 5, back
+  In : 1 étape, 1 transition
+    étapes : 30
+    transitions : 7
 
 Macro-étapes
-  M de Mid : expansion cycle, entrée E, sortie S, 2 étapes
+  M de Mid : expansion cycle, entrée E, sortie S, 2 étapes
 
 Étapes encapsulantes
-  1 de Top encapsule In, liens d'activation : 30
+  1 de Top encapsule In, liens d'activation : 30
 
 Hiérarchie des ordres de forçage et des encapsulations
   Top
-    Mid : forçage par 0 {} ; figeage par 1
-      Low : forçage par 10 {INIT}
-    Low : forçage par 0 {}, 1 {20, "a b"} ; figeage par 2
-    In : encapsulation par 1
+    Mid : forçage par 0 {} ; figeage par 1
+      Low : forçage par 10 {INIT}
+    Low : forçage par 0 {}, 1 {20, "a b"} ; figeage par 2
+    In : encapsulation par 1
 )");
 }
 

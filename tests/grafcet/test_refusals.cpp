@@ -544,3 +544,37 @@ TEST_CASE("each refusal has its code") {
     CHECK(gives_only("assume ↑Init", code::not_a_plant_condition));
     CHECK(gives_only("input a # \xe9", code::not_utf8));
 }
+
+TEST_CASE("refusals in French") {
+    const SourceFile source{"test", R"(
+input start
+output lamp
+graph G {
+  initial 1 : lampe
+  step 2 : G{1}
+  1 -> 2 : start . )
+  2 -> 1 : start
+}
+graph "H 1" { step 2 2 -> 1 : 1 }
+)"};
+    Diagnostics diagnostics;
+    CHECK_FALSE(parse_grafcet(source, diagnostics));
+    std::string shown;
+    for (const Diagnostic& item : diagnostics.items()) {
+        shown += item.message.french + "\n";
+        for (const Diagnostic::Note& note : item.notes) shown += "  " + note.message.french + "\n";
+    }
+    CHECK(shown ==
+          R"(la sortie « lampe » est inconnue ; vouliez-vous dire « lamp » ?
+l'étape « 2 » force son propre graphe « G » ; on ne peut forcer ou encapsuler qu'un autre graphe
+on attend ici une condition et non « ) »
+l'étape « 2 » existe déjà ; un nom d'étape est unique dans tout le fichier, renommez donc l'une des deux
+  la première déclaration est ici
+l'étape « 2 » est dans le graphe « G » ; une transition placée dans le graphe « H 1 » ne nomme que des étapes et des macro-étapes de ce graphe
+  la déclaration est ici : l'étape « 2 »
+l'étape « 1 » est dans le graphe « G » ; une transition placée dans le graphe « H 1 » ne nomme que des étapes et des macro-étapes de ce graphe
+  la déclaration est ici : l'étape « 1 »
+)");
+    CHECK(format_diagnostics(diagnostics, source, Language::french)
+              .starts_with("test:5:15: erreur: la sortie « lampe » est inconnue"));
+}

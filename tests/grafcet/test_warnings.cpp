@@ -31,7 +31,7 @@ graph G {
 8:8 warning: nothing can activate step '5': it is not initial, and no transition, forcing order or activation link that can come about leads to it
 9:8 warning: nothing can activate step '6': it is not initial, and no transition, forcing order or activation link that can come about leads to it
 10:8 warning: nothing can activate step '7': it is not initial, and no transition, forcing order or activation link that can come about leads to it
-15:3 warning: the receptivity of transition '4' is constantly 0, so it is never cleared
+15:3 warning: the transition condition of transition '4' is constantly 0, so it is never cleared
 )");
 }
 
@@ -86,17 +86,17 @@ graph G {
   (first) 1 -> 1 : 1
   (last) 1 -> 1 : 0 . a
 }
-)") == R"(6:3 warning: the receptivity of transition '0' is constantly 0, so it is never cleared
-7:3 warning: the receptivity of transition '1' is constantly 0, so it is never cleared
-8:3 warning: the receptivity of transition '2' is constantly 0, so it is never cleared
-9:3 warning: the receptivity of transition '3' is constantly 0, so it is never cleared
-10:3 warning: the receptivity of transition '4' is constantly 0, so it is never cleared
-11:3 warning: the receptivity of transition '5' is constantly 0, so it is never cleared
-12:3 warning: the receptivity of transition '6' is constantly 0, so it is never cleared
-13:3 warning: the receptivity of transition '7' is constantly 0, so it is never cleared
-14:3 warning: the receptivity of transition '8' is constantly 0, so it is never cleared
-15:3 warning: the receptivity of transition '9' is constantly 0, so it is never cleared
-20:3 warning: the receptivity of transition 'last' is constantly 0, so it is never cleared
+)") == R"(6:3 warning: the transition condition of transition '0' is constantly 0, so it is never cleared
+7:3 warning: the transition condition of transition '1' is constantly 0, so it is never cleared
+8:3 warning: the transition condition of transition '2' is constantly 0, so it is never cleared
+9:3 warning: the transition condition of transition '3' is constantly 0, so it is never cleared
+10:3 warning: the transition condition of transition '4' is constantly 0, so it is never cleared
+11:3 warning: the transition condition of transition '5' is constantly 0, so it is never cleared
+12:3 warning: the transition condition of transition '6' is constantly 0, so it is never cleared
+13:3 warning: the transition condition of transition '7' is constantly 0, so it is never cleared
+14:3 warning: the transition condition of transition '8' is constantly 0, so it is never cleared
+15:3 warning: the transition condition of transition '9' is constantly 0, so it is never cleared
+20:3 warning: the transition condition of transition 'last' is constantly 0, so it is never cleared
 )");
 }
 

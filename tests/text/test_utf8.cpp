@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "text/diagnostics.h"
 #include "text/utf8.h"
@@ -62,7 +63,7 @@ TEST_CASE("control characters are found, and made visible") {
     }
     CHECK(visible("a\tb\nc\xff") == "a\tb\ufffdc\ufffd");
     CHECK(visible("a\tb\nc", "\t\n") == "a\tb\nc");
-    CHECK(control_in_name_message("a\x1b").starts_with(
+    CHECK(control_in_name_message("a\x1b").english.starts_with(
         "'a\ufffd' holds the control character U+001B, "));
 }
 
@@ -72,4 +73,13 @@ TEST_CASE("long names are cut in messages") {
     for (int i = 0; i < 60; ++i) sixty += "é";
     CHECK(in_quotes(sixty) == "'" + sixty + "'");
     CHECK(in_quotes(sixty + "é") == "'" + sixty + "…'");
+    CHECK(quoted(sixty + "é").english == "'" + sixty + "…'");
+    CHECK(quoted(sixty + "é").french == "«\u00a0" + sixty + "…\u00a0»");
+}
+
+TEST_CASE("lists of texts are joined in both languages") {
+    const std::vector<Localized> texts = {quoted("a"), quoted("b")};
+    CHECK(joined(texts, ", ").english == "'a', 'b'");
+    CHECK(joined(texts, ", ").french == "«\u00a0a\u00a0», «\u00a0b\u00a0»");
+    CHECK(joined({}, ", ").english.empty());
 }

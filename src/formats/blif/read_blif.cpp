@@ -251,15 +251,15 @@ void BlifReader::read_black_box(const Words& words) {
         if (equals == std::string_view::npos || (!is_output && pin == names.end())) {
             return refuse(words[i].where,
                           fmt::format("{} is not a connection of a {}", in_quotes(words[i].text),
-                                      row_of(*type).description));
+                                      row_of(*type).description.in(Language::english)));
         }
         const NetId actual = net({words[i].text.substr(equals + 1), words[i].where});
         (is_output ? box.output : box.pins[static_cast<std::size_t>(pin - names.begin())]) = actual;
     }
     if (box.output == no_net ||
         std::find(box.pins.begin(), box.pins.end(), no_net) != box.pins.end()) {
-        return refuse(words[0].where,
-                      fmt::format("a connection of this {} is missing", row_of(*type).description));
+        return refuse(words[0].where, fmt::format("a connection of this {} is missing",
+                                                  row_of(*type).description.in(Language::english)));
     }
     box_ = std::move(box);
 }

@@ -88,7 +88,7 @@ void DotWriter::write_cluster(const Module& module, std::size_t number) {
         const Cell& cell = netlist_.cells.items()[number_of_cell];
         append(out_, "    c", number_of_cell, " [shape=", shape_of(cell.type), ", label=\"");
         append_quoted(out_, netlist_.names[cell.output]);
-        append(out_, "\\n", row_of(cell.type).description);
+        append(out_, "\\n", row_of(cell.type).description.in(Language::english));
         if (row_of(cell.type).has_timing) {
             const Timing& timing = netlist_.timings[cell.timing];
             out_ += ' ';

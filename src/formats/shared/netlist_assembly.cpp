@@ -100,9 +100,10 @@ void NetlistAssembly::add_cell(CellType type, NetId output, std::span<const NetI
     drive(output, where);
     if ((type == CellType::rise_pulse || type == CellType::fall_pulse) &&
         details.timing.fall == 0) {
-        diagnostics_.error(code::bad_netlist, where,
-                           fmt::format("the pulse of {} '{}' has no width",
-                                       row_of(type).description, builder_.name_of(output)));
+        diagnostics_.error(
+            code::bad_netlist, where,
+            fmt::format("the pulse of {} '{}' has no width",
+                        row_of(type).description.in(Language::english), builder_.name_of(output)));
     }
     builder_.add_cell(place(where), type, output, pins, details);
 }
@@ -129,7 +130,7 @@ void NetlistAssembly::find_clock(Netlist& netlist) {
         if (!row_of(cell.type).is_clocked) continue;
         const NetId clock = netlist.pins_of(cell).back();
         const Location where = netlist.origin_of(cell).where;
-        const std::string_view description = row_of(cell.type).description;
+        const std::string description = row_of(cell.type).description.in(Language::english);
         if (index_of(clock) >= nets_.size() || !nets_[index_of(clock)].is_input) {
             diagnostics_.error(
                 code::bad_netlist, where,

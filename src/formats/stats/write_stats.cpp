@@ -67,7 +67,8 @@ void Stats::write_cells() {
     for (const CellTypeRow& row : cell_table) {
         const std::size_t count = counts[static_cast<std::size_t>(row.type)];
         if (count != 0)
-            fmt::format_to(std::back_inserter(out_), "{:10} {}\n", count, row.description);
+            fmt::format_to(std::back_inserter(out_), "{:10} {}\n", count,
+                           row.description.in(Language::english));
     }
 }
 

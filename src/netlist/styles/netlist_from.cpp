@@ -1,7 +1,5 @@
 #include "netlist/styles/netlist_from.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cassert>
 
@@ -33,10 +31,8 @@ static_assert(stand_in_order());
 
 void refuse_counters(const Grafcet& grafcet, const StyleRow& row, Diagnostics& diagnostics) {
     for (const Counter& counter : grafcet.counters) {
-        diagnostics.error(
-            code::unsupported_by_style, counter.where,
-            fmt::format("the {} style has no registers for the counter '{}'; use --style clocked",
-                        row.name, counter.name));
+        diagnostics.error(code::unsupported_by_style, counter.where,
+                          messages::netlist_styles::no_registers(row.name, counter.name));
     }
 }
 
