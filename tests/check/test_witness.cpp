@@ -1,6 +1,8 @@
 #include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "check/path.h"
+#include "check/witness.h"
+#include "evolution/run.h"
 #include "support/small_netlists.h"
 #include "trace/stimuli.h"
 
@@ -134,6 +136,24 @@ TEST_CASE("rows are compared by their moments, where a side has instants of its 
     // With another delay that makes no difference, only the instants differ.
     const Netlist busy = netlist_of(grafcet_of(head + "3s/X0 . (1s/X0 + X0)" + "}"), Style::gates);
     CHECK_FALSE(replay(grafcet, busy, cell_delays(busy, {}), *stimuli, 0));
+}
+
+TEST_CASE("where the netlist does not settle, the reference's values are those of that instant") {
+    const Grafcet grafcet = grafcet_of("input a output lamp graph G { initial 0 : lamp if a }");
+    const auto stimuli = read_stimuli("0s : a=1\n1s : a=0\n5s : end\n", grafcet);
+    REQUIRE(stimuli);
+    const RunResult expected = run_until_stable(grafcet, *stimuli);
+    const auto lamp_at = [&](Time unsettled) {
+        const auto witness =
+            first_difference(grafcet, *stimuli, expected, expected.trace, unsettled);
+        REQUIRE(witness);
+        CHECK(witness->kind == DifferenceKind::oscillation);
+        CHECK(witness->stimuli.end == unsettled);
+        return witness->values[1].expected;
+    };
+    CHECK(lamp_at(0) == Logic::one);
+    CHECK(lamp_at(1000 * millisecond) == Logic::zero);
+    CHECK(lamp_at(5000 * millisecond) == Logic::zero);
 }
 
 TEST_CASE("of a witness all is left out that can be") {

@@ -315,7 +315,17 @@ graph G { initial 0 step 1 : lamp step 2
         add_cell(memories, CellType::or_gate, "some_" + memory, {memory, "not_" + memory});
     }
     put_gate_before(memories, "lamp", CellType::and_gate, {"some_p", "some_q"});
-    CHECK(check(grafcet, memories).verdict == Verdict::equivalent);
+    const CheckResult right = check(grafcet, memories);
+    CHECK(right.verdict == Verdict::equivalent);
+    // A bound is one on the cases of all power-ups together.
+    for (std::uint64_t most = 1; most < right.coverage.cases; ++most) {
+        CheckOptions options;
+        options.max_cases = most;
+        options.looks_at_many = false;
+        const CheckResult bounded =
+            check_equivalence(grafcet, memories, unit_delays(memories), options);
+        CHECK(bounded.verdict == Verdict::undecided);
+    }
     for (const std::string p : {"p", "not_p"}) {
         for (const std::string q : {"q", "not_q"}) {
             INFO(p << " and " << q);

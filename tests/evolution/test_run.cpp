@@ -129,6 +129,9 @@ graph G { initial 1  step 2  1 -> 2 : a . b . c }
     CHECK(listed(run_until_stable(grafcet, stimuli)) == "0:1 20:0 40:2 ");
     CHECK(listed(run_scans(grafcet, stimuli, 15 * millisecond)) == "0:1 ");
     CHECK(listed(run_scans(grafcet, stimuli, 20 * millisecond)) == "0:1 20:0 40:2 ");
+    // Inputs that nothing sets are 0 from the start.
+    const Grafcet contact = grafcet_from("input a assume a graph G { initial 1 }");
+    CHECK(listed(run_until_stable(contact, stimuli_from("5ms : a=1", contact))) == "0:0 ");
 }
 
 }  // namespace grafwire::testing

@@ -27,6 +27,28 @@ graph G { initial 1 step 2
     check_chain(explained.explanation);
 }
 
+TEST_CASE("cause: a step that follows itself in the successor form") {
+    const Explained explained = explained_style(R"(
+input a, b
+graph G { initial 0 step 1 step 2
+  0 -> 1 : a
+  1 -> 1 : ↑X1
+  1 -> 2 : b
+  2 -> 0 : /a./b })",
+                                                Style::gates);
+    REQUIRE(explained.cause() == "two-step-loop");
+    CHECK(explained.explanation.cause->step == "X1");
+    CHECK(explained.explanation.cause->others == std::vector<std::string>{"X1"});
+}
+
+TEST_CASE("a cause names all the steps that take part") {
+    const Cause cause{CauseKind::two_step_loop, "X1", {"X2", "X3", "X4"}, {}};
+    CHECK(cause_text(cause, Language::english)
+              .starts_with("X1 and X2, X3 and X4 follow each other. "));
+    CHECK(cause_text(cause, Language::french)
+              .starts_with("X1 et X2, X3 et X4 se suivent l'une l'autre. "));
+}
+
 TEST_CASE("cause: two tokens side by side in the successor form") {
     const std::string two_tokens = R"(
 input a, b, c

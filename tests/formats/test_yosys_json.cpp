@@ -203,6 +203,13 @@ TEST_CASE("initial values belong to memories, else to nets") {
     CHECK(read(module_with(flip_flop, names)).ends_with("  y = dff(a, b) initially 1\n"));
     CHECK(read(module_with(cell("$_AND_", ab), names))
               .ends_with("  y = and(a, b)\ninitially y = 1\n"));
+    // Of a word the last digit is that of bit 0.
+    const std::string memories = R"("g": {"type": "$_DFF_P_",
+        "connections": {"D": [2], "C": [3], "Q": [6]}}, "h": {"type": "$_DFF_P_",
+        "connections": {"D": [6], "C": [3], "Q": [7]}})";
+    const std::string word = R"("q": {"bits": [6, 7], "attributes": {"init": "01"}})";
+    CHECK(read(module_with(memories, word))
+              .ends_with("  y = dff(a, b) initially 1\n  q[1] = dff(y, b) initially 0\n"));
 }
 
 TEST_CASE("black boxes") {
@@ -254,6 +261,17 @@ TEST_CASE("messages show the place of the cell or port") {
     CHECK(shown("{\"modules\": {\"m\": {\n\"ports\": {\"é\": {\"direction\": \"inout\"}}}}}") ==
           "x.json:2:16: error: port 'é' is neither an input nor an output\n"
           "\"ports\": {\"é\": {\"direction\": \"inout\"}}}}}\n               ^\n");
+}
+
+TEST_CASE("everything that cannot be used is told, and once") {
+    CHECK(shown("{\"modules\": {\"m\": {\"cells\": {\n\"g\": {},\n\"h\": {}}}}}") ==
+          "x.json:2:6: error: cell 'g' has no connections\n\"g\": {},\n     ^\n"
+          "x.json:3:6: error: cell 'h' has no connections\n\"h\": {}}}}}\n     ^\n");
+    const std::string both =
+        shown("{\"modules\": {\"m\": {\"ports\": {\n\"a\": {},\n\"b\": {}}}}}");
+    CHECK(both ==
+          "x.json:2:6: error: port 'a' is neither an input nor an output\n\"a\": {},\n     ^\n"
+          "x.json:3:6: error: port 'b' is neither an input nor an output\n\"b\": {}}}}}\n     ^\n");
 }
 
 TEST_CASE("texts that are not JSON are refused with the place") {
