@@ -1,13 +1,13 @@
 #include "workflow/check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/progress.h"
 #include "text/utf8.h"
@@ -15,6 +15,9 @@
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -109,7 +112,7 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
     Diagnostics messages;
     std::optional<Judgement> judgement;
     {
-        Progress progress(request.max_seconds, session.max_memory);
+        Progress progress(request.max_seconds, session.max_memory, session.language);
         asked.progress = [&progress](const Coverage& coverage) { progress.show(coverage); };
         asked.keep_going = [&progress] { return progress.goes_on(); };
         judgement = check(asked, messages);
@@ -126,8 +129,8 @@ std::optional<Netlist> load_fitting_netlist(const Session& session) {
     const PortComparison ports =
         fit_netlist(session.chart, *netlist, request.power_up == "initial");
     if (!ports.fits()) {
-        show(fmt::format("{}: the ports do not fit {}:\n{}", visible(request.against),
-                         visible(request.path), write_port_table(ports, session.language)));
+        show(say::ports_do_not_fit(visible(request.against), visible(request.path),
+                                   port_table(ports)));
     }
     if (!ports.can_compare()) return std::nullopt;
     if (refuse_idle_options(session.line, "check", facts_of(session.chart, *netlist))) {
@@ -149,10 +152,7 @@ std::optional<Judgement> judge_netlist(const Session& session) {
 std::optional<Judgement> judge_listing(const Session& session) {
     const Request& request = session.request;
     if (request.io.empty()) {
-        complain(
-            fmt::format("--io: {} needs a table that says which address is which input, "
-                        "output and step",
-                        request.against));
+        complain(say::listing_needs_io(request.against));
         return std::nullopt;
     }
     const auto io = load_assignment(request.io);
@@ -249,7 +249,7 @@ ExitStatus report_refused(const Request& request, const std::string& messages, d
     return finish(files, ExitStatus::bad_request);
 }
 
-ExitStatus check(const Request& request, const CommandLine& line, Language language) {
+ExitStatus check(const Request& request, const CommandLine& line) {
     const auto began = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -260,7 +260,7 @@ ExitStatus check(const Request& request, const CommandLine& line, Language langu
     if (refuse_idle_options(line, "check", facts_of(request))) return refused();
     const auto chart = load_plant(request);
     if (!chart) return refused();
-    Session session{request, line, *chart, language, 0, {}};
+    Session session{request, line, *chart, line.language(), 0, {}};
     if (!request.max_memory.empty()) {
         const auto bytes = parse_memory(request.max_memory);
         if (!bytes) return refused();
@@ -272,61 +272,39 @@ ExitStatus check(const Request& request, const CommandLine& line, Language langu
     // Judge what is to be compared with it, and report.
     auto judgement = judge(session);
     if (!judgement) return refused();
-    return report(request, *chart, *judgement, seconds(), language);
+    return report(request, *chart, *judgement, seconds(), line.language());
 }
 
 void declare_subject(const CommandLine& line, Request& request) {
-    line.add("FILE", request.path, "the GRAFCET, - for standard input").required();
+    line.add_argument(help::file_name, request.path, help::file());
     request.netlist.declare(line, false);
     request.netlist.declare_delay(line);
-    line.add("--against", request.against,
-             "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this "
-             ".xml ladder diagram (PLCopen), instead of a generated netlist");
-    line.add("--program", request.program,
-             "ladder diagrams: which program of the project, where it holds several");
-    line.add("--io", request.io,
-             "listings: table of assignment, which address stands for which name");
-    line.add("--changes", request.changes,
-             "asynchronous netlists: what changes in one instant: one input, or delays end, and "
-             "the netlist settles before the next (the default); or many")
-        .one_of({"one", "many"});
-    line.add("--power-up", request.power_up,
-             "netlists from elsewhere without Init: how their steps start: unknown (the default), "
-             "or initial, taken as given")
-        .one_of({"unknown", "initial"});
-    line.add("--scan", request.scan,
-             "clocked netlists: the only time from one scan to the next that the verdict is for "
-             "(default: every one); listings and ladder diagrams: that time (default: one that "
-             "divides all delays)");
-    line.add("--cpu", request.cpu, "listings: the controller, 212 or 214")
-        .one_of(cpu_numbers())
-        .shows_default();
+    line.add("--against", request.against, help::check_against());
+    line.add("--program", request.program, help::check_program());
+    line.add("--io", request.io, help::check_io());
+    line.add("--changes", request.changes, help::changes()).one_of({"one", "many"});
+    line.add("--power-up", request.power_up, help::power_up()).one_of({"unknown", "initial"});
+    line.add("--scan", request.scan, help::check_scan());
+    line.add("--cpu", request.cpu, help::check_cpu()).one_of(cpu_numbers()).shows_default();
 }
 
 void declare_report(const CommandLine& line, Request& request) {
-    line.add("--to", request.format, "form of the report")
-        .one_of_names(report_forms())
-        .shows_default();
-    line.add("-o", request.output, "file for the report (default: standard output)");
-    line.add("--witness", request.witness,
-             "folder for the stimuli, traces and waveforms that show a difference; those of an "
-             "earlier one go");
-    line.add("--assume", request.assumptions,
-             "what the plant never does, besides what the file assumes: an expression that "
-             "is never 0");
-    line.add("--max-cases", request.max_cases, "give up after so many cases (0: never)");
-    line.add("--max-seconds", request.max_seconds, "give up after so much time (0: never)");
-    line.add("--max-memory", request.max_memory,
-             "give up once so much memory is held, such as 500M or 2G");
+    line.add("--to", request.format, help::check_to()).one_of_names(report_forms()).shows_default();
+    line.add("-o", request.output, help::check_output());
+    line.add("--witness", request.witness, help::witness());
+    line.add("--assume", request.assumptions, help::assume());
+    line.add("--max-cases", request.max_cases, help::max_cases());
+    line.add("--max-seconds", request.max_seconds, help::max_seconds());
+    line.add("--max-memory", request.max_memory, help::max_memory());
 }
 
 }  // namespace
 
-Task declare_check(const CommandLine& line, const Language& language) {
+Task declare_check(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
     declare_subject(line, *request);
     declare_report(line, *request);
-    return [request, line, &language] { return check(*request, line, language); };
+    return [request, line] { return check(*request, line); };
 }
 
 }  // namespace grafwire

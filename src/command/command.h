@@ -1,11 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <string_view>
 
 #include "command/command_line.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -13,18 +11,18 @@ namespace grafwire {
 /// they have been read.
 struct Command {
     std::string_view name;
-    std::string_view summary;
+    Message<> summary;
     std::string_view example;
-    Task (*declare)(const CommandLine& line, const Language& language);
+    Task (*declare)(const CommandLine& line);
 };
 
-Task declare_info(const CommandLine& line, const Language& language);
-Task declare_equations(const CommandLine& line, const Language& language);
-Task declare_run(const CommandLine& line, const Language& language);
-Task declare_netlist(const CommandLine& line, const Language& language);
-Task declare_simulate(const CommandLine& line, const Language& language);
-Task declare_check(const CommandLine& line, const Language& language);
-Task declare_plc(const CommandLine& line, const Language& language);
-Task declare_s7(const CommandLine& line, const Language& language);
+Task declare_info(const CommandLine& line);
+Task declare_equations(const CommandLine& line);
+Task declare_run(const CommandLine& line);
+Task declare_netlist(const CommandLine& line);
+Task declare_simulate(const CommandLine& line);
+Task declare_check(const CommandLine& line);
+Task declare_plc(const CommandLine& line);
+Task declare_s7(const CommandLine& line);
 
 }  // namespace grafwire

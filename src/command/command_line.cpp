@@ -1,4 +1,4 @@
-// The only file that knows CLI11.
+// This file and request_error.cpp are all that knows CLI11.
 
 #include "command/command_line.h"
 
@@ -10,10 +10,24 @@
 #include <sstream>
 
 #include "command/command.h"
-#include "text/diagnostics.h"
+#include "command/help.h"
+#include "command/messages.h"
+#include "command/request_error.h"
 #include "text/version.h"
 
 namespace grafwire {
+
+namespace say = messages::command;
+namespace help = messages::help;
+
+namespace {
+
+AddedOption text_option(CLI::Option* option, Language language) {
+    option->type_name(help::text.in(language));
+    return {option, language};
+}
+
+}  // namespace
 
 AddedOption AddedOption::required() const {
     option_->required();
@@ -21,7 +35,12 @@ AddedOption AddedOption::required() const {
 }
 
 AddedOption AddedOption::one_of(const std::vector<std::string>& values) const {
-    option_->check(CLI::IsMember(values));
+    const std::string set = fmt::format("{{{}}}", fmt::join(values, ","));
+    const auto check = [values, set, language = language_](const std::string& text) {
+        const bool is_one = std::find(values.begin(), values.end(), text) != values.end();
+        return is_one ? std::string() : say::not_one_of.in(language, text, set);
+    };
+    option_->check(check, set);
     return *this;
 }
 
@@ -30,133 +49,117 @@ AddedOption AddedOption::shows_default() const {
     return *this;
 }
 
-AddedOption CommandLine::add(const char* name, std::string& target, const std::string& help) const {
-    return AddedOption(app_.add_option(name, target, help));
+void CommandLine::add_argument(const Message<>& name, std::string& target,
+                               const Localized& text) const {
+    const std::string shown = name.in(language_);
+    text_option(app_.add_option(shown, target, text.in(language_)), language_).required();
+}
+
+AddedOption CommandLine::add(const char* name, std::string& target, const Localized& text) const {
+    return text_option(app_.add_option(name, target, text.in(language_)), language_);
 }
 
 AddedOption CommandLine::add(const char* name, std::vector<std::string>& target,
-                             const std::string& help) const {
-    return AddedOption(app_.add_option(name, target, help));
+                             const Localized& text) const {
+    return text_option(app_.add_option(name, target, text.in(language_)), language_);
 }
 
-AddedOption CommandLine::add(const char* name, std::uint64_t& target,
-                             const std::string& help) const {
+AddedOption CommandLine::add(const char* name, std::uint64_t& target, const Localized& text) const {
     // CLI11 takes -1 for the largest number there is.
-    const auto check = [](const std::string& text) -> std::string {
+    const auto check = [language = language_](const std::string& text) -> std::string {
         std::uint64_t number = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (error == std::errc() && end == text.data() + text.size()) return {};
-        return "'" + text + "' is no whole number from 0 to 18446744073709551615";
+        return say::no_whole_number.in(language, text);
     };
-    return AddedOption(app_.add_option(name, target, help)->check(check, "WHOLE"));
+    CLI::Option* option = app_.add_option(name, target, text.in(language_));
+    option->type_name(help::whole.in(language_));
+    option->check(check, help::of_64_bits.in(language_));
+    return {option, language_};
 }
 
-AddedOption CommandLine::add(const char* name, double& target, const std::string& help) const {
-    const auto check = [](const std::string& text) -> std::string {
+AddedOption CommandLine::add(const char* name, double& target, const Localized& text) const {
+    const auto check = [language = language_](const std::string& text) -> std::string {
         double number = 0;
         if (CLI::detail::lexical_cast(text, number) && number >= 0) return {};
-        return "'" + text + "' is no number from 0 on";
+        return say::no_number.in(language, text);
     };
-    return AddedOption(app_.add_option(name, target, help)->check(check, "NONNEGATIVE"));
+    CLI::Option* option = app_.add_option(name, target, text.in(language_));
+    option->type_name(help::number.in(language_));
+    option->check(check, help::not_negative.in(language_));
+    return {option, language_};
 }
 
-void CommandLine::add_flag(const char* name, bool& target, const std::string& help) const {
-    app_.add_flag(name, target, help);
+void CommandLine::add_flag(const char* name, bool& target, const Localized& text) const {
+    app_.add_flag(name, target, text.in(language_));
 }
 
-CommandLine CommandLine::add_command(const std::string& name, const std::string& help,
+CommandLine CommandLine::add_command(const std::string& name, const Localized& text,
                                      const std::string& example) const {
     app_.require_subcommand(1);
-    CLI::App* command = app_.add_subcommand(name, help);
-    command->footer("Example: " + example);
-    return CommandLine(*command);
+    CLI::App* command = app_.add_subcommand(name, text.in(language_));
+    command->group(help::commands.in(language_));
+    command->footer(help::example.in(language_, example));
+    return {*command, language_};
 }
 
 bool CommandLine::has(std::string_view option) const {
     return app_.count(std::string(option)) > 0;
 }
 
-namespace {
-
-bool is_option(const std::string& word) {
-    return word.size() > 1 && word.front() == '-';
-}
-
-std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view nearest = nearest_name(mistyped, views);
-    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
-}
-
-std::string unknown_option(const CLI::App& app, const std::string& word) {
-    const std::string option = word.substr(0, word.find('='));
-    std::vector<std::string> names;
-    for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
-        for (const CLI::Option* known : level->get_options()) {
-            for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+Language language_asked_for(std::span<char* const> words, Language other) {
+    Language language = other;
+    const auto read = [&](std::string_view name) {
+        if (name == "fr") language = Language::french;
+        if (name == "en") language = Language::english;
+    };
+    constexpr std::string_view option = "--lang";
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string_view word = words[i];
+        if (word == option && i + 1 < words.size()) read(words[i + 1]);
+        if (word.starts_with(option) && word.substr(option.size()).starts_with('=')) {
+            read(word.substr(option.size() + 1));
         }
     }
-    return fmt::format("there is no option '{}'{}", option, suggestion(option, names));
+    return language;
 }
 
-std::string unknown_command(const CLI::App& app, const std::string& word) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        names.push_back(command->get_name());
+namespace {
+
+/// The words of CLI11 itself.
+void translate(CLI::App& app, Language language) {
+    app.set_help_flag("-h,--help", help::help.in(language));
+    app.set_version_flag("--version", fmt::format("grafwire {}", version()),
+                         help::version.in(language));
+    const auto formatter = app.get_formatter();
+    for (const Message<>& label :
+         {help::usage, help::a_command, help::positionals, help::required}) {
+        formatter->label(label.in(Language::english), label.in(language));
     }
-    return fmt::format("there is no command '{}'{} (commands: {})", word, suggestion(word, names),
-                       fmt::join(names, ", "));
-}
-
-std::string problem(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
-    // The words that nothing asked for, in their order.
-    std::vector<std::string> words = command.remaining();
-    if (words.empty()) words = app.remaining();
-    if (words.empty()) return error.what();
-    if (&command == &app && !is_option(words.front())) return unknown_command(app, words.front());
-    // The value of an unknown option is among the words as well.
-    const auto option = std::find_if(words.begin(), words.end(), is_option);
-    if (option != words.end()) return unknown_option(command, *option);
-    return fmt::format("'{}' is one word too many", words.front());
-}
-
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
-    const CLI::App& command = chosen.empty() ? app : *chosen.front();
-    return fmt::format("{}\n'grafwire{}{} --help' shows what there is.",
-                       problem(app, command, error), chosen.empty() ? "" : " ",
-                       chosen.empty() ? "" : command.get_name());
 }
 
 }  // namespace
 
 ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command> commands,
-                                  Language& language) {
+                                  Language language) {
     ReadCommandLine read;
-    read.app = std::make_shared<CLI::App>(
-        "From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.", "grafwire");
+    read.app = std::make_shared<CLI::App>(help::program.in(language), "grafwire");
     CLI::App& app = *read.app;
-    app.set_version_flag("--version", fmt::format("grafwire {}", version()));
-    app.footer(
-        "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; "
-        "3 undecided.\n'grafwire COMMAND --help' shows the options of a command.");
-    app.add_option_function<std::string>(
-           "--lang",
-           [&](const std::string& name) {
-               language = name == "fr" ? Language::french : Language::english;
-           },
-           "language of reports: en or fr (default: from the locale)")
-        ->check(CLI::IsMember({"en", "fr"}))
-        ->trigger_on_parse();
+    translate(app, language);
+    app.footer(help::exit_statuses.in(language));
+    // language_asked_for() has read it; here it is checked, each time that it stands there.
+    CLI::Option* lang = app.add_option_function<std::string>(
+        "--lang", [](const std::string&) {}, help::language.in(language));
+    text_option(lang, language).one_of({"en", "fr"});
+    lang->trigger_on_parse();
     app.fallthrough();
 
+    const CommandLine line(app, language);
     for (const Command& command : commands) {
-        const CommandLine line = CommandLine(app).add_command(
-            std::string(command.name), std::string(command.summary), std::string(command.example));
-        const Task action = command.declare(line, language);
-        app.get_subcommand(std::string(command.name))->final_callback([&read, action] {
-            read.action = action;
-        });
+        const std::string name(command.name);
+        const Task action = command.declare(
+            line.add_command(name, command.summary(), std::string(command.example)));
+        app.get_subcommand(name)->final_callback([&read, action] { read.action = action; });
     }
     try {
         app.parse(argc, argv);
@@ -167,7 +170,7 @@ ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command
             app.exit(error, text, text);
             read.help = text.str();
         } else {
-            read.problem = explain(app, error);
+            read.problem = request_error(app, error);
         }
     }
     return read;

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "text/language.h"
+#include "text/message.h"
 
 namespace CLI {
 class App;
@@ -30,7 +32,7 @@ using Task = std::function<ExitStatus()>;
 /// An option, or an argument without a name, that has just been added to a command line.
 class AddedOption {
   public:
-    explicit AddedOption(CLI::Option* option) : option_(option) {}
+    AddedOption(CLI::Option* option, Language language) : option_(option), language_(language) {}
 
     AddedOption required() const;
     AddedOption one_of(const std::vector<std::string>& values) const;
@@ -46,29 +48,35 @@ class AddedOption {
 
   private:
     CLI::Option* option_;
+    Language language_;
 };
 
 /// What may be written after a command. CLI11 reads it; the commands only see this, for that
 /// library takes long to compile wherever it is included.
 class CommandLine {
   public:
-    explicit CommandLine(CLI::App& app) : app_(app) {}
+    CommandLine(CLI::App& app, Language language) : app_(app), language_(language) {}
 
-    /// An option `--scan` or an argument `FILE`: what is written there goes into the target, which
+    /// What help, messages and reports are in.
+    Language language() const { return language_; }
+
+    /// An argument `FILE`, which must be written: what is written there goes into the target, which
     /// must live until the command line has been read.
-    AddedOption add(const char* name, std::string& target, const std::string& help) const;
+    void add_argument(const Message<>& name, std::string& target, const Localized& help) const;
+    /// An option `--scan`, likewise.
+    AddedOption add(const char* name, std::string& target, const Localized& help) const;
     /// An option that may be repeated.
     AddedOption add(const char* name, std::vector<std::string>& target,
-                    const std::string& help) const;
+                    const Localized& help) const;
     /// Of 64 bits; more, or a sign, is refused.
-    AddedOption add(const char* name, std::uint64_t& target, const std::string& help) const;
+    AddedOption add(const char* name, std::uint64_t& target, const Localized& help) const;
     /// Not negative.
-    AddedOption add(const char* name, double& target, const std::string& help) const;
-    void add_flag(const char* name, bool& target, const std::string& help) const;
+    AddedOption add(const char* name, double& target, const Localized& help) const;
+    void add_flag(const char* name, bool& target, const Localized& help) const;
 
     /// A command below this one; one of those must be given. `example` stands at the end of its
     /// help.
-    CommandLine add_command(const std::string& name, const std::string& help,
+    CommandLine add_command(const std::string& name, const Localized& help,
                             const std::string& example) const;
 
     /// Whether an option was written; once the command line has been read.
@@ -76,22 +84,26 @@ class CommandLine {
 
   private:
     CLI::App& app_;
+    Language language_;
 };
 
 struct Command;
 
 /// What came of reading a command line: one of these.
 struct ReadCommandLine {
-    Task action;          ///< what was asked for
-    std::string help;     ///< a text to show instead: help, version
-    std::string problem;  ///< what is wrong, with a suggestion and where to find help
+    Task action;                       ///< what was asked for
+    std::string help;                  ///< a text to show instead: help, version
+    std::optional<Localized> problem;  ///< what is wrong, with a suggestion and where to find help
     /// What the action asks whether options were written.
     std::shared_ptr<CLI::App> app;
 };
 
-/// Reads the command line of the program. `language` is what the reports are in unless the command
-/// line says otherwise; it is set before any action runs.
+/// What `--lang` says, wherever it stands; else `other`. It is looked up before the command line is
+/// read, since help and errors of the command line are in that language too.
+Language language_asked_for(std::span<char* const> words, Language other);
+
+/// Reads the command line of the program; all texts are in `language`.
 ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command> commands,
-                                  Language& language);
+                                  Language language);
 
 }  // namespace grafwire

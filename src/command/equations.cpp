@@ -1,10 +1,13 @@
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
 #include "command/option_uses.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -17,20 +20,17 @@ struct Request {
 
 }  // namespace
 
-Task declare_equations(const CommandLine& line, const Language& language) {
+Task declare_equations(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
-    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
-    line.add("--cdx", request->cdx, "form of CDX").one_of_names(cdx_table).shows_default();
-    line.add("--modes", request->modes, "with Init, AUdur and AUdoux, or without")
-        .one_of({"on", "off"})
-        .shows_default();
-    line.add("--to", request->format, "output form")
+    line.add_argument(help::file_name, request->path, help::file());
+    line.add("--cdx", request->cdx, help::cdx()).one_of_names(cdx_table).shows_default();
+    line.add("--modes", request->modes, help::modes()).one_of({"on", "off"}).shows_default();
+    line.add("--to", request->format, help::equations_to())
         .one_of_names(equation_format_table)
         .shows_default();
-    line.add_flag("--karnaugh", request->karnaugh,
-                  "with the truth table, Karnaugh map and minimised form of every step");
-    line.add("-o", request->output, "output file (default: standard output)");
-    return [request, line, &language] {
+    line.add_flag("--karnaugh", request->karnaugh, help::karnaugh());
+    line.add("-o", request->output, help::output());
+    return [request, line] {
         const EquationFormatRow& format = *row_named(equation_format_table, request->format);
         const CdxForm cdx = row_named(cdx_table, request->cdx)->form;
         if (refuse_idle_options(line, "equations",
@@ -43,8 +43,9 @@ Task declare_equations(const CommandLine& line, const Language& language) {
         // Derive the equations, and write them down.
         show_wiring_warnings(*chart, cdx);
         OutputFiles files({request->path});
-        files.add(request->output, equation_report(*chart, {cdx, request->modes == "on"},
-                                                   {format.format, request->karnaugh, language}));
+        files.add(request->output,
+                  equation_report(*chart, {cdx, request->modes == "on"},
+                                  {format.format, request->karnaugh, line.language()}));
         return finish(files, ExitStatus::done);
     };
 }

@@ -5,20 +5,22 @@
 #include "command/files.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
+#include "command/messages.h"
 #include "command/new_file.h"
+#include "command/system_error.h"
 #include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
 
 /// Reads to the end; false on an error.
 bool read_all(std::FILE* file, std::string& text) {
@@ -29,8 +31,8 @@ bool read_all(std::FILE* file, std::string& text) {
     return std::ferror(file) == 0;
 }
 
-std::string cannot_write(const std::string& path, std::string_view reason) {
-    return fmt::format("cannot write {}: {}", shown_place(path), reason);
+Localized cannot_write(const std::string& path, const Localized& reason) {
+    return say::cannot_write(shown_place(path), reason);
 }
 
 /// Writes to what cannot be replaced by a file: standard output, a device, a pipe.
@@ -51,19 +53,18 @@ SourceFile read_source(const std::string& path, Diagnostics& diagnostics) {
     SourceFile source{path == "-" ? "<stdin>" : path, {}};
     if (path == "-") {
         if (!read_all(stdin, source.text)) {
-            diagnostics.error(code::unreadable_file, {}, "cannot read standard input");
+            diagnostics.error(code::unreadable_file, {}, say::cannot_read_standard_input());
         }
         return source;
     }
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
-        diagnostics.error(code::unreadable_file, {}, "is a directory, not a file");
+        diagnostics.error(code::unreadable_file, {}, say::is_a_directory());
         return source;
     }
     std::FILE* file = std::fopen(path.c_str(), "rb");
     if (file == nullptr || !read_all(file, source.text)) {
-        diagnostics.error(code::unreadable_file, {},
-                          fmt::format("cannot read the file: {}", std::strerror(errno)));
+        diagnostics.error(code::unreadable_file, {}, say::cannot_read(reason_of(errno)));
     }
     if (file != nullptr) std::fclose(file);
     return source;
@@ -74,24 +75,23 @@ void OutputFiles::add(std::string path, std::string text) {
 }
 
 /// Which input stands at a place, as it is said in a message; nothing where none does.
-std::optional<std::string> OutputFiles::input_at(const Place& place) const {
+std::optional<Localized> OutputFiles::input_at(const Place& place) const {
     for (const std::string& input : inputs_) {
         const auto identity = identity_of_input(input);
         if (!identity || !place.is_same_as(*identity)) continue;
-        return fmt::format("it is the input {}",
-                           input == "-" ? "on standard input" : visible(input));
+        return input == "-" ? say::is_standard_input() : say::is_the_input(visible(input));
     }
     return std::nullopt;
 }
 
 /// Where everything goes; what cannot be is found before anything is written.
-std::optional<std::string> OutputFiles::find_places(std::vector<Place>& places) const {
+std::optional<Localized> OutputFiles::find_places(std::vector<Place>& places) const {
     for (const auto& [path, text] : files_) {
-        std::string problem;
+        Localized problem;
         const auto place = place_of(path, problem);
         if (!place) return cannot_write(path, problem);
         for (const Place& other : places) {
-            if (place->is_same_as(other)) return cannot_write(path, "it is to hold two results");
+            if (place->is_same_as(other)) return cannot_write(path, say::is_to_hold_two_results());
         }
         if (const auto input = input_at(*place)) return cannot_write(path, *input);
         places.push_back(*place);
@@ -100,32 +100,31 @@ std::optional<std::string> OutputFiles::find_places(std::vector<Place>& places) 
 }
 
 /// The files to be removed that are there, by their own names: of a link only the link goes.
-std::optional<std::string> OutputFiles::find_old_files(const std::vector<Place>& places,
-                                                       std::vector<std::string>& old) const {
+std::optional<Localized> OutputFiles::find_old_files(const std::vector<Place>& places,
+                                                     std::vector<std::string>& old) const {
     for (const std::string& path : old_) {
-        std::string problem;
+        Localized problem;
         const auto file = place_of(path, problem);
         if (!file || !file->is_file()) continue;
-        const auto cannot_remove = [&](std::string_view reason) {
-            return fmt::format("cannot remove {}, which is of an earlier time: {}",
-                               shown_place(path), reason);
+        const auto cannot_remove = [&](const Localized& reason) {
+            return say::cannot_remove_old(shown_place(path), reason);
         };
         for (const Place& place : places) {
-            if (place.is_same_as(*file)) return cannot_remove("it is to hold a result");
+            if (place.is_same_as(*file)) return cannot_remove(say::is_to_hold_a_result());
         }
         if (const auto input = input_at(*file)) return cannot_remove(*input);
         std::error_code error;
         if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) continue;
         const std::string folder = std::filesystem::path(path).parent_path().string();
         if (faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK, AT_EACCESS) != 0) {
-            return cannot_remove(std::strerror(errno));
+            return cannot_remove(reason_of(errno));
         }
         old.push_back(path);
     }
     return std::nullopt;
 }
 
-std::optional<std::string> OutputFiles::write() {
+std::optional<Localized> OutputFiles::write() {
     NewFolders new_folders;
     for (const std::string& folder : folders_) {
         if (const auto problem = new_folders.make(folder)) return cannot_write(folder, *problem);
@@ -146,17 +145,17 @@ std::optional<std::string> OutputFiles::write() {
     // What cannot be taken back goes out once nothing else is likely to fail.
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (places[i].is_file() || write_stream(places[i], files_[i].second)) continue;
-        return cannot_write(places[i].asked, std::strerror(errno));
+        return cannot_write(places[i].asked, reason_of(errno));
     }
     // All files under their own names; no signal comes in between.
     const HeldSignals held;
     for (auto& [i, file] : new_files) {
-        if (!file.put_in_place()) return cannot_write(places[i].asked, std::strerror(errno));
+        if (!file.put_in_place()) return cannot_write(places[i].asked, reason_of(errno));
     }
     new_folders.keep();
     for (const std::string& path : old) {
         if (unlink(path.c_str()) == 0 || errno == ENOENT) continue;
-        return fmt::format("cannot remove {}: {}", shown_place(path), std::strerror(errno));
+        return say::cannot_remove(shown_place(path), reason_of(errno));
     }
     return std::nullopt;
 }

@@ -37,13 +37,13 @@ class OutputFiles {
     /// cannot be: a file that is read-only, that has other names (hard links), that cannot keep its
     /// owner, or stands in a folder where no file can be made; and where it is an input, or is to
     /// hold two results.
-    std::optional<std::string> write();
+    std::optional<Localized> write();
 
   private:
-    std::optional<std::string> input_at(const Place& place) const;
-    std::optional<std::string> find_places(std::vector<Place>& places) const;
-    std::optional<std::string> find_old_files(const std::vector<Place>& places,
-                                              std::vector<std::string>& old) const;
+    std::optional<Localized> input_at(const Place& place) const;
+    std::optional<Localized> find_places(std::vector<Place>& places) const;
+    std::optional<Localized> find_old_files(const std::vector<Place>& places,
+                                            std::vector<std::string>& old) const;
 
     std::vector<std::string> inputs_;
     std::vector<std::pair<std::string, std::string>> files_;

@@ -1,20 +1,23 @@
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
 #include "grafcet/describe_grafcet.h"
 
 namespace grafwire {
 
-Task declare_info(const CommandLine& line, const Language& language) {
+namespace help = messages::help;
+
+Task declare_info(const CommandLine& line) {
     const auto path = std::make_shared<std::string>();
-    line.add("FILE", *path, "the GRAFCET, - for standard input").required();
-    return [path, &language] {
+    line.add_argument(help::file_name, *path, help::file());
+    return [path, line] {
         // Read and check; errors and warnings go to standard error.
         const auto chart = load_chart(*path);
         if (!chart) return ExitStatus::bad_request;
         show_wiring_warnings(*chart, CdxForm::successor);
         // Describe it.
         OutputFiles files({*path});
-        files.add("-", describe_grafcet(chart->grafcet, language));
+        files.add("-", describe_grafcet(chart->grafcet, line.language()));
         return finish(files, ExitStatus::done);
     };
 }

@@ -1,10 +1,14 @@
 #include "command/inputs.h"
 
-#include <fmt/format.h>
+#include "command/help.h"
+#include "command/messages.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
+namespace help = messages::help;
 
 /// Reads a file, then what `read` makes of its text; shows what is to be said of either.
 template <typename Read>
@@ -39,15 +43,14 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
 
 bool share_standard_input(const std::string& path, const std::string& stimuli) {
     if (path != "-" || stimuli != "-") return false;
-    complain("GRAFCET and stimuli cannot both come from standard input: give a file for one");
+    complain(say::stimuli_share_standard_input());
     return true;
 }
 
 std::optional<Netlist> load_netlist(const std::string& path) {
     const NetlistFormat* format = readable_format_of(path);
     if (format == nullptr) {
-        complain(
-            fmt::format("{}: a netlist to compare with is a .blif or a .json (Yosys) file", path));
+        complain(say::no_netlist_file(path));
         return std::nullopt;
     }
     SourceFile source;
@@ -75,39 +78,32 @@ Period parse_period(const std::string& text) {
     if (text.empty()) return {};
     const auto period = parse_duration(text);
     if (!period || *period <= 0) {
-        complain(fmt::format("'{}' is no period: write a positive duration such as 10ms", text));
+        complain(say::no_period(text));
         return {std::nullopt, true};
     }
     return {period, false};
 }
 
 void complain_of_format(std::string_view name, const std::vector<std::string_view>& names) {
-    std::string message = fmt::format("there is no format '{}'", name);
-    const auto nearest = nearest_name(name, names);
-    if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
-    complain(message);
+    const std::string_view nearest = nearest_name(name, names);
+    complain(nearest.empty() ? say::unknown_format(name) : say::unknown_format_near(name, nearest));
 }
 
 void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
-    const AddedOption option =
-        line.add("--style", style, "how the equations become cells").one_of_names(style_table);
+    const AddedOption option = line.add("--style", style, help::style()).one_of_names(style_table);
     if (style_is_required) {
         option.required();
     } else {
         style = "nand";
         option.shows_default();
     }
-    line.add("--cdx", cdx, "form of CDX (default: successor; transition for clocked)")
-        .one_of_names(cdx_table);
-    line.add("--modes", modes, "with Init, AUdur and AUdoux, or without")
-        .one_of({"on", "off"})
-        .shows_default();
+    line.add("--cdx", cdx, help::cdx_by_style()).one_of_names(cdx_table);
+    line.add("--modes", modes, help::modes()).one_of({"on", "off"}).shows_default();
 }
 
 void NetlistRequest::declare_delay(const CommandLine& line) {
     line.add("--delay", delay,
-             fmt::format("delay of every gate: {} ({} ns)", DelayModel().name,
-                         format_nanoseconds(DelayModel().gate)))
+             help::delay(DelayModel().name, format_nanoseconds(DelayModel().gate)))
         .one_of_names(delay_models)
         .shows_default();
 }
@@ -127,8 +123,8 @@ NetlistOptions NetlistRequest::options() const {
 }
 
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request) {
-    if (const std::string conflict = conflict_in(request.options()); !conflict.empty()) {
-        complain(conflict);
+    if (const auto conflict = conflict_in(request.options())) {
+        complain(*conflict);
         return std::nullopt;
     }
     Diagnostics diagnostics;
@@ -138,8 +134,8 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& re
 }
 
 void TraceOutput::declare(const CommandLine& line) {
-    line.add("-o", csv, "the trace as CSV (default: standard output)");
-    line.add("--vcd", vcd, "the waveform as VCD, for GTKWave");
+    line.add("-o", csv, help::trace());
+    line.add("--vcd", vcd, help::waveform());
 }
 
 void TraceOutput::add_files(OutputFiles& files, std::string trace, std::string waveform) const {

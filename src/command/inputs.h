@@ -8,7 +8,7 @@
 
 #include "command/command_line.h"
 #include "command/files.h"
-#include "command/messages.h"
+#include "command/standard_error.h"
 #include "trace/stimuli.h"
 #include "workflow/chart.h"
 #include "workflow/netlists.h"

@@ -1,49 +1,172 @@
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <string_view>
 
-#include "command/command_line.h"
-#include "command/files.h"
-#include "text/diagnostics.h"
-#include "text/language.h"
 #include "text/message.h"
 
-namespace grafwire {
+namespace grafwire::messages::command {
 
-// What the program says on standard error. All of it goes through show().
+// The command line.
 
-/// Keeps what is shown on standard error while it lives; one at a time.
-class MessageRecord {
-  public:
-    MessageRecord();
-    ~MessageRecord();
-    MessageRecord(const MessageRecord&) = delete;
-    MessageRecord& operator=(const MessageRecord&) = delete;
+inline constexpr Message<std::string_view, std::string_view> not_one_of{"{} not in {}",
+                                                                        "« {} » n'est pas dans {}"};
+inline constexpr Message<std::string_view> no_whole_number{
+    "'{}' is no whole number from 0 to 18446744073709551615",
+    "« {} » n'est pas un nombre entier de 0 à 18446744073709551615"};
+inline constexpr Message<std::string_view> no_number{"'{}' is no number from 0 on",
+                                                     "« {} » n'est pas un nombre à partir de 0"};
+inline constexpr Message<std::string_view> unknown_option{"there is no option '{}'",
+                                                          "il n'y a pas d'option « {} »"};
+inline constexpr Message<std::string_view, std::string_view> unknown_option_near{
+    "there is no option '{}'; did you mean '{}'?",
+    "il n'y a pas d'option « {} » ; vouliez-vous dire « {} » ?"};
+inline constexpr Message<std::string_view, std::string_view> unknown_command{
+    "there is no command '{}' (commands: {})", "il n'y a pas de commande « {} » (commandes : {})"};
+inline constexpr Message<std::string_view, std::string_view, std::string_view> unknown_command_near{
+    "there is no command '{}'; did you mean '{}'? (commands: {})",
+    "il n'y a pas de commande « {} » ; vouliez-vous dire « {} » ? (commandes : {})"};
+inline constexpr Message<std::string_view> word_too_many{"'{}' is one word too many",
+                                                         "« {} » est un mot de trop"};
+inline constexpr Message<std::string_view> argument_required{"{} is required", "il manque {}"};
+inline constexpr Message<> command_required{"A subcommand is required", "il manque une commande"};
+inline constexpr Message<std::string_view, std::string_view> value_missing{
+    "{}: 1 required {} missing", "{}: il manque la valeur ({})"};
+inline constexpr Message<std::string_view, std::size_t> given_too_often{
+    "{}: At Most 1 required but received {}", "{}: une seule valeur est admise, et non {}"};
+inline constexpr Message<std::string_view, std::string_view> flag_with_value{
+    "Could not convert: {} = {}", "{} ne prend pas de valeur (« {} »)"};
+inline constexpr Message<Localized, std::string_view> see_help{
+    "{}\n'grafwire {}--help' shows what there is.",
+    "{}\n« grafwire {}--help » montre ce qu'il y a."};
 
-    const std::string& text() const { return text_; }
+// Options.
 
-  private:
-    std::string text_;
-};
+inline constexpr Message<std::string_view> unknown_format{"there is no format '{}'",
+                                                          "il n'y a pas de format « {} »"};
+inline constexpr Message<std::string_view, std::string_view> unknown_format_near{
+    "there is no format '{}'; did you mean '{}'?",
+    "il n'y a pas de format « {} » ; vouliez-vous dire « {} » ?"};
+inline constexpr Message<std::string_view> no_period{
+    "'{}' is no period: write a positive duration such as 10ms",
+    "« {} » n'est pas une période : écrivez une durée positive, comme 10ms"};
+inline constexpr Message<std::string_view> no_amount_of_memory{
+    "'{}' is no amount of memory: write 500M or 2G",
+    "« {} » n'est pas une quantité de mémoire : écrivez 500M ou 2G"};
+inline constexpr Message<> stimuli_share_standard_input{
+    "GRAFCET and stimuli cannot both come from standard input: give a file for one",
+    "le GRAFCET et les stimuli ne peuvent pas venir tous deux de l'entrée standard : donnez un "
+    "fichier pour l'un des deux"};
+inline constexpr Message<> assignment_shares_standard_input{
+    "GRAFCET and assignment cannot both come from standard input",
+    "le GRAFCET et la table d'affectation ne peuvent pas venir tous deux de l'entrée standard"};
+inline constexpr Message<std::string_view> no_netlist_file{
+    "{}: a netlist to compare with is a .blif or a .json (Yosys) file",
+    "{} : un câblage à comparer est un fichier .blif ou .json (Yosys)"};
+inline constexpr Message<> grafcet_needs_io{
+    "--grafcet needs --io: the table that says which address is which step",
+    "--grafcet demande --io : la table qui dit à quelle étape correspond chaque adresse"};
+inline constexpr Message<std::string_view> listing_needs_io{
+    "--io: {} needs a table that says which address is which input, output and step",
+    "--io : {} demande une table qui dit à quelle entrée, sortie ou étape correspond chaque "
+    "adresse"};
 
-/// The language of all messages from now on; English before.
-void show_messages_in(Language language);
+// Options without effect, and what they are for.
 
-/// Shows lines as they stand.
-void show(std::string_view text);
+inline constexpr Message<std::string_view, Localized> has_no_effect{"{} has no effect here: {}",
+                                                                    "{} est sans effet ici : {}"};
+inline constexpr Message<std::string_view, std::string_view, std::string_view> format_has_no_option{
+    "{} has no {}; it is for {}", "{} ne connaît pas {} ; cette option est pour {}"};
+inline constexpr Message<> only_generated{"it is for a netlist made from the GRAFCET",
+                                          "cette option est pour un câblage tiré du GRAFCET"};
+inline constexpr Message<> only_clocked{
+    "it is for the clocked style: the others have no scans",
+    "cette option est pour le style clocked : les autres n'ont pas de scrutation"};
+inline constexpr Message<> not_in_csv{"CSV has no place for it",
+                                      "le CSV n'a pas de place pour cela"};
+inline constexpr Message<> stimuli_by_bench{
+    "this format takes stimuli with --bench, as a test bench",
+    "ce format prend les stimuli avec --bench, comme banc d'essai"};
+inline constexpr Message<> bench_needs_stimuli{"it needs --stim, what the bench applies",
+                                               "il faut --stim, que le banc d'essai applique"};
+inline constexpr Message<> bench_needs_output{
+    "it needs -o: the bench is written beside that file",
+    "il faut -o : le banc d'essai est écrit à côté de ce fichier"};
+inline constexpr Message<> only_netlist_from_file{
+    "it is for a netlist given with --against",
+    "cette option est pour un câblage donné avec --against"};
+inline constexpr Message<> only_open_start{
+    "it is for a netlist from elsewhere without an input Init",
+    "cette option est pour un câblage venu d'ailleurs sans entrée Init"};
+inline constexpr Message<> only_ladder{
+    "it is for a ladder diagram given with --against",
+    "cette option est pour un schéma à contacts donné avec --against"};
+inline constexpr Message<> only_listing{
+    "it is for an S7-200 listing given with --against",
+    "cette option est pour une liste d'instructions S7-200 donnée avec --against"};
+inline constexpr Message<> program_has_no_gates{"a program has no gates",
+                                                "un programme n'a pas de portes"};
+inline constexpr Message<> inputs_are_sampled{
+    "inputs are sampled, and any of them change between two scans",
+    "les entrées sont échantillonnées, et peuvent toutes changer entre deux scrutations"};
+inline constexpr Message<> nothing_is_scanned{"nothing is scanned", "il n'y a pas de scrutation"};
 
-/// Shows messages about a text, the first of many.
-void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);
+// Runs and checks.
 
-/// Shows messages about the request as a whole, which have no place.
-void show_messages(const Diagnostics& messages);
+inline constexpr Message<std::string_view, std::string_view> no_stable_situation{
+    "no stable situation at {} ms; these keep changing: {}",
+    "pas de situation stable à {} ms ; changent sans cesse : {}"};
+inline constexpr Message<std::string_view, Localized> netlist_does_not_settle{
+    "the netlist does not settle at {} ms; these keep changing: {}",
+    "le câblage ne se stabilise pas à {} ms ; changent sans cesse : {}"};
+inline constexpr Message<Localized> ports{"ports:\n{}", "ports :\n{}"};
+inline constexpr Message<std::string_view, std::string_view, Localized> ports_do_not_fit{
+    "{}: the ports do not fit {}:\n{}", "{} : les ports ne correspondent pas à {} :\n{}"};
+inline constexpr Message<std::string_view> listing_has_no_input{
+    "the listing has no input {}: what the stimuli say of it is left out",
+    "la liste d'instructions n'a pas d'entrée {} : ce que les stimuli en disent est laissé de "
+    "côté"};
+inline constexpr Message<std::string_view, std::uint32_t, std::uint32_t, Localized> listing_failed{
+    "at {} ms, network {}, line {}: {}", "à {} ms, réseau {}, ligne {} : {}"};
+inline constexpr Message<std::uint64_t, std::uint64_t, std::uint64_t> progress{
+    "{} cases, {} situations, {} states waiting",
+    "cas : {}, situations : {}, états en attente : {}"};
 
-/// Shows a message of the program itself.
-void complain(const Localized& message);
-void warn(const Localized& message);
+// Files.
 
-/// Writes the files; a problem is shown, and turns `status` into bad_request.
-ExitStatus finish(OutputFiles& files, ExitStatus status);
+inline constexpr Message<> cannot_read_standard_input{"cannot read standard input",
+                                                      "impossible de lire l'entrée standard"};
+inline constexpr Message<> is_a_directory{"is a directory, not a file",
+                                          "c'est un dossier et non un fichier"};
+inline constexpr Message<Localized> cannot_read{"cannot read the file: {}",
+                                                "impossible de lire le fichier : {}"};
+inline constexpr Message<Localized, Localized> cannot_write{"cannot write {}: {}",
+                                                            "impossible d'écrire {} : {}"};
+inline constexpr Message<Localized, Localized> cannot_remove{"cannot remove {}: {}",
+                                                             "impossible de supprimer {} : {}"};
+inline constexpr Message<Localized, Localized> cannot_remove_old{
+    "cannot remove {}, which is of an earlier time: {}",
+    "impossible de supprimer {}, qui date d'une fois précédente : {}"};
+/// After "cannot write".
+inline constexpr Message<> to_standard_output{"to standard output", "sur la sortie standard"};
+inline constexpr Message<> is_to_hold_two_results{"it is to hold two results",
+                                                  "deux résultats doivent y aller"};
+inline constexpr Message<> is_to_hold_a_result{"it is to hold a result",
+                                               "un résultat doit y aller"};
+inline constexpr Message<std::string_view> is_the_input{"it is the input {}", "c'est l'entrée {}"};
+inline constexpr Message<> is_standard_input{"it is the input on standard input",
+                                             "c'est le fichier lu sur l'entrée standard"};
+inline constexpr Message<> is_a_folder{"it is a folder", "c'est un dossier"};
+inline constexpr Message<> is_read_only{"it is read-only", "il est en lecture seule"};
+inline constexpr Message<> has_hard_links{
+    "it has other names (hard links), which would keep the old text; remove it first",
+    "il a d'autres noms (liens physiques), qui garderaient l'ancien texte ; supprimez-le d'abord"};
+inline constexpr Message<> belongs_to_others{
+    "it belongs to another user or group, and a new file would not; remove it first",
+    "il appartient à un autre utilisateur ou groupe, un nouveau fichier non ; supprimez-le "
+    "d'abord"};
+inline constexpr Message<std::string_view, Localized> no_file_in_folder{
+    "no file can be made in the folder {}: {}",
+    "aucun fichier ne peut être créé dans le dossier {} : {}"};
 
-}  // namespace grafwire
+}  // namespace grafwire::messages::command

@@ -3,12 +3,15 @@
 #include <filesystem>
 
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
 #include "command/option_uses.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -63,20 +66,17 @@ ExitStatus write(const Request& request, const NetlistFormat& format, Time perio
 
 }  // namespace
 
-Task declare_netlist(const CommandLine& line, const Language&) {
+Task declare_netlist(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
-    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add_argument(help::file_name, request->path, help::file());
     request->netlist.declare(line, true);
     line.add("--to", request->format,
-             fmt::format("output format: {}", fmt::join(netlist_format_names(), ", ")))
+             help::netlist_to(fmt::format("{}", fmt::join(netlist_format_names(), ", "))))
         .required();
-    line.add("--stim", request->stimuli,
-             "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)");
-    line.add_flag(
-        "--bench", request->bench,
-        "with the test bench that applies the stimuli; Verilog: OUT_bench.v beside OUT.v");
-    line.add("--scan", request->scan, "scan period that clocked timers count with").shows_default();
-    line.add("-o", request->output, "output file (default: standard output)");
+    line.add("--stim", request->stimuli, help::netlist_stim());
+    line.add_flag("--bench", request->bench, help::bench());
+    line.add("--scan", request->scan, help::netlist_scan()).shows_default();
+    line.add("-o", request->output, help::output());
     return [request, line] {
         const NetlistFormat* format = format_named(netlist_formats(), request->format);
         if (format == nullptr) return ExitStatus::bad_request;

@@ -17,17 +17,20 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "command/messages.h"
+#include "command/system_error.h"
 #include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
 
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 
@@ -75,30 +78,30 @@ std::string random_name() {
     return fmt::format(".grafwire-{:08x}{:08x}", source(), source());
 }
 
-std::string reason() {
-    return std::strerror(errno);
+Localized reason() {
+    return reason_of(errno);
 }
 
 /// Why the file at the place cannot be replaced by a new one, or nothing.
-std::optional<std::string> objection(const Place& place) {
+std::optional<Localized> objection(const Place& place) {
     if (place.kind != Place::Kind::file) return std::nullopt;
     // Its owner has said so; root, who may write everything, should not do it in passing either.
-    if ((place.status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) return "it is read-only";
+    if ((place.status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) return say::is_read_only();
     if (faccessat(AT_FDCWD, place.path.c_str(), W_OK, AT_EACCESS) != 0) return reason();
     if (place.status.st_nlink > 1) {
-        return "it has other names (hard links), which would keep the old text; remove it first";
+        return say::has_hard_links();
     }
     return std::nullopt;
 }
 
 /// Gives a new file the owner and the rights of the one at the place.
-std::optional<std::string> inherit(int file, const Place& place) {
+std::optional<Localized> inherit(int file, const Place& place) {
     struct stat status = {};
     if (fstat(file, &status) != 0) return reason();
     const bool is_ours =
         status.st_uid == place.status.st_uid && status.st_gid == place.status.st_gid;
     if (!is_ours && fchown(file, place.status.st_uid, place.status.st_gid) != 0) {
-        return "it belongs to another user or group, and a new file would not; remove it first";
+        return say::belongs_to_others();
     }
     const mode_t rights = place.status.st_mode & 07777;
     if ((!is_ours || (status.st_mode & 07777) != rights) && fchmod(file, rights) != 0) {
@@ -136,7 +139,7 @@ NewFile::~NewFile() {
     forget(name_);
 }
 
-std::optional<std::string> NewFile::open(const Place& place, int& file) {
+std::optional<Localized> NewFile::open(const Place& place, int& file) {
     // A file that nobody else may read must not be so while it is being written either.
     const mode_t rights = place.kind == Place::Kind::file ? 0600 : 0666;
     constexpr int most_tries = 100;
@@ -150,16 +153,16 @@ std::optional<std::string> NewFile::open(const Place& place, int& file) {
         unfinished.push_back(name_);
         return std::nullopt;
     }
-    return fmt::format("no file can be made in the folder {}: {}", visible(place.folder), reason());
+    return say::no_file_in_folder(visible(place.folder), reason());
 }
 
-std::optional<std::string> NewFile::write(const Place& place, const std::string& text) {
+std::optional<Localized> NewFile::write(const Place& place, const std::string& text) {
     catch_signals();
     if (auto problem = objection(place)) return problem;
     place_ = place.path;
     int file = -1;
     if (auto problem = open(place, file)) return problem;
-    std::optional<std::string> problem;
+    std::optional<Localized> problem;
     if (place.kind == Place::Kind::file) problem = inherit(file, place);
     if (!problem && !write_fully(file, text)) problem = reason();
     if (::close(file) != 0 && !problem) problem = reason();
@@ -181,7 +184,7 @@ NewFolders::~NewFolders() {
     }
 }
 
-std::optional<std::string> NewFolders::make(const std::string& path) {
+std::optional<Localized> NewFolders::make(const std::string& path) {
     catch_signals();
     std::vector<std::filesystem::path> missing;
     std::error_code error;

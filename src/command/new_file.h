@@ -32,12 +32,12 @@ class NewFile {
 
     /// Makes the file, whole, with the rights and the owner of the one that it is to replace;
     /// returns what went wrong, or nothing.
-    std::optional<std::string> write(const Place& place, const std::string& text);
+    std::optional<Localized> write(const Place& place, const std::string& text);
     /// Puts the file in its place; false, with errno set, where that cannot be.
     bool put_in_place();
 
   private:
-    std::optional<std::string> open(const Place& place, int& file);
+    std::optional<Localized> open(const Place& place, int& file);
 
     std::string name_;  ///< empty: there is none (any more)
     std::string place_;
@@ -53,7 +53,7 @@ class NewFolders {
 
     /// Makes a folder and those above it where they are missing; returns what went wrong, or
     /// nothing.
-    std::optional<std::string> make(const std::string& path);
+    std::optional<Localized> make(const std::string& path);
     void keep();
 
   private:

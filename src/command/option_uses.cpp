@@ -7,63 +7,60 @@
 #include <fmt/format.h>
 
 #include "command/messages.h"
+#include "command/standard_error.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace say = messages::command;
+
 /// An option of a command needs one of these facts, or else has no effect, for that reason. In the
-/// place of facts: what the format says.
+/// place of facts, and without a reason: what the format says.
 struct OptionUse {
     std::string_view command;
     std::string_view option;
     unsigned facts;
-    std::string_view reason;
+    const Message<>* reason = nullptr;
 };
 
 constexpr unsigned by_format = fact::none;
 
-constexpr std::string_view only_generated = "it is for a netlist made from the GRAFCET";
-constexpr std::string_view only_clocked = "it is for the clocked style: the others have no scans";
-
 constexpr OptionUse option_uses[] = {
-    {"equations", "--karnaugh", fact::minimised, "CSV has no place for it"},
+    {"equations", "--karnaugh", fact::minimised, &say::not_in_csv},
 
-    {"netlist", "--scan", by_format, ""},
-    {"netlist", "--scan", fact::clocked, only_clocked},
-    {"netlist", "--stim", by_format, ""},
-    {"netlist", "--stim", fact::bench, "this format takes stimuli with --bench, as a test bench"},
-    {"netlist", "--bench", by_format, ""},
-    {"netlist", "--bench", fact::stimuli, "it needs --stim, what the bench applies"},
-    {"netlist", "--bench", fact::output, "it needs -o: the bench is written beside that file"},
+    {"netlist", "--scan", by_format},
+    {"netlist", "--scan", fact::clocked, &say::only_clocked},
+    {"netlist", "--stim", by_format},
+    {"netlist", "--stim", fact::bench, &say::stimuli_by_bench},
+    {"netlist", "--bench", by_format},
+    {"netlist", "--bench", fact::stimuli, &say::bench_needs_stimuli},
+    {"netlist", "--bench", fact::output, &say::bench_needs_output},
 
-    {"simulate", "--style", fact::generated, only_generated},
-    {"simulate", "--cdx", fact::generated, only_generated},
-    {"simulate", "--modes", fact::generated, only_generated},
-    {"simulate", "--power-up", fact::elsewhere, "it is for a netlist given with --against"},
-    {"simulate", "--power-up", fact::open_start,
-     "it is for a netlist from elsewhere without an input Init"},
-    {"simulate", "--scan", fact::clocked, only_clocked},
+    {"simulate", "--style", fact::generated, &say::only_generated},
+    {"simulate", "--cdx", fact::generated, &say::only_generated},
+    {"simulate", "--modes", fact::generated, &say::only_generated},
+    {"simulate", "--power-up", fact::elsewhere, &say::only_netlist_from_file},
+    {"simulate", "--power-up", fact::open_start, &say::only_open_start},
+    {"simulate", "--scan", fact::clocked, &say::only_clocked},
 
-    {"check", "--style", fact::generated, only_generated},
-    {"check", "--cdx", fact::generated, only_generated},
-    {"check", "--modes", fact::generated, only_generated},
-    {"check", "--program", fact::ladder, "it is for a ladder diagram given with --against"},
-    {"check", "--io", fact::listing, "it is for an S7-200 listing given with --against"},
-    {"check", "--cpu", fact::listing, "it is for an S7-200 listing given with --against"},
-    {"check", "--delay", fact::generated | fact::elsewhere, "a program has no gates"},
-    {"check", "--changes", fact::asynchronous,
-     "inputs are sampled, and any of them change between two scans"},
-    {"check", "--power-up", fact::open_start,
-     "it is for a netlist from elsewhere without an input Init"},
-    {"check", "--scan", fact::clocked | fact::listing | fact::ladder, "nothing is scanned"},
+    {"check", "--style", fact::generated, &say::only_generated},
+    {"check", "--cdx", fact::generated, &say::only_generated},
+    {"check", "--modes", fact::generated, &say::only_generated},
+    {"check", "--program", fact::ladder, &say::only_ladder},
+    {"check", "--io", fact::listing, &say::only_listing},
+    {"check", "--cpu", fact::listing, &say::only_listing},
+    {"check", "--delay", fact::generated | fact::elsewhere, &say::program_has_no_gates},
+    {"check", "--changes", fact::asynchronous, &say::inputs_are_sampled},
+    {"check", "--power-up", fact::open_start, &say::only_open_start},
+    {"check", "--scan", fact::clocked | fact::listing | fact::ladder, &say::nothing_is_scanned},
 
-    {"plc", "--io", by_format, ""},
-    {"plc", "--addresses", by_format, ""},
-    {"plc", "--mnemonics", by_format, ""},
-    {"plc", "--offsets", by_format, ""},
-    {"plc", "--tables", by_format, ""},
-    {"plc", "--cpu", by_format, ""},
+    {"plc", "--io", by_format},
+    {"plc", "--addresses", by_format},
+    {"plc", "--mnemonics", by_format},
+    {"plc", "--offsets", by_format},
+    {"plc", "--tables", by_format},
+    {"plc", "--cpu", by_format},
 };
 
 /// Whether `--io` is among `--io --mnemonics`.
@@ -77,13 +74,13 @@ bool heeds(const FormatOptions& format, std::string_view option) {
     return false;
 }
 
-std::string refusal(const ChosenFormat& format, std::string_view option) {
+Localized refusal(const ChosenFormat& format, std::string_view option) {
     std::vector<std::string_view> others;
     for (const FormatOptions& other : format.all) {
         if (heeds(other, option)) others.push_back(other.name);
     }
-    return fmt::format("{} has no {}; it is for {}", format.chosen.name, option,
-                       fmt::join(others, ", "));
+    return say::format_has_no_option(format.chosen.name, option,
+                                     fmt::format("{}", fmt::join(others, ", ")));
 }
 
 }  // namespace
@@ -94,7 +91,7 @@ bool refuse_idle_options(const CommandLine& line, std::string_view command, unsi
         if (use.command != command || !line.has(use.option)) continue;
         if (use.facts != by_format) {
             if ((use.facts & facts) != 0) continue;
-            complain(fmt::format("{} has no effect here: {}", use.option, use.reason));
+            complain(say::has_no_effect(use.option, (*use.reason)()));
             return true;
         }
         if (format == nullptr || heeds(format->chosen, use.option)) continue;

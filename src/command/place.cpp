@@ -10,10 +10,11 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 
+#include "command/messages.h"
+#include "command/system_error.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -102,7 +103,7 @@ bool Place::is_same_as(FileIdentity input) const {
     return kind != Kind::new_file && identity_of(status) == input;
 }
 
-std::optional<Place> place_of(const std::string& path, std::string& problem) {
+std::optional<Place> place_of(const std::string& path, Localized& problem) {
     Place place;
     place.asked = path;
     if (is_standard_name(path)) {
@@ -113,7 +114,7 @@ std::optional<Place> place_of(const std::string& path, std::string& problem) {
     bool is_good = true;
     if (stat(path.c_str(), &place.status) == 0) {
         if (S_ISDIR(place.status.st_mode)) {
-            problem = "it is a folder";
+            problem = messages::command::is_a_folder();
             return std::nullopt;
         }
         is_good = set_existing(place);
@@ -124,7 +125,7 @@ std::optional<Place> place_of(const std::string& path, std::string& problem) {
         is_good = false;
     }
     if (is_good) return place;
-    problem = std::strerror(errno);
+    problem = reason_of(errno);
     return std::nullopt;
 }
 
@@ -135,8 +136,9 @@ std::optional<FileIdentity> identity_of_input(const std::string& path) {
     return identity_of(status);
 }
 
-std::string shown_place(const std::string& path) {
-    return is_standard_name(path) ? "to standard output" : visible(path);
+Localized shown_place(const std::string& path) {
+    if (is_standard_name(path)) return messages::command::to_standard_output();
+    return {visible(path), visible(path)};
 }
 
 }  // namespace grafwire

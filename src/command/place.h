@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "text/message.h"
+
 namespace grafwire {
 
 /// Which file it is, whatever its name: two paths lead to one file where these are equal.
@@ -39,13 +41,13 @@ struct Place {
 /// Where `path` leads; "-" and the empty path stand for standard output. Empty, with the reason in
 /// `problem`, where no file can be: in a folder that is not there, at a folder, over links that go
 /// round in a circle.
-std::optional<Place> place_of(const std::string& path, std::string& problem);
+std::optional<Place> place_of(const std::string& path, Localized& problem);
 
 /// The file that an input is read from; empty where it is no file (or none that can be reached).
 /// "-" stands for standard input.
 std::optional<FileIdentity> identity_of_input(const std::string& path);
 
 /// `path` in a message: "to standard output", or the path with what is not printable replaced.
-std::string shown_place(const std::string& path);
+Localized shown_place(const std::string& path);
 
 }  // namespace grafwire

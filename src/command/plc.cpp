@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "command/option_uses.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -49,7 +53,7 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
 ExitStatus write(const Request& request, const PlcFormat& format) {
     // Read the GRAFCET and the addresses.
     if (request.path == "-" && request.io == "-") {
-        complain("GRAFCET and assignment cannot both come from standard input");
+        complain(messages::command::assignment_shares_standard_input());
         return ExitStatus::bad_request;
     }
     const auto chart = load_chart(request.path);
@@ -74,30 +78,24 @@ ExitStatus write(const Request& request, const PlcFormat& format) {
 
 }  // namespace
 
-Task declare_plc(const CommandLine& line, const Language&) {
+Task declare_plc(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
-    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
+    line.add_argument(help::file_name, request->path, help::file());
     line.add("--to", request->format,
-             fmt::format("language: {}", fmt::join(plc_format_names(), ", ")))
+             help::plc_to(fmt::format("{}", fmt::join(plc_format_names(), ", "))))
         .required();
-    line.add("--modes", request->modes, "with Init, AUdur and AUdoux")
-        .one_of({"on", "off"})
-        .shows_default();
-    line.add("--io", request->io, "addresses of names, one a line: E0.0 = start");
-    line.add("--addresses", request->addresses,
-             "file for the addresses of all names, in the form of --io");
-    line.add("--mnemonics", request->mnemonics, "spelling of instructions")
+    line.add("--modes", request->modes, help::plc_modes()).one_of({"on", "off"}).shows_default();
+    line.add("--io", request->io, help::plc_io());
+    line.add("--addresses", request->addresses, help::addresses());
+    line.add("--mnemonics", request->mnemonics, help::mnemonics())
         .one_of({"simatic", "iec", "en"})
         .shows_default();
-    line.add("--offsets", request->offsets, "byte offsets before instructions")
-        .one_of({"on", "off"})
-        .shows_default();
-    line.add("--tables", request->tables, "80 steps, or as many as the chart has")
+    line.add("--offsets", request->offsets, help::offsets()).one_of({"on", "off"}).shows_default();
+    line.add("--tables", request->tables, help::tables())
         .one_of({"standard", "wide"})
         .shows_default();
-    line.add("--cpu", request->cpu, "controller whose memory has to hold the program")
-        .one_of(cpu_numbers());
-    line.add("-o", request->output, "output file (default: standard output)");
+    line.add("--cpu", request->cpu, help::plc_cpu()).one_of(cpu_numbers());
+    line.add("-o", request->output, help::output());
     return [request, line] {
         const PlcFormat* format = format_named(plc_formats(), request->format);
         if (format == nullptr) return ExitStatus::bad_request;

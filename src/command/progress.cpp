@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "command/messages.h"
+#include "command/standard_error.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -32,8 +33,11 @@ std::uint64_t memory_held() {
 
 }  // namespace
 
-Progress::Progress(double max_seconds, std::uint64_t max_memory)
-    : max_seconds_(max_seconds), max_memory_(max_memory), is_terminal_(isatty(STDERR_FILENO) == 1) {
+Progress::Progress(double max_seconds, std::uint64_t max_memory, Language language)
+    : language_(language),
+      max_seconds_(max_seconds),
+      max_memory_(max_memory),
+      is_terminal_(isatty(STDERR_FILENO) == 1) {
     is_interrupted = 0;
     struct sigaction once {};
     once.sa_handler = note_interrupt;
@@ -63,8 +67,9 @@ bool Progress::goes_on() {
 void Progress::show(const Coverage& coverage) {
     const double now = elapsed();
     if (!is_terminal_ || now <= next_) return;
-    fmt::print(stderr, "\r\033[K{} cases, {} situations, {} states waiting", coverage.cases,
-               coverage.situations, coverage.waiting);
+    fmt::print(stderr, "\r\033[K{}",
+               messages::command::progress.in(language_, coverage.cases, coverage.situations,
+                                              coverage.waiting));
     shown_ = true;
     next_ = now + 0.5;
 }
@@ -75,7 +80,7 @@ std::optional<std::uint64_t> parse_memory(const std::string& text) {
     const std::string unit(end, text.data() + text.size());
     const int shift = unit == "k" ? 10 : unit == "M" || unit.empty() ? 20 : unit == "G" ? 30 : 0;
     if (error != std::errc() || shift == 0 || amount == 0 || amount > (UINT64_MAX >> shift)) {
-        complain(fmt::format("'{}' is no amount of memory: write 500M or 2G", visible(text)));
+        complain(messages::command::no_amount_of_memory(visible(text)));
         return std::nullopt;
     }
     return amount << shift;

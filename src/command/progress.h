@@ -6,6 +6,7 @@
 #include <string>
 
 #include "check/check_result.h"
+#include "text/language.h"
 
 namespace grafwire {
 
@@ -15,7 +16,7 @@ namespace grafwire {
 class Progress {
   public:
     /// `max_memory` in bytes; 0 stands for no bound, likewise for the seconds.
-    Progress(double max_seconds, std::uint64_t max_memory);
+    Progress(double max_seconds, std::uint64_t max_memory, Language language);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -27,6 +28,7 @@ class Progress {
     using Clock = std::chrono::steady_clock;
     double elapsed() const;
 
+    Language language_;
     Clock::time_point begin_ = Clock::now();
     double max_seconds_;
     std::uint64_t max_memory_;

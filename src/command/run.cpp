@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -17,14 +21,13 @@ struct Request {
 
 }  // namespace
 
-Task declare_run(const CommandLine& line, const Language& language) {
+Task declare_run(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
-    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
-    line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
-    line.add("--scan", request->scan,
-             "scan by scan with this period (default: until stable at every instant)");
+    line.add_argument(help::file_name, request->path, help::file());
+    line.add_argument(help::stim_name, request->stimuli, help::stim());
+    line.add("--scan", request->scan, help::run_scan());
     request->output.declare(line);
-    return [request, &language] {
+    return [request] {
         // Read the GRAFCET and the stimuli.
         if (share_standard_input(request->path, request->stimuli)) return ExitStatus::bad_request;
         const auto chart = load_chart(request->path);
@@ -40,11 +43,9 @@ Task declare_run(const CommandLine& line, const Language& language) {
         }
         // Write the trace, up to the instant without a stable situation if there is one.
         if (result.unstable_at) {
-            complain(fmt::format(
-                fmt::runtime(language == Language::french
-                                 ? "pas de situation stable à {} ms ; changent sans cesse : {}"
-                                 : "no stable situation at {} ms; these keep changing: {}"),
-                format_milliseconds(*result.unstable_at), fmt::join(result.changing, ", ")));
+            complain(messages::command::no_stable_situation(
+                format_milliseconds(*result.unstable_at),
+                fmt::format("{}", fmt::join(result.changing, ", "))));
         }
         OutputFiles files({request->path, request->stimuli});
         request->output.add_files(files, write_csv(result.trace),

@@ -1,13 +1,16 @@
-#include <fmt/format.h>
-
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "s7/machine/machine.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
+namespace help = messages::help;
 
 struct Request {
     std::string listing;
@@ -36,7 +39,7 @@ std::optional<ListingColumns> load_columns(const Request& request, const s7::Lis
 
 ExitStatus run_listing(const Request& request) {
     if (!request.grafcet.empty() && request.io.empty()) {
-        complain("--grafcet needs --io: the table that says which address is which step");
+        complain(say::grafcet_needs_io());
         return ExitStatus::bad_request;
     }
     // Read the listing, the table of assignment, and the stimuli.
@@ -55,17 +58,16 @@ ExitStatus run_listing(const Request& request) {
     const Period period = parse_period(request.scan);
     if (!period.value) return ExitStatus::bad_request;
     for (const std::string& name : lost_inputs(*columns, *stimuli)) {
-        warn(fmt::format("the listing has no input {}: what the stimuli say of it is left out",
-                         name));
+        warn(say::listing_has_no_input(name));
     }
     // Execute it, scan by scan.
     s7::Machine machine(*listing, cpu);
     const s7::ListingRun run =
         s7::run_listing(machine, columns->grafcet, columns->binding, *stimuli, *period.value);
     if (run.failure) {
-        complain(fmt::format("at {} ms, network {}, line {}: {}",
-                             format_milliseconds(run.failure->at), run.failure->error.network,
-                             run.failure->error.where.line, run.failure->error.message));
+        complain(say::listing_failed(format_milliseconds(run.failure->at),
+                                     run.failure->error.network, run.failure->error.where.line,
+                                     run.failure->error.message));
         return ExitStatus::bad_request;
     }
     OutputFiles files({request.listing, request.stimuli, request.io, request.grafcet});
@@ -75,24 +77,18 @@ ExitStatus run_listing(const Request& request) {
 
 }  // namespace
 
-Task declare_s7(const CommandLine& line, const Language&) {
+Task declare_s7(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
     const CommandLine run = line.add_command(
-        "run", "execute a listing over stimuli, scan by scan",
+        "run", help::s7_run(),
         "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim "
         "--scan 10ms --io examples/s7-200/manipulator.io");
-    run.add("LISTING", request->listing, "the instruction list (.awl), - for standard input")
-        .required();
-    run.add("--stim", request->stimuli, "the stimuli (.stim)").required();
-    run.add("--scan", request->scan, "the time from one scan to the next, such as 10ms").required();
-    run.add("--io", request->io,
-            "table of assignment: which address stands for which name (default: names are "
-            "the addresses)");
-    run.add("--cpu", request->cpu, "the controller: 212 or 214")
-        .one_of(cpu_numbers())
-        .shows_default();
-    run.add("--grafcet", request->grafcet,
-            "the GRAFCET whose columns the trace shall have; needs --io");
+    run.add_argument(help::listing_name, request->listing, help::listing());
+    run.add("--stim", request->stimuli, help::s7_stim()).required();
+    run.add("--scan", request->scan, help::s7_scan()).required();
+    run.add("--io", request->io, help::s7_io());
+    run.add("--cpu", request->cpu, help::s7_cpu()).one_of(cpu_numbers()).shows_default();
+    run.add("--grafcet", request->grafcet, help::s7_grafcet());
     request->output.declare(run);
     return [request] { return run_listing(*request); };
 }

@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include "command/command.h"
+#include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "command/option_uses.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
@@ -9,6 +9,9 @@
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
+namespace help = messages::help;
 
 struct Request {
     std::string path;
@@ -41,19 +44,19 @@ unsigned facts_of(const Request& request, const Chart& chart, const Netlist& net
 
 /// The netlist, made or read; one from elsewhere is made to fit.
 std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
-                                   const CommandLine& line, Language language) {
+                                   const CommandLine& line) {
     if (request.against.empty()) return make_netlist(chart, request.netlist);
     auto netlist = load_netlist(request.against);
     if (!netlist) return std::nullopt;
     const PortComparison ports = fit_netlist(chart, *netlist, request.power_up == "initial");
-    if (!ports.fits()) warn("ports:\n" + write_port_table(ports, language));
+    if (!ports.fits()) warn(say::ports(port_table(ports)));
     if (refuse_idle_options(line, "simulate", facts_of(request, chart, *netlist))) {
         return std::nullopt;
     }
     return netlist;
 }
 
-ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Language language) {
+ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     if (refuse_idle_options(line, "simulate", facts_of(request))) return ExitStatus::bad_request;
     // Read the GRAFCET and the stimuli.
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
@@ -62,7 +65,7 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Lan
     const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     // Make the netlist, or read it.
-    const auto netlist = netlist_for(request, *chart, line, language);
+    const auto netlist = netlist_for(request, *chart, line);
     if (!netlist) return ExitStatus::bad_request;
     for (const auto& broken : broken_assumptions(chart->grafcet, *stimuli)) {
         warn(broken_assumption_text(chart->grafcet, broken));
@@ -74,13 +77,8 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Lan
                                            period.value, !request.output.vcd.empty());
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
-        complain(fmt::format(fmt::runtime(language == Language::french
-                                              ? "le câblage ne se stabilise pas à {} ms ; changent "
-                                                "sans cesse : {}"
-                                              : "the netlist does not settle at {} ms; these keep "
-                                                "changing: {}"),
-                             format_milliseconds(*result.unsettled_at),
-                             oscillating_cells(*netlist, result.oscillating)));
+        complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
+                                              oscillating_cells(*netlist, result.oscillating)));
     }
     OutputFiles files({request.path, request.stimuli, request.against});
     request.output.add_files(files, write_csv(result.trace), std::move(result.waveform));
@@ -89,22 +87,17 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line, Lan
 
 }  // namespace
 
-Task declare_simulate(const CommandLine& line, const Language& language) {
+Task declare_simulate(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
-    line.add("FILE", request->path, "the GRAFCET, - for standard input").required();
-    line.add("STIM", request->stimuli, "the stimuli (.stim), - for standard input").required();
+    line.add_argument(help::file_name, request->path, help::file());
+    line.add_argument(help::stim_name, request->stimuli, help::stim());
     request->netlist.declare(line, false);
-    line.add("--against", request->against,
-             "simulate this .blif or .json netlist instead of a generated one");
-    line.add("--power-up", request->power_up,
-             "netlists from elsewhere without Init: how their steps start: unknown (the default), "
-             "or initial, taken as given")
-        .one_of({"unknown", "initial"});
+    line.add("--against", request->against, help::simulate_against());
+    line.add("--power-up", request->power_up, help::power_up()).one_of({"unknown", "initial"});
     request->netlist.declare_delay(line);
-    line.add("--scan", request->scan,
-             "clocked style: one scan every so much time (default: until stable)");
+    line.add("--scan", request->scan, help::simulate_scan());
     request->output.declare(line);
-    return [request, line, &language] { return simulate_netlist(*request, line, language); };
+    return [request, line] { return simulate_netlist(*request, line); };
 }
 
 }  // namespace grafwire

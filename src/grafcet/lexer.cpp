@@ -119,7 +119,7 @@ Token Lexer::next(Diagnostics* diagnostics) {
         const char c = text_[at_];
         if (is_ascii_letter(c)) return word(token);
         if (is_digit(c)) return number(token);
-        if (c == '"') return quoted(token, diagnostics);
+        if (c == '"') return quoted_name(token, diagnostics);
         if (symbol(token)) return token;
         if (!is_ascii(c) && is_letter(decode_utf8(text_, at_).value)) return word(token);
         report_unexpected(token, diagnostics);
@@ -197,7 +197,7 @@ Token Lexer::number(Token token) {
     return finish(token, TokenKind::integer, whole_end - at_);
 }
 
-Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
+Token Lexer::quoted_name(Token token, Diagnostics* diagnostics) {
     const std::size_t start = at_ + 1;
     const std::size_t end = std::min(text_.find_first_of("\"\r\n", start), text_.size());
     const bool is_closed = end < text_.size() && text_[end] == '"';

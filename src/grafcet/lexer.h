@@ -102,7 +102,7 @@ class Lexer {
     Token finish(Token token, TokenKind kind, std::size_t bytes);
     Token word(Token token);
     Token number(Token token);
-    Token quoted(Token token, Diagnostics* diagnostics);
+    Token quoted_name(Token token, Diagnostics* diagnostics);
     void report_control(std::string_view text, Diagnostics* diagnostics) const;
     bool symbol(Token& token);
     void report_unexpected(const Token& token, Diagnostics* diagnostics);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "grafwire/messages.h"
 #include "grafwire/parts.h"
 #include "workflow/check.h"
 
@@ -85,8 +86,7 @@ Result<CheckResult> check(const Netlist& netlist, const CheckOptions& options) {
     const Netlist::Parts& parts = netlist.parts();
     const grafwire::Chart& chart = parts.chart.parts().chart;
     if (options.period && !netlist.is_clocked()) {
-        return {std::nullopt,
-                {error("a period is for clocked netlists: the others have no scans")}};
+        return {std::nullopt, {error(messages::library::period_without_clock())}};
     }
     return checked(chart, options, {}, [&](CheckRequest request, Diagnostics& told) {
         request.subject.style = parts.style;
@@ -100,7 +100,7 @@ Result<CheckResult> check_listing(const Chart& chart, std::string listing, std::
                                   const std::string& cpu, const CheckOptions& options) {
     const grafwire::Chart& read = chart.parts().chart;
     const auto controller = cpu_of_number(cpu);
-    if (!controller) return {std::nullopt, {error("there is no controller '" + cpu + "'")}};
+    if (!controller) return {std::nullopt, {error(messages::library::unknown_controller(cpu))}};
     std::vector<Message> messages;
     Diagnostics of_assignment;
     const auto io = read_assignment({"assignment", std::move(assignment)}, of_assignment);

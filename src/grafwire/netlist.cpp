@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grafwire/messages.h"
 #include "grafwire/parts.h"
 
 namespace grafwire::api {
@@ -16,8 +17,8 @@ Result<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options) 
     const StyleRow* style = style_named(options.style);
     if (style == nullptr) {
         return {std::nullopt,
-                {error(fmt::format("there is no style '{}' (styles: {})", options.style,
-                                   fmt::join(styles(), ", ")))}};
+                {error(messages::library::unknown_style(
+                    options.style, fmt::format("{}", fmt::join(styles(), ", "))))}};
     }
     grafwire::NetlistOptions asked{style->style, std::nullopt, options.modes};
     if (options.cdx) asked.cdx = form_from(*options.cdx);
@@ -35,7 +36,7 @@ Result<Netlist> read_netlist(const Chart& chart, std::string text, std::string_v
                              std::string name, bool starts_initially) {
     const NetlistFormat* row = netlist_format_named(format);
     if (row == nullptr || row->read == nullptr) {
-        return {std::nullopt, {error(fmt::format("'{}' is no format to read", format))}};
+        return {std::nullopt, {error(messages::library::no_format_to_read(format))}};
     }
     Diagnostics diagnostics;
     auto netlist = row->read({name, std::move(text)}, diagnostics);
@@ -43,7 +44,7 @@ Result<Netlist> read_netlist(const Chart& chart, std::string text, std::string_v
     if (!netlist) return result;
     const PortComparison ports = fit_netlist(chart.parts().chart, *netlist, starts_initially);
     if (!ports.fits()) {
-        Message message = error(write_port_table(ports, grafwire::Language::english));
+        Message message = error(port_table(ports));
         if (ports.can_compare()) message.severity = Message::Severity::warning;
         result.messages.push_back(std::move(message));
     }

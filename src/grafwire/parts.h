@@ -30,7 +30,7 @@ struct Netlist::Parts {
 };
 
 std::vector<Message> messages_from(const Diagnostics& diagnostics);
-Message error(std::string text);
+Message error(Localized text);
 
 inline grafwire::Language language_from(Language language) {
     return language == Language::french ? grafwire::Language::french : grafwire::Language::english;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "grafwire/messages.h"
 #include "grafwire/parts.h"
 #include "grafwire/version.h"
+#include "text/messages.h"
 #include "text/version.h"
 
 namespace grafwire::api {
@@ -12,14 +14,16 @@ std::string version() {
     return std::string(grafwire::version());
 }
 
-std::string shown(const std::vector<Message>& messages, std::string_view file) {
+std::string shown(const std::vector<Message>& messages, std::string_view file, Language language) {
     std::string text;
     for (const Message& message : messages) {
         text += file;
         if (message.line != 0) text += fmt::format(":{}:{}", message.line, message.column);
-        text += fmt::format(": {}: {}\n",
-                            message.severity == Message::Severity::error ? "error" : "warning",
-                            message.text);
+        const grafwire::Message<>& kind = message.severity == Message::Severity::error
+                                              ? messages::text::error
+                                              : messages::text::warning;
+        text +=
+            fmt::format(": {}: {}\n", kind.in(language_from(language)), message.text_in(language));
     }
     return text;
 }
@@ -32,6 +36,7 @@ std::vector<Message> messages_from(const Diagnostics& diagnostics) {
             message.severity = Message::Severity::warning;
         }
         message.text = item.message.english;
+        message.french = item.message.french;
         if (item.where.is_known()) {
             message.line = item.where.line;
             message.column = item.where.column;
@@ -41,8 +46,8 @@ std::vector<Message> messages_from(const Diagnostics& diagnostics) {
     return messages;
 }
 
-Message error(std::string text) {
-    return {Message::Severity::error, std::move(text), 0, 0};
+Message error(Localized text) {
+    return {Message::Severity::error, std::move(text.english), std::move(text.french), 0, 0};
 }
 
 CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period) {
@@ -53,7 +58,7 @@ CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period) {
 }
 
 Message wrong_period() {
-    return error("a period is positive, and less than 106 days");
+    return error(messages::library::wrong_period());
 }
 
 std::vector<std::string> strings(const std::vector<std::string_view>& names) {

@@ -9,20 +9,26 @@
 
 namespace grafwire::api {
 
-/// The language of reports for people.
+/// The language of messages and reports for people.
 enum class Language { english, french };
 
 /// Something to be said of a text, or of what was asked for.
 struct Message {
     enum class Severity { warning, error };
     Severity severity = Severity::error;
-    std::string text;
+    std::string text;          ///< in English
+    std::string french;        ///< the same in French
     std::uint32_t line = 0;    ///< from 1; 0: it is about the whole
     std::uint32_t column = 0;  ///< in characters, from 1
+
+    const std::string& text_in(Language language) const {
+        return language == Language::french ? french : text;
+    }
 };
 
 /// The messages as compilers show them, a line each: `chart.grafcet:5:12: error: …`.
-std::string shown(const std::vector<Message>& messages, std::string_view file);
+std::string shown(const std::vector<Message>& messages, std::string_view file,
+                  Language language = Language::english);
 
 /// A value, or the errors for which there is none. Warnings come with a value as well.
 template <typename Value>

@@ -1,5 +1,6 @@
 #include "grafwire/simulate.h"
 
+#include "grafwire/messages.h"
 #include "grafwire/parts.h"
 #include "trace/stimuli.h"
 #include "workflow/runs.h"
@@ -55,8 +56,7 @@ Result<Run> simulate(const Netlist& netlist, std::string stimuli,
     Start start = begin(chart, std::move(stimuli), period);
     Result<Run> result{std::nullopt, std::move(start.messages)};
     if (period && !netlist.is_clocked()) {
-        result.messages.push_back(
-            error("a period is for clocked netlists: the others have no scans"));
+        result.messages.push_back(error(messages::library::period_without_clock()));
         return result;
     }
     if (!start.stimuli) return result;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grafwire/messages.h"
 #include "grafwire/parts.h"
 #include "workflow/programs.h"
 
@@ -44,7 +45,7 @@ namespace {
 
 Message no_format(std::string_view name, const std::vector<std::string_view>& names) {
     return error(
-        fmt::format("there is no format '{}' (formats: {})", name, fmt::join(names, ", ")));
+        messages::library::unknown_format(name, fmt::format("{}", fmt::join(names, ", "))));
 }
 
 }  // namespace

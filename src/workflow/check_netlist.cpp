@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "check/check_equivalence.h"
 #include "check/coverage.h"
 #include "check/netlist_witness.h"
@@ -11,6 +9,7 @@
 #include "simulate/simulate.h"
 #include "text/utf8.h"
 #include "workflow/check_parts.h"
+#include "workflow/messages.h"
 
 namespace grafwire {
 
@@ -68,17 +67,12 @@ void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist
 bool is_worth_checking(const Chart& chart, const std::string& file, bool has_modes,
                        Diagnostics& messages) {
     if (!can_ever_act(chart.grafcet)) {
-        messages.error(
-            code::no_steps, {},
-            fmt::format("{}: no step is initial and no source transition activates any, so nothing "
-                        "ever happens in this GRAFCET: make a step initial",
-                        visible(file)));
+        messages.error(code::no_steps, {}, messages::workflow::nothing_ever_happens(visible(file)));
         return false;
     }
     if (!Assumptions(chart.grafcet).can_hold(unassigned_inputs(chart.grafcet, has_modes))) {
-        messages.error(
-            code::contradicting_assumptions, {},
-            "the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0");
+        messages.error(code::contradicting_assumptions, {},
+                       messages::workflow::assumptions_leave_no_input());
         return false;
     }
     return true;

@@ -12,10 +12,13 @@
 #include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
 #include "workflow/check_parts.h"
+#include "workflow/messages.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::workflow;
 
 /// The files that show the witness of a program: stimuli, what reference and program make of them,
 /// the explanation.
@@ -61,24 +64,17 @@ std::optional<Judgement> check_device(
 
 /// Whether every step and output has its variable; what is missing goes into `messages`.
 bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnostics& messages) {
-    const bool french = request.language == Language::french;
     if (!names.missing.empty()) {
-        messages.error(
-            code::bad_ladder, {},
-            fmt::format(
-                fmt::runtime(french
-                                 ? "{}: pas de variable BOOL de ce nom : {} ; chaque étape (X...) "
-                                   "et chaque sortie doit avoir la sienne"
-                                 : "{}: no BOOL variable of this name: {}; every step (X...) and "
-                                   "every output must have its own"),
-                request.subject.against, fmt::join(names.missing, ", ")));
+        messages.error(code::bad_ladder, {},
+                       say::missing_variables(request.subject.against,
+                                              fmt::format("{}", fmt::join(names.missing, ", "))));
         return false;
     }
     if (!names.missing_inputs.empty()) {
         messages.warning(
             code::bad_ladder, {},
-            fmt::format(fmt::runtime(french ? "{}: sans l'entrée {}" : "{}: has no input {}"),
-                        request.subject.against, fmt::join(names.missing_inputs, ", ")));
+            say::missing_inputs(request.subject.against,
+                                fmt::format("{}", fmt::join(names.missing_inputs, ", "))));
     }
     return true;
 }
@@ -121,8 +117,7 @@ std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& li
                                        Diagnostics& messages) {
     const Grafcet& grafcet = chart.grafcet;
     if (!has_all_modes_or_none(grafcet, binding)) {
-        messages.error(code::unassigned_name, {},
-                       "Init, AUdur and AUdoux: give all three an address, or none");
+        messages.error(code::unassigned_name, {}, say::modes_all_or_none());
         return std::nullopt;
     }
     const ListingDevice device(listing, cpu, binding);

@@ -4,6 +4,7 @@
 
 #include "evolution/run.h"
 #include "netlist/styles/messages.h"
+#include "workflow/messages.h"
 
 namespace grafwire {
 
@@ -18,15 +19,17 @@ CdxForm cdx_form(const NetlistOptions& options) {
     return options.cdx.value_or(style_table[static_cast<std::size_t>(options.style)].default_cdx);
 }
 
-std::string conflict_in(const NetlistOptions& options) {
-    if (options.style != Style::clocked || cdx_form(options) == CdxForm::transition) return {};
-    return "the clocked style has the transition form of CDX only: leave out --cdx successor";
+std::optional<Localized> conflict_in(const NetlistOptions& options) {
+    if (options.style != Style::clocked || cdx_form(options) == CdxForm::transition) {
+        return std::nullopt;
+    }
+    return messages::workflow::clocked_has_transition_form();
 }
 
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options,
                                     Diagnostics& diagnostics) {
-    if (std::string conflict = conflict_in(options); !conflict.empty()) {
-        diagnostics.error(code::unsupported_by_style, {}, std::move(conflict));
+    if (const auto conflict = conflict_in(options)) {
+        diagnostics.error(code::unsupported_by_style, {}, *conflict);
         return std::nullopt;
     }
     const Equations equations = equations_from(chart.grafcet, {cdx_form(options), options.modes});
@@ -47,6 +50,10 @@ PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_ini
         netlist.starts_initially = starts_initially;
     }
     return ports;
+}
+
+Localized port_table(const PortComparison& ports) {
+    return {write_port_table(ports, Language::english), write_port_table(ports, Language::french)};
 }
 
 namespace {

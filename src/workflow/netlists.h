@@ -31,8 +31,8 @@ const StyleRow* style_named(std::string_view name);
 /// The form of CDX that results.
 CdxForm cdx_form(const NetlistOptions& options);
 
-/// Why these options do not go together; empty where they do.
-std::string conflict_in(const NetlistOptions& options);
+/// Why these options do not go together; none where they do.
+std::optional<Localized> conflict_in(const NetlistOptions& options);
 
 /// The netlist of a chart. What the style cannot hold goes into `diagnostics`, with its place in
 /// the chart; empty then.
@@ -49,6 +49,9 @@ std::optional<Against> against_of(std::string_view path);
 /// steps start in the initial situation where nothing sets them. Nothing is changed where an X or
 /// an output of the chart is missing.
 PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_initially);
+
+/// The table of all ports, for people.
+Localized port_table(const PortComparison& ports);
 
 /// A netlist as a file, and the test bench that drives it, of formats that have one.
 struct WrittenNetlist {

@@ -6,6 +6,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "trace/stimuli_player.h"
+#include "workflow/messages.h"
 
 namespace grafwire {
 
@@ -23,16 +24,20 @@ SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const 
     return simulate(chart.grafcet, netlist, cell_delays(netlist, delays), stimuli, options);
 }
 
-std::string oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets) {
+Localized oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets) {
     constexpr std::size_t most = 12;
     const Table<NetId, CellId> drivers = drivers_of(netlist);
-    std::vector<std::string> names;
-    for (const NetId net : nets) {
-        if (drivers[net] != no_cell) names.push_back(cell_description(netlist, drivers[net]));
-    }
-    const bool cut = names.size() > most;
-    if (cut) names.resize(most);
-    return fmt::format("{}{}", fmt::join(names, ", "), cut ? ", …" : "");
+    const auto cells_in = [&](Language language) {
+        std::vector<std::string> names;
+        for (const NetId net : nets) {
+            if (drivers[net] == no_cell) continue;
+            names.push_back(cell_description(netlist, drivers[net], language));
+        }
+        const bool cut = names.size() > most;
+        if (cut) names.resize(most);
+        return fmt::format("{}{}", fmt::join(names, ", "), cut ? ", …" : "");
+    };
+    return {cells_in(Language::english), cells_in(Language::french)};
 }
 
 std::vector<RunResult::BrokenAssumption> broken_assumptions(const Grafcet& grafcet,
@@ -49,12 +54,12 @@ std::vector<RunResult::BrokenAssumption> broken_assumptions(const Grafcet& grafc
     return broken;
 }
 
-std::string broken_assumption_text(const Grafcet& grafcet,
-                                   const RunResult::BrokenAssumption& broken) {
-    return fmt::format("at {} ms the stimuli break what the GRAFCET assumes: {}",
-                       format_milliseconds(broken.at),
-                       write_expression(grafcet, grafcet.expressions,
-                                        grafcet.assumptions[broken.assumption].expression));
+Localized broken_assumption_text(const Grafcet& grafcet,
+                                 const RunResult::BrokenAssumption& broken) {
+    return messages::workflow::broken_assumption(
+        format_milliseconds(broken.at),
+        write_expression(grafcet, grafcet.expressions,
+                         grafcet.assumptions[broken.assumption].expression));
 }
 
 std::optional<ListingColumns> columns_of(const s7::Listing& listing,

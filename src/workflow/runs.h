@@ -27,14 +27,13 @@ SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const 
 
 /// The cells that drive these nets, for the message that a netlist does not settle; the first of
 /// many.
-std::string oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets);
+Localized oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets);
 
 /// The moments at which stimuli break an assumption, the first for each that is found broken.
 std::vector<RunResult::BrokenAssumption> broken_assumptions(const Grafcet& grafcet,
                                                             const Stimuli& stimuli);
 /// Which assumption it is, and when.
-std::string broken_assumption_text(const Grafcet& grafcet,
-                                   const RunResult::BrokenAssumption& broken);
+Localized broken_assumption_text(const Grafcet& grafcet, const RunResult::BrokenAssumption& broken);
 
 /// The names that a run of a listing has its columns by, and where the listing keeps what they
 /// show.

@@ -55,7 +55,7 @@ TEST_CASE("reports are in the language") {
     const Ran french = grafwire_with({"run", example("positioning-axis.grafcet"),
                                       example("positioning-axis-scan.stim"), "--lang", "fr"});
     CHECK(contains(english.err, "no stable situation at 100 ms"));
-    CHECK(contains(french.err, "pas de situation stable à 100 ms"));
+    CHECK(contains(french.err, "pas de situation stable à 100 ms"));
     CHECK(english.out == french.out);
 }
 

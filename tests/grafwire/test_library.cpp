@@ -46,6 +46,8 @@ TEST_CASE("reading: a chart, or messages with their places") {
     CHECK(wrong.messages[0].line == 4);
     CHECK(wrong.messages[0].column == 12);
     CHECK(contains(refusal(wrong), "text:4:12: error: "));
+    CHECK(contains(gw::shown(wrong.messages, "text", gw::Language::french),
+                   "text:4:12: erreur: " + wrong.messages[0].text_in(gw::Language::french)));
 }
 
 TEST_CASE("equations in every form") {
@@ -85,6 +87,10 @@ TEST_CASE("netlists: made, written and read back") {
     }
     gw::NetlistOptions options;
     options.style = "nad";
+    const auto refused = gw::make_netlist(chart("rule-5"), options);
+    REQUIRE(refused.messages.size() == 1);
+    CHECK(refused.messages[0].text_in(gw::Language::english) == refused.messages[0].text);
+    CHECK(contains(refused.messages[0].text_in(gw::Language::french), "il n'y a pas de style"));
     CHECK(contains(refusal(gw::make_netlist(chart("rule-5"), options)), "no style 'nad'"));
     options.style = "clocked";
     options.cdx = gw::Cdx::successor;

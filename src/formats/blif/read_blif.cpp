@@ -3,8 +3,6 @@
 
 #include "formats/blif/read_blif.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -22,6 +20,8 @@
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::formats;
 
 using Words = std::vector<BlifWord>;
 
@@ -55,7 +55,7 @@ class BlifReader {
     void read_parameter(const Words& words);
     void read_initial_value(const Words& words);
     void close();
-    void refuse(Location where, std::string message) {
+    void refuse(Location where, Localized message) {
         diagnostics_.error(code::bad_netlist, where, std::move(message));
     }
     NetId net(const BlifWord& word) {
@@ -81,7 +81,7 @@ std::optional<Netlist> BlifReader::read() {
     Words words;
     while (lines_.next(words)) read_line(words);
     close();
-    if (model_count_ == 0) refuse({}, "there is no .model in the file");
+    if (model_count_ == 0) refuse({}, say::no_model());
     for (const Words& line : outputs_) {
         for (std::size_t i = 1; i < line.size(); ++i) {
             assembly_.add_output(percent_decoded(line[i].text), net(line[i]), line[i].where);
@@ -100,20 +100,20 @@ void BlifReader::read_line(const Words& words) {
     if (first == ".model") return read_model(words);
     if (model_count_ == 0) {
         if (!first.starts_with('.')) {
-            return refuse(words[0].where, "expected .model at the start of the netlist");
+            return refuse(words[0].where, say::expected_model());
         }
         model_count_ = 1;  // BLIF allows the first .model to be left out
     }
     if (model_count_ == 1) {
         if (first.starts_with('.')) return read_directive(words);
         if (in_names_) return read_row(words);
-        return refuse(words[0].where, fmt::format("{} is not a BLIF command", in_quotes(first)));
+        return refuse(words[0].where, say::no_command(shortened(first)));
     }
     const bool is_cell =
         first == ".names" || first == ".latch" || first == ".subckt" || first == ".gate";
     if (is_cell && !complained_of_models_) {
         complained_of_models_ = true;
-        refuse(words[0].where, "a second model with cells of its own; flatten the netlist first");
+        refuse(words[0].where, say::second_model());
     }
 }
 
@@ -151,21 +151,18 @@ void BlifReader::read_directive(const Words& words) {
     } else if (name == ".subckt") {
         read_black_box(words);
     } else if (name == ".gate" || name == ".mlatch") {
-        refuse(words[0].where,
-               fmt::format("library cell {}: its function is not in the file; write the netlist "
-                           "with .names instead",
-                           in_quotes(words.size() > 1 ? words[1].text : "")));
+        refuse(words[0].where, say::library_cell(shortened(words.size() > 1 ? words[1].text : "")));
     } else if (name != ".end" && name != ".area" && name != ".delay" &&
                name.find("_load") == std::string_view::npos &&
                name.find("_drive") == std::string_view::npos &&
                name.find("_arrival") == std::string_view::npos &&
                name.find("_required") == std::string_view::npos) {
-        refuse(words[0].where, fmt::format("{} is not supported", in_quotes(name)));
+        refuse(words[0].where, say::not_supported(shortened(name)));
     }
 }
 
 void BlifReader::read_names(const Words& words) {
-    if (words.size() < 2) return refuse(words[0].where, ".names without an output");
+    if (words.size() < 2) return refuse(words[0].where, say::names_without_output());
     in_names_ = true;
     cover_ = {};
     cover_where_ = words[0].where;
@@ -180,11 +177,10 @@ void BlifReader::read_row(const Words& words) {
     const bool is_plane =
         plane.size() == width && plane.find_first_not_of("01-") == std::string_view::npos;
     if (words.size() != (width == 0 ? 1U : 2U) || !is_plane || (value != "0" && value != "1")) {
-        return refuse(words[0].where,
-                      fmt::format("expected a row of {} characters 0, 1 or - and a 0 or 1", width));
+        return refuse(words[0].where, say::expected_row(width));
     }
     if (!cover_.rows.empty() && cover_.value != (value == "1")) {
-        return refuse(words.back().where, "the rows of one .names must end alike, all 0 or all 1");
+        return refuse(words.back().where, say::rows_differ());
     }
     cover_.value = value == "1";
     cover_.rows.emplace_back(plane);
@@ -194,14 +190,13 @@ void BlifReader::read_latch(const Words& words) {
     // .latch input output [type control] [initial]
     std::size_t count = words.size();
     if (count < 3 || count > 6) {
-        return refuse(words[0].where,
-                      "expected .latch input output [type control] [initial value]");
+        return refuse(words[0].where, say::expected_latch());
     }
     Logic initial = Logic::unknown;
     if (count == 4 || count == 6) {
         const std::string_view digit = words[--count].text;
         if (digit.size() != 1 || digit[0] < '0' || digit[0] > '3') {
-            return refuse(words[count].where, "the initial value of a latch is 0, 1, 2 or 3");
+            return refuse(words[count].where, say::latch_initial_value());
         }
         if (digit == "0") initial = Logic::zero;
         if (digit == "1") initial = Logic::one;
@@ -213,10 +208,7 @@ void BlifReader::read_latch(const Words& words) {
 void BlifReader::add_latch(const Words& words, std::string_view kind, const BlifWord* control,
                            Logic initial) {
     if (kind != "re" && kind != "ah") {
-        return refuse(words[3].where,
-                      fmt::format("latch type {}: only re (rising edge) and ah (transparent while "
-                                  "high) are supported",
-                                  in_quotes(kind)));
+        return refuse(words[3].where, say::latch_type(shortened(kind)));
     }
     NetId control_net = no_net;
     if (control != nullptr && control->text != "NIL") {
@@ -233,12 +225,10 @@ void BlifReader::add_latch(const Words& words, std::string_view kind, const Blif
 }
 
 void BlifReader::read_black_box(const Words& words) {
-    if (words.size() < 2) return refuse(words[0].where, ".subckt without a model");
+    if (words.size() < 2) return refuse(words[0].where, say::subcircuit_without_model());
     const std::optional<CellType> type = helper_type_named(words[1].text);
     if (!type) {
-        return refuse(words[1].where,
-                      fmt::format("subcircuit {} is not known; flatten the netlist first",
-                                  in_quotes(words[1].text)));
+        return refuse(words[1].where, say::unknown_subcircuit(shortened(words[1].text)));
     }
     OpenBox box{
         *type, no_net, std::vector<NetId>(row_of(*type).min_pins, no_net), {}, words[0].where};
@@ -249,17 +239,15 @@ void BlifReader::read_black_box(const Words& words) {
         const auto pin = std::find(names.begin(), names.end(), formal);
         const bool is_output = formal == "q";
         if (equals == std::string_view::npos || (!is_output && pin == names.end())) {
-            return refuse(words[i].where,
-                          fmt::format("{} is not a connection of a {}", in_quotes(words[i].text),
-                                      row_of(*type).description.in(Language::english)));
+            return refuse(words[i].where, say::no_connection(shortened(words[i].text),
+                                                             row_of(*type).description()));
         }
         const NetId actual = net({words[i].text.substr(equals + 1), words[i].where});
         (is_output ? box.output : box.pins[static_cast<std::size_t>(pin - names.begin())]) = actual;
     }
     if (box.output == no_net ||
         std::find(box.pins.begin(), box.pins.end(), no_net) != box.pins.end()) {
-        return refuse(words[0].where, fmt::format("a connection of this {} is missing",
-                                                  row_of(*type).description.in(Language::english)));
+        return refuse(words[0].where, say::connection_missing(row_of(*type).description()));
     }
     box_ = std::move(box);
 }
@@ -274,10 +262,7 @@ void BlifReader::read_parameter(const Words& words) {
         value = value.substr(1, value.size() - 2);
     }
     if (!set_helper_parameter(box_->details.initial, box_->details.timing, name, value)) {
-        refuse(words[0].where,
-               fmt::format("the value of {} does not fit; INIT is 0 or 1, RISE and FALL "
-                           "are durations, ORDINAL is a number",
-                           name));
+        refuse(words[0].where, say::parameter_does_not_fit(name));
     }
 }
 

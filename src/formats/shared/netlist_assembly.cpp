@@ -4,8 +4,6 @@
 
 #include "formats/shared/netlist_assembly.h"
 
-#include <fmt/format.h>
-
 #include <cassert>
 #include <utility>
 
@@ -13,6 +11,8 @@
 #include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::formats;
 
 NetlistAssembly::NetlistAssembly(Diagnostics& diagnostics)
     : diagnostics_(diagnostics),
@@ -64,10 +64,9 @@ void NetlistAssembly::drive(NetId id, Location where) {
     assert(index_of(id) < nets_.size() && nets_[index_of(id)].is_of_file);
     FileNet& net = nets_[index_of(id)];
     if (net.is_driven) {
-        Diagnostic& error = diagnostics_.error(
-            code::bad_netlist, where,
-            fmt::format("net {} has a second driver", in_quotes(builder_.name_of(id))));
-        if (net.driver.is_known()) error.notes.push_back({net.driver, "the first one is here"});
+        Diagnostic& error = diagnostics_.error(code::bad_netlist, where,
+                                               say::second_driver(shortened(builder_.name_of(id))));
+        if (net.driver.is_known()) error.notes.push_back({net.driver, say::first_driver()});
     }
     net.is_driven = true;
     net.driver = where;
@@ -82,8 +81,7 @@ void NetlistAssembly::add_input(std::string_view name, NetId net, Location where
 
 void NetlistAssembly::add_output(std::string_view name, NetId net, Location where) {
     if (!output_names_.insert(std::string(name)).second) {
-        diagnostics_.error(code::bad_netlist, where,
-                           fmt::format("output {} is listed twice", in_quotes(name)));
+        diagnostics_.error(code::bad_netlist, where, say::output_twice(shortened(name)));
         return;
     }
     check_port(name, net, where);
@@ -102,8 +100,7 @@ void NetlistAssembly::add_cell(CellType type, NetId output, std::span<const NetI
         details.timing.fall == 0) {
         diagnostics_.error(
             code::bad_netlist, where,
-            fmt::format("the pulse of {} '{}' has no width",
-                        row_of(type).description.in(Language::english), builder_.name_of(output)));
+            say::pulse_without_width(row_of(type).description(), builder_.name_of(output)));
     }
     builder_.add_cell(place(where), type, output, pins, details);
 }
@@ -119,9 +116,7 @@ void NetlistAssembly::check_drivers(const Netlist& netlist) {
     for (std::size_t i = 0; i < nets_.size(); ++i) {
         if (!nets_[i].is_of_file || nets_[i].is_driven) continue;
         diagnostics_.error(code::bad_netlist, nets_[i].where,
-                           fmt::format("net '{}' has no driver: it is neither an input nor the "
-                                       "output of a cell",
-                                       netlist.names[static_cast<NetId>(i)]));
+                           say::no_driver(netlist.names[static_cast<NetId>(i)]));
     }
 }
 
@@ -130,20 +125,18 @@ void NetlistAssembly::find_clock(Netlist& netlist) {
         if (!row_of(cell.type).is_clocked) continue;
         const NetId clock = netlist.pins_of(cell).back();
         const Location where = netlist.origin_of(cell).where;
-        const std::string description = row_of(cell.type).description.in(Language::english);
+        const Localized description = row_of(cell.type).description();
         if (index_of(clock) >= nets_.size() || !nets_[index_of(clock)].is_input) {
-            diagnostics_.error(
-                code::bad_netlist, where,
-                fmt::format("the clock '{}' of {} '{}' is not an input", netlist.names[clock],
-                            description, netlist.names[cell.output]));
+            diagnostics_.error(code::bad_netlist, where,
+                               say::clock_is_no_input(netlist.names[clock], description,
+                                                      netlist.names[cell.output]));
             return;
         }
         if (netlist.clock != no_net && netlist.clock != clock) {
             diagnostics_.error(
                 code::bad_netlist, where,
-                fmt::format("{} '{}' has the clock '{}', others have '{}': one clock is supported",
-                            description, netlist.names[cell.output], netlist.names[clock],
-                            netlist.names[netlist.clock]));
+                say::second_clock(description, netlist.names[cell.output], netlist.names[clock],
+                                  netlist.names[netlist.clock]));
             return;
         }
         netlist.clock = clock;

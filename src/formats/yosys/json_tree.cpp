@@ -4,8 +4,6 @@
 
 #include "formats/yosys/json_tree.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -170,12 +168,11 @@ std::optional<JsonValue> parse_json(std::string_view text, Diagnostics& diagnost
     const PlaceCounter end(text.data() + text.size(), builder.where);
     if (nlohmann::json::sax_parse(begin, end, &builder)) return std::move(builder.root);
     if (builder.too_deep) {
-        diagnostics.error(
-            code::nested_too_deep, builder.where,
-            fmt::format("values are nested more than {} deep: not a netlist", deepest));
+        diagnostics.error(code::nested_too_deep, builder.where,
+                          messages::formats::nested_too_deep(deepest));
     } else {
         diagnostics.error(code::bad_netlist, location_of(text, builder.error_position),
-                          "not JSON: " + reason_in(builder.error_message));
+                          messages::formats::not_json(reason_in(builder.error_message)));
     }
     return std::nullopt;
 }

@@ -17,6 +17,8 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::formats;
+
 /// A cell whose function is one gate over the bits of its inputs, perhaps with inverters.
 struct GateRow {
     std::string_view type;
@@ -102,7 +104,7 @@ class YosysCellReader {
     bool is_positive(std::string_view parameter) const {
         return cell_.parameter(parameter).ends_with('1');
     }
-    void refuse(std::string_view reason);
+    void refuse(const Localized& reason);
 
     NetlistAssembly& assembly_;
     const YosysCell& cell_;
@@ -112,7 +114,7 @@ class YosysCellReader {
     bool is_refused_ = false;
 };
 
-void YosysCellReader::refuse(std::string_view reason) {
+void YosysCellReader::refuse(const Localized& reason) {
     if (!is_refused_) refuse_yosys_cell(cell_, reason, diagnostics_);
     is_refused_ = true;
 }
@@ -121,11 +123,9 @@ NetId YosysCellReader::bit(std::string_view port) {
     const YosysCell::Connection* connection = cell_.find(port);
     if (connection != nullptr && connection->bits.size() == 1) return connection->bits[0];
     if (connection == nullptr) {
-        refuse(fmt::format("its port {} is not connected", port));
+        refuse(say::pin_not_connected(port));
     } else {
-        refuse(
-            fmt::format("its port {} has {} bits; split words into bits first (Yosys: simplemap)",
-                        port, connection->bits.size()));
+        refuse(say::wide_pin(port, connection->bits.size()));
     }
     return no_net;
 }
@@ -138,14 +138,14 @@ NetId YosysCellReader::bit(std::string_view port, bool is_high) {
 std::vector<NetId> YosysCellReader::word(std::string_view port) {
     const YosysCell::Connection* connection = cell_.find(port);
     if (connection != nullptr && !connection->bits.empty()) return connection->bits;
-    refuse(fmt::format("its port {} is not connected", port));
+    refuse(say::pin_not_connected(port));
     return {};
 }
 
 NetId YosysCellReader::output(std::string_view port) {
     const NetId net = bit(port);
     if (!is_refused_ && cell_.find(port)->constants[0] != '-') {
-        refuse(fmt::format("its output {} is connected to a constant", port));
+        refuse(say::output_is_constant(port));
     }
     return net;
 }
@@ -179,7 +179,7 @@ void YosysCellReader::add_comparison() {
     const std::vector<NetId> a = word("A");
     const std::vector<NetId> b = word("B");
     if (is_refused_) return;
-    if (a.size() != b.size()) return refuse("its operands differ in width");
+    if (a.size() != b.size()) return refuse(say::operands_differ());
     const std::string& a_constants = cell_.find("A")->constants;
     const std::string& b_constants = cell_.find("B")->constants;
     if (a.size() == 1 && a_constants[0] == '-' && b_constants[0] == '-') {
@@ -248,7 +248,7 @@ void YosysCellReader::add_lut() {
     const std::string_view table = cell_.parameter("LUT");
     if (is_refused_) return;
     if (inputs.size() > 12 || table.size() != std::size_t{1} << inputs.size()) {
-        return refuse("its table does not fit its inputs");
+        return refuse(say::table_does_not_fit());
     }
     Cover on{inputs, {}, true};
     Cover off{inputs, {}, false};
@@ -257,7 +257,7 @@ void YosysCellReader::add_lut() {
         for (std::size_t i = 0; i < inputs.size(); ++i) row += (index >> i & 1U) != 0 ? '1' : '0';
         // The text begins with the highest entry.
         const char entry = table[table.size() - 1 - index];
-        if (entry != '0' && entry != '1') return refuse("its table has undefined entries");
+        if (entry != '0' && entry != '1') return refuse(say::table_undefined());
         (entry == '1' ? on : off).rows.push_back(row);
     }
     add_cover(assembly_, on.rows.size() <= off.rows.size() ? on : off, output_, cell_.where);
@@ -274,13 +274,13 @@ void YosysCellReader::add_flip_flop() {
     const bool has_reset = kind.starts_with("SDFF");
     const bool has_enable = kind.ends_with('E');
     const std::size_t expected = 1U + (has_reset ? 2U : 0U) + (has_enable ? 1U : 0U);
-    if (kind.starts_with("DLATCH")) return refuse("latches with set or reset are not supported");
+    if (kind.starts_with("DLATCH")) return refuse(say::set_reset_latch());
     const bool is_known =
         kind == "DFF" || kind == "DFFE" || kind == "SDFF" || kind == "SDFFE" || kind == "SDFFCE";
     if (!is_known || letters.size() != expected) {
-        return refuse("flip-flops with asynchronous set or reset are not supported");
+        return refuse(say::asynchronous_flip_flop());
     }
-    if (letters[0] != 'P') return refuse("flip-flops on the falling edge are not supported");
+    if (letters[0] != 'P') return refuse(say::falling_flip_flop());
     NetId data = bit("D");
     const NetId clock = bit("C");
     const NetId enable = has_enable ? bit("E", letters.back() == 'P') : no_net;
@@ -309,8 +309,7 @@ void YosysCellReader::add_word_flip_flop() {
     const NetId data = bit("D");
     const NetId clock = bit("CLK");
     if (is_refused_) return;
-    if (!is_positive("CLK_POLARITY"))
-        return refuse("flip-flops on the falling edge are not supported");
+    if (!is_positive("CLK_POLARITY")) return refuse(say::falling_flip_flop());
     drive(CellType::flip_flop, {data, clock});
 }
 
@@ -347,7 +346,7 @@ void YosysCellReader::add_helper(CellType type) {
             text = fmt::format("{}", number);
         }
         if (!set_helper_parameter(details.initial, details.timing, name, text)) {
-            return refuse(fmt::format("its {} is not valid: '{}'", name, text));
+            return refuse(say::bad_parameter(name, text));
         }
     }
     std::vector<NetId> pins;
@@ -403,9 +402,9 @@ void YosysCellReader::add() {
         output_ = output(is_yosys_memory(type) ? "Q" : "Y");
         if (!is_refused_) (this->*add_cell)();
     } else if (type.starts_with('$')) {
-        refuse("cells of this type are not supported (Yosys: techmap; opt)");
+        refuse(say::cell_not_supported());
     } else {
-        refuse("it is a module of its own; flatten the netlist first");
+        refuse(say::module_of_its_own());
     }
 }
 
@@ -439,10 +438,9 @@ std::string_view YosysCell::parameter(std::string_view parameter_name) const {
     return {};
 }
 
-void refuse_yosys_cell(const YosysCell& cell, std::string_view reason, Diagnostics& diagnostics) {
-    diagnostics.error(
-        code::bad_netlist, cell.where,
-        fmt::format("cell {} of type {}: {}", in_quotes(cell.name), cell.type, reason));
+void refuse_yosys_cell(const YosysCell& cell, const Localized& reason, Diagnostics& diagnostics) {
+    diagnostics.error(code::bad_netlist, cell.where,
+                      say::cell_refused(shortened(cell.name), cell.type, reason));
 }
 
 bool is_yosys_memory(std::string_view type) {

@@ -34,7 +34,7 @@ void add_yosys_cell(NetlistAssembly& assembly, YosysCell cell, Logic initial,
                     Diagnostics& diagnostics);
 
 /// Reports what is wrong with a cell.
-void refuse_yosys_cell(const YosysCell& cell, std::string_view reason, Diagnostics& diagnostics);
+void refuse_yosys_cell(const YosysCell& cell, const Localized& reason, Diagnostics& diagnostics);
 
 /// Whether a type keeps a value of its own, so that an `init` attribute of its output is its own.
 bool is_yosys_memory(std::string_view type);

@@ -19,6 +19,8 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::formats;
+
 using Kind = JsonValue::Kind;
 
 bool is_set(const JsonValue* attribute) {
@@ -44,7 +46,7 @@ class YosysReader {
     void set_initial_values();
     NetId net_of(const JsonValue& bit, Location where);
     void name_bit(const JsonValue& bit, const std::string& name);
-    void refuse(Location where, std::string message) {
+    void refuse(Location where, Localized message) {
         diagnostics_.error(code::bad_netlist, where, std::move(message));
     }
 
@@ -72,11 +74,7 @@ const JsonMember* YosysReader::choose_module(const JsonValue& modules) {
         ++count;
     }
     if (count == 1) return chosen;
-    refuse(modules.where,
-           count == 0
-               ? "there is no module in the file"
-               : "there are several modules and none is marked as the top; flatten the netlist "
-                 "first (Yosys: hierarchy -auto-top; flatten)");
+    refuse(modules.where, count == 0 ? say::no_module() : say::several_modules());
     return nullptr;
 }
 
@@ -130,8 +128,7 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
     const std::string& direction = port.find("direction")->text;
     if (bits == nullptr || bits->items.size() != 1) {
         return refuse(port.where,
-                      fmt::format("port {} has {} bits; ports of one bit are supported",
-                                  in_quotes(name), bits == nullptr ? 0 : bits->items.size()));
+                      say::wide_port(shortened(name), bits == nullptr ? 0 : bits->items.size()));
     }
     const JsonValue& bit = bits->items[0];
     const std::string port_name = percent_decoded(name);
@@ -142,8 +139,7 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
         return assembly_.add_output(port_name, net, port.where);
     }
     if (direction == "input" || (bit.text != "0" && bit.text != "1")) {
-        return refuse(port.where, fmt::format("port {} is connected to {}", in_quotes(name),
-                                              in_quotes(bit.text)));
+        return refuse(port.where, say::port_connected_to(shortened(name), shortened(bit.text)));
     }
     const NetId net = assembly_.net(port_name, port.where);
     assembly_.add_cell(bit.text == "1" ? CellType::high : CellType::low, net, {}, port.where);
@@ -157,8 +153,7 @@ void YosysReader::read_ports(const JsonValue& ports, std::string_view direction)
             actual != nullptr && (actual->text == "input" || actual->text == "output");
         if (name.empty() || !is_known) {
             if (direction == "input") {
-                refuse(port.where,
-                       fmt::format("port {} is neither an input nor an output", in_quotes(name)));
+                refuse(port.where, say::port_without_direction(shortened(name)));
             }
         } else if (actual->text == direction) {
             read_port(name, port);
@@ -177,9 +172,8 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
                 connection.bits.push_back(no_net);
                 connection.constants += bit.text;
             } else {
-                refuse_yosys_cell(
-                    cell, fmt::format("port {} is connected to {}", port, in_quotes(bit.text)),
-                    diagnostics_);
+                refuse_yosys_cell(cell, say::pin_connected_to(port, shortened(bit.text)),
+                                  diagnostics_);
                 return false;
             }
         }
@@ -228,7 +222,7 @@ void YosysReader::read_cells(const JsonValue& cells) {
         }
         const JsonValue* connections = value.find("connections");
         if (connections == nullptr) {
-            refuse(value.where, fmt::format("cell {} has no connections", in_quotes(name)));
+            refuse(value.where, say::cell_without_connections(shortened(name)));
             continue;
         }
         if (!read_connections(*connections, cell)) continue;
@@ -239,7 +233,7 @@ void YosysReader::read_cells(const JsonValue& cells) {
 std::optional<Netlist> YosysReader::read(const JsonValue& root) {
     const JsonValue* modules = root.find("modules");
     if (modules == nullptr) {
-        refuse(root.where, "not a Yosys netlist: there is no \"modules\"");
+        refuse(root.where, say::no_modules());
         return std::nullopt;
     }
     const auto* module = choose_module(*modules);

@@ -1,4 +1,4 @@
-#include "command/messages.h"
+#include "command/standard_error.h"
 
 #include <fmt/format.h>
 
@@ -24,9 +24,12 @@ std::string* kept_messages = nullptr;
 /// What goes to standard error is in one language, that of the command line.
 Language language_of_messages = Language::english;
 
-void show_message(const Message<>& kind, const std::string& message) {
-    show(fmt::format("grafwire: {}: {}\n", kind.in(language_of_messages),
-                     visible(shortened(message, most_of_message), "\t\n")));
+void show_message(const Message<>& kind, const Localized& message) {
+    const auto line_in = [&](Language language) {
+        return fmt::format("grafwire: {}: {}\n", kind.in(language),
+                           visible(shortened(message.in(language), most_of_message), "\t\n"));
+    };
+    show({line_in(Language::english), line_in(Language::french)});
 }
 
 }  // namespace
@@ -43,13 +46,16 @@ void show_messages_in(Language language) {
     language_of_messages = language;
 }
 
-void show(std::string_view text) {
-    fmt::print(stderr, "{}", text);
-    if (kept_messages != nullptr) *kept_messages += text;
+void show(const Localized& text) {
+    fmt::print(stderr, "{}", text.in(language_of_messages));
+    if (kept_messages != nullptr) *kept_messages += text.english;
 }
 
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
-    show(format_diagnostics(diagnostics, source, language_of_messages, most_errors));
+    const auto text_in = [&](Language language) {
+        return format_diagnostics(diagnostics, source, language, most_errors);
+    };
+    show({text_in(Language::english), text_in(Language::french)});
 }
 
 void show_messages(const Diagnostics& messages) {
@@ -63,11 +69,11 @@ void show_messages(const Diagnostics& messages) {
 }
 
 void complain(const Localized& message) {
-    show_message(messages::text::error, message.in(language_of_messages));
+    show_message(messages::text::error, message);
 }
 
 void warn(const Localized& message) {
-    show_message(messages::text::warning, message.in(language_of_messages));
+    show_message(messages::text::warning, message);
 }
 
 ExitStatus finish(OutputFiles& files, ExitStatus status) {

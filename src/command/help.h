@@ -1,0 +1,210 @@
+#pragma once
+
+#include <string_view>
+
+#include "text/message.h"
+
+/// The texts of --help.
+namespace grafwire::messages::help {
+
+// The frame, and the words of CLI11.
+
+inline constexpr Message<> program{
+    "From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.",
+    "D'un GRAFCET (CEI 60848) au câblage, avec la preuve que le câblage est juste."};
+inline constexpr Message<> exit_statuses{
+    "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; 3 "
+    "undecided.\n'grafwire COMMAND --help' shows the options of a command.",
+    "Code de retour : 0 fait ou équivalent ; 1 la réponse est non ; 2 demande ou entrée erronée ; "
+    "3 indécis.\n« grafwire COMMANDE --help » montre les options d'une commande."};
+inline constexpr Message<std::string_view> example{"Example: {}", "Exemple : {}"};
+inline constexpr Message<> help{"Print this help message and exit", "afficher cette aide"};
+inline constexpr Message<> version{"Display program version information and exit",
+                                   "afficher la version du programme"};
+inline constexpr Message<> language{"language of reports: en or fr (default: from the locale)",
+                                    "langue des textes : en ou fr (par défaut : celle du système)"};
+inline constexpr Message<> usage{"Usage", "Utilisation"};
+inline constexpr Message<> a_command{"SUBCOMMAND", "COMMANDE"};
+inline constexpr Message<> commands{"Subcommands", "Commandes"};
+inline constexpr Message<> positionals{"Positionals", "Arguments"};
+inline constexpr Message<> required{"REQUIRED", "OBLIGATOIRE"};
+// Kinds of values. They stand in a column that is as wide as their bytes: letters without accents.
+inline constexpr Message<> text{"TEXT", "TEXTE"};
+inline constexpr Message<> whole{"UINT", "ENTIER"};
+inline constexpr Message<> number{"FLOAT", "NOMBRE"};
+inline constexpr Message<> of_64_bits{"WHOLE", "POSITIF"};
+inline constexpr Message<> not_negative{"NONNEGATIVE", "POSITIF"};
+
+// The commands.
+
+inline constexpr Message<> info{
+    "check a GRAFCET; print its size, graphs, forcing hierarchy and warnings",
+    "vérifier un GRAFCET ; afficher sa taille, ses graphes partiels, sa hiérarchie de forçage et "
+    "les avertissements"};
+inline constexpr Message<> equations{"derive CAX, CDX, X and the equations of the actions",
+                                     "établir CAX, CDX, X et les équations des actions"};
+inline constexpr Message<> run{"run the reference evolution over stimuli",
+                               "dérouler l'évolution de référence sous des stimuli"};
+inline constexpr Message<> netlist{"make a netlist and write it in one of many formats",
+                                   "faire un câblage et l'écrire dans un format parmi d'autres"};
+inline constexpr Message<> simulate{"simulate the gates of a netlist over stimuli",
+                                    "simuler les portes d'un câblage sous des stimuli"};
+inline constexpr Message<> check{
+    "prove a netlist equivalent to the reference evolution, or show a difference",
+    "prouver qu'un câblage équivaut à l'évolution de référence, ou montrer un écart"};
+inline constexpr Message<> plc{
+    "write the GRAFCET as a program for a PLC or in a programming language",
+    "écrire le GRAFCET comme programme d'automate ou dans un langage de programmation"};
+inline constexpr Message<> s7{"execute an instruction list of a Siemens S7-200",
+                              "exécuter une liste d'instructions d'un Siemens S7-200"};
+inline constexpr Message<> s7_run{"execute a listing over stimuli, scan by scan",
+                                  "exécuter une liste d'instructions sous des stimuli, scrutation "
+                                  "par scrutation"};
+
+// Options of several commands.
+
+inline constexpr Message<> file{"the GRAFCET, - for standard input",
+                                "le GRAFCET, - pour l'entrée standard"};
+inline constexpr Message<> stim{"the stimuli (.stim), - for standard input",
+                                "les stimuli (.stim), - pour l'entrée standard"};
+inline constexpr Message<> file_name{"FILE", "FICHIER"};
+inline constexpr Message<> stim_name{"STIM", "STIM"};
+inline constexpr Message<> style{"how the equations become cells",
+                                 "comment les équations deviennent des cellules"};
+inline constexpr Message<> cdx_by_style{
+    "form of CDX (default: successor; transition for clocked)",
+    "forme de CDX (par défaut : successor ; transition pour clocked)"};
+inline constexpr Message<> cdx{"form of CDX", "forme de CDX"};
+inline constexpr Message<> modes{"with Init, AUdur and AUdoux, or without",
+                                 "avec Init, AUdur et AUdoux, ou sans"};
+inline constexpr Message<std::string_view, std::string_view> delay{
+    "delay of every gate: {} ({} ns)", "retard de chaque porte : {} ({} ns)"};
+inline constexpr Message<> power_up{
+    "netlists from elsewhere without Init: how their steps start: unknown (the default), or "
+    "initial, taken as given",
+    "câblages venus d'ailleurs sans Init : comment leurs étapes démarrent : unknown (inconnu, par "
+    "défaut), ou initial, tenu pour acquis"};
+inline constexpr Message<> output{"output file (default: standard output)",
+                                  "fichier de sortie (par défaut : la sortie standard)"};
+inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
+                                 "le chronogramme en CSV (par défaut : la sortie standard)"};
+inline constexpr Message<> waveform{"the waveform as VCD, for GTKWave",
+                                    "le chronogramme en VCD, pour GTKWave"};
+
+// equations
+
+inline constexpr Message<> equations_to{"output form", "forme de la sortie"};
+inline constexpr Message<> karnaugh{
+    "with the truth table, Karnaugh map and minimised form of every step",
+    "avec la table de vérité, le tableau de Karnaugh et la forme réduite de chaque étape"};
+
+// run
+
+inline constexpr Message<> run_scan{
+    "scan by scan with this period (default: until stable at every instant)",
+    "scrutation par scrutation à cette période (par défaut : jusqu'à stabilité à chaque instant)"};
+
+// netlist
+
+inline constexpr Message<std::string_view> netlist_to{"output format: {}", "format de sortie : {}"};
+inline constexpr Message<> netlist_stim{
+    "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)",
+    "stimuli à appliquer au câblage : dans une description SPICE, ou dans un banc d'essai "
+    "(--bench)"};
+inline constexpr Message<> bench{
+    "with the test bench that applies the stimuli; Verilog: OUT_bench.v beside OUT.v",
+    "avec le banc d'essai qui applique les stimuli ; Verilog : SORTIE_bench.v à côté de SORTIE.v"};
+inline constexpr Message<> netlist_scan{
+    "scan period that clocked timers count with",
+    "période de scrutation que comptent les temporisateurs synchrones"};
+
+// simulate
+
+inline constexpr Message<> simulate_against{
+    "simulate this .blif or .json netlist instead of a generated one",
+    "simuler ce câblage .blif ou .json au lieu d'en engendrer un"};
+inline constexpr Message<> simulate_scan{
+    "clocked style: one scan every so much time (default: until stable)",
+    "style clocked : une scrutation tous les tant (par défaut : jusqu'à stabilité)"};
+
+// check
+
+inline constexpr Message<> check_against{
+    "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this .xml ladder "
+    "diagram (PLCopen), instead of a generated netlist",
+    "comparer ce câblage .blif ou .json (Yosys), cette liste d'instructions .awl (S7-200) ou ce "
+    "schéma à contacts .xml (PLCopen), au lieu d'un câblage engendré"};
+inline constexpr Message<> check_program{
+    "ladder diagrams: which program of the project, where it holds several",
+    "schémas à contacts : quel programme du projet, s'il en contient plusieurs"};
+inline constexpr Message<> check_io{
+    "listings: table of assignment, which address stands for which name",
+    "listes d'instructions : table d'affectation, quelle adresse représente quel nom"};
+inline constexpr Message<> changes{
+    "asynchronous netlists: what changes in one instant: one input, or delays end, and the netlist "
+    "settles before the next (the default); or many",
+    "câblages asynchrones : ce qui change en un instant : one, une entrée, ou des temporisations "
+    "finissent, et le câblage se stabilise avant la suite (par défaut) ; ou many, plusieurs"};
+inline constexpr Message<> check_scan{
+    "clocked netlists: the only time from one scan to the next that the verdict is for (default: "
+    "every one); listings and ladder diagrams: that time (default: one that divides all delays)",
+    "câblages synchrones : la seule durée d'une scrutation à l'autre pour laquelle vaut le verdict "
+    "(par défaut : toutes) ; listes d'instructions et schémas à contacts : cette durée (par "
+    "défaut : une qui divise toutes les temporisations)"};
+inline constexpr Message<> check_cpu{"listings: the controller, 212 or 214",
+                                     "listes d'instructions : l'automate, 212 ou 214"};
+inline constexpr Message<> check_to{"form of the report", "forme du rapport"};
+inline constexpr Message<> check_output{"file for the report (default: standard output)",
+                                        "fichier du rapport (par défaut : la sortie standard)"};
+inline constexpr Message<> witness{
+    "folder for the stimuli, traces and waveforms that show a difference; those of an earlier one "
+    "go",
+    "dossier des stimuli et chronogrammes qui montrent un écart ; ceux d'un écart précédent "
+    "disparaissent"};
+inline constexpr Message<> assume{
+    "what the plant never does, besides what the file assumes: an expression that is never 0",
+    "ce que la partie opérative ne fait jamais, outre ce que le fichier suppose : une expression "
+    "qui ne vaut jamais 0"};
+inline constexpr Message<> max_cases{"give up after so many cases (0: never)",
+                                     "abandonner après tant de cas (0 : jamais)"};
+inline constexpr Message<> max_seconds{"give up after so much time (0: never)",
+                                       "abandonner après tant de secondes (0 : jamais)"};
+inline constexpr Message<> max_memory{
+    "give up once so much memory is held, such as 500M or 2G",
+    "abandonner une fois tant de mémoire occupée, comme 500M ou 2G"};
+
+// plc
+
+inline constexpr Message<std::string_view> plc_to{"language: {}", "langage : {}"};
+inline constexpr Message<> plc_modes{"with Init, AUdur and AUdoux", "avec Init, AUdur et AUdoux"};
+inline constexpr Message<> plc_io{"addresses of names, one a line: E0.0 = start",
+                                  "adresses des noms, une par ligne : E0.0 = dcy"};
+inline constexpr Message<> addresses{
+    "file for the addresses of all names, in the form of --io",
+    "fichier pour les adresses de tous les noms, sous la forme de --io"};
+inline constexpr Message<> mnemonics{"spelling of instructions", "mnémoniques des instructions"};
+inline constexpr Message<> offsets{"byte offsets before instructions",
+                                   "adresses en octets devant les instructions"};
+inline constexpr Message<> tables{"80 steps, or as many as the chart has",
+                                  "80 étapes, ou autant que le GRAFCET en a"};
+inline constexpr Message<> plc_cpu{"controller whose memory has to hold the program",
+                                   "automate dont la mémoire doit contenir le programme"};
+
+// s7 run
+
+inline constexpr Message<> listing_name{"LISTING", "LISTE"};
+inline constexpr Message<> listing{"the instruction list (.awl), - for standard input",
+                                   "la liste d'instructions (.awl), - pour l'entrée standard"};
+inline constexpr Message<> s7_stim{"the stimuli (.stim)", "les stimuli (.stim)"};
+inline constexpr Message<> s7_scan{"the time from one scan to the next, such as 10ms",
+                                   "la durée d'une scrutation à l'autre, comme 10ms"};
+inline constexpr Message<> s7_io{
+    "table of assignment: which address stands for which name (default: names are the addresses)",
+    "table d'affectation : quelle adresse représente quel nom (par défaut : les noms sont les "
+    "adresses)"};
+inline constexpr Message<> s7_cpu{"the controller: 212 or 214", "l'automate : 212 ou 214"};
+inline constexpr Message<> s7_grafcet{
+    "the GRAFCET whose columns the trace shall have; needs --io",
+    "le GRAFCET dont le chronogramme aura les colonnes ; demande --io"};
+
+}  // namespace grafwire::messages::help

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+
+#include "text/message.h"
+
+namespace grafwire::messages::workflow {
+
+inline constexpr Message<> clocked_has_transition_form{
+    "the clocked style has the transition form of CDX only: leave out --cdx successor",
+    "le style clocked n'existe qu'avec la forme transition de CDX : enlevez --cdx successor"};
+
+inline constexpr Message<std::string_view> nothing_ever_happens{
+    "{}: no step is initial and no source transition activates any, so nothing ever happens in "
+    "this GRAFCET: make a step initial",
+    "{} : aucune étape n'est initiale et aucune transition source n'en active, il ne se passe donc "
+    "jamais rien dans ce GRAFCET : rendez une étape initiale"};
+inline constexpr Message<> assumptions_leave_no_input{
+    "the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0",
+    "les hypothèses ne laissent aucune entrée possible : sans les modes, Init, AUdur et AUdoux "
+    "restent à 0"};
+
+inline constexpr Message<std::string_view, std::string_view> missing_variables{
+    "{}: no BOOL variable of this name: {}; every step (X...) and every output must have its own",
+    "{} : pas de variable BOOL de ce nom : {} ; chaque étape (X...) et chaque sortie doit avoir la "
+    "sienne"};
+inline constexpr Message<std::string_view, std::string_view> missing_inputs{
+    "{}: has no input {}", "{} : sans l'entrée {}"};
+inline constexpr Message<> modes_all_or_none{
+    "Init, AUdur and AUdoux: give all three an address, or none",
+    "Init, AUdur et AUdoux : donnez une adresse aux trois, ou à aucun"};
+
+inline constexpr Message<std::string_view, std::string_view> broken_assumption{
+    "at {} ms the stimuli break what the GRAFCET assumes: {}",
+    "à {} ms, les stimuli contredisent ce que le GRAFCET suppose : {}"};
+
+}  // namespace grafwire::messages::workflow
