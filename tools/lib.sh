@@ -176,10 +176,9 @@ configured() {
 }
 
 # How build/release is set up by whoever comes first: for speed of building. The product is compiled
-# some files at a time, so that what they include is read once for all of them, the tests with common
-# headers read once; .ci/run compiles each file by itself as well.
-fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
-    -DPRECOMPILE=ON)
+# some files at a time, so that what they include is read once for all of them, as its tests always
+# are; .ci/run compiles each file of the product by itself as well.
+fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
 
 # is_new FOLDER: whether build/FOLDER has not been set up yet.
 is_new() {

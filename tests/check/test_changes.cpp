@@ -13,14 +13,14 @@ namespace grafwire::testing {
 
 namespace {
 
-CheckResult check(const Grafcet& grafcet, const Netlist& netlist, Changes changes) {
+CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist, Changes changes) {
     CheckOptions options;
     options.changes = changes;
     return check_equivalence(grafcet, netlist, options);
 }
 
-CheckResult check(const Grafcet& grafcet, Style style, Changes changes) {
-    return check(grafcet, netlist_of(grafcet, style, false), changes);
+CheckResult check_changes(const Grafcet& grafcet, Style style, Changes changes) {
+    return check_changes(grafcet, netlist_of(grafcet, style, false), changes);
 }
 
 /// The most inputs that change at one instant after the first.
@@ -69,7 +69,7 @@ var seen
 graph G { initial 1 : set seen on ↑(a . b), lamp if seen }
 )");
     const Netlist netlist = with_slow_input(netlist_of(grafcet, Style::nand, false), "b");
-    const CheckResult one = check(grafcet, netlist, Changes::one);
+    const CheckResult one = check_changes(grafcet, netlist, Changes::one);
     CHECK(one.verdict == Verdict::equivalent);
     REQUIRE(one.together);
     CHECK(one.together->verdict == Verdict::different);
@@ -80,7 +80,7 @@ graph G { initial 1 : set seen on ↑(a . b), lamp if seen }
     // Nothing in the chart needs a without b.
     CHECK(one.together->assumption == "/(a./b)");
 
-    const CheckResult many = check(grafcet, netlist, Changes::many);
+    const CheckResult many = check_changes(grafcet, netlist, Changes::many);
     CHECK(many.verdict == Verdict::different);
     CHECK_FALSE(many.together);
     REQUIRE(many.witness);
@@ -96,7 +96,7 @@ var seen
 graph G { initial 1 : set seen on ↑(a . b), lamp if seen, alone if a . /b }
 )");
     const Netlist netlist = with_slow_input(netlist_of(grafcet, Style::nand, false), "b");
-    const CheckResult one = check(grafcet, netlist, Changes::one);
+    const CheckResult one = check_changes(grafcet, netlist, Changes::one);
     CHECK(one.verdict == Verdict::equivalent);
     REQUIRE(one.together);
     CHECK(one.together->verdict == Verdict::different);
@@ -111,12 +111,12 @@ graph G { initial 0 step 1 step 2
   1 -> 2 : a
   2 -> 0 : b }
 )");
-    const CheckResult one = check(grafcet, Style::nand, Changes::one);
+    const CheckResult one = check_changes(grafcet, Style::nand, Changes::one);
     REQUIRE(one.together);
     CHECK(one.together->verdict == Verdict::equivalent);
     CHECK_FALSE(one.together->witness);
     // Scans sample their inputs: nothing to look at.
-    CHECK_FALSE(check(grafcet, Style::clocked, Changes::one).together);
+    CHECK_FALSE(check_changes(grafcet, Style::clocked, Changes::one).together);
 }
 
 TEST_CASE("a witness changes one input at an instant, and no more inputs than it needs") {
@@ -127,7 +127,7 @@ TEST_CASE("a witness changes one input at an instant, and no more inputs than it
         grafcet_of(head + "graph G { initial 0 step 1 step 2 0 -> 1 : a.b 1 -> 2 : c 2 -> 0 : d }"),
         Style::nand);
     for (const Changes changes : {Changes::one, Changes::many}) {
-        const CheckResult result = check(grafcet, wrong, changes);
+        const CheckResult result = check_changes(grafcet, wrong, changes);
         REQUIRE(result.witness);
         const std::string stimuli = write_stimuli(result.witness->stimuli, grafcet);
         INFO(stimuli);
@@ -142,16 +142,16 @@ TEST_CASE("a delay and an input change in one instant under many alone") {
     const std::string head = "input a\noutput lamp\n";
     const Grafcet grafcet = grafcet_of(
         head + "graph G { initial 1 step 2 : lamp step 3 1 -> 2 : 1s/X1 . a 1 -> 3 : /a . 1s/X1 }");
-    const CheckResult one = check(grafcet, Style::nand, Changes::one);
+    const CheckResult one = check_changes(grafcet, Style::nand, Changes::one);
     CHECK(one.verdict == Verdict::equivalent);
-    CHECK(one.coverage.cases < check(grafcet, Style::nand, Changes::many).coverage.cases);
+    CHECK(one.coverage.cases < check_changes(grafcet, Style::nand, Changes::many).coverage.cases);
     // An operand that an input takes away as its delay ends: the same in both, and in scans.
     const Grafcet delayed =
         grafcet_of(head + "graph G { initial 1 step 2 : lamp 1 -> 2 : 30ms/a 2 -> 1 : 30ms/(/a) }");
     for (const StyleRow& row : style_table) {
         if (row.style == Style::gates || row.style == Style::nor) continue;  // a loop of two steps
         for (const Changes changes : {Changes::one, Changes::many}) {
-            CHECK(check(delayed, row.style, changes).verdict == Verdict::equivalent);
+            CHECK(check_changes(delayed, row.style, changes).verdict == Verdict::equivalent);
         }
     }
 }

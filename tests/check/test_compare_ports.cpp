@@ -6,7 +6,7 @@ namespace grafwire::testing {
 
 namespace {
 
-const std::string chart = R"(
+const std::string two_inputs = R"(
 input a, b
 output lamp
 graph G { initial 0 : lamp step 1
@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("ports that fit") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     for (const StyleRow& row : style_table) {
         for (const bool modes : {true, false}) {
             const PortComparison ports =
@@ -32,7 +32,7 @@ TEST_CASE("ports that fit") {
 }
 
 TEST_CASE("ports that are missing or too many") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     const Netlist netlist = netlist_of(grafcet_of(R"(
 input a, c
 output lamp, bell
@@ -59,7 +59,7 @@ graph G { initial 0 : lamp step 2 : bell
 }
 
 TEST_CASE("clk is the clock among the inputs of a clocked netlist, and anywhere else too many") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     Netlist clocked = netlist_of(grafcet, Style::clocked);
     CHECK(compare_ports(grafcet, clocked).extra_inputs.empty());
     clocked.outputs.push_back({"clk", clocked.outputs[0].net});
@@ -72,7 +72,7 @@ TEST_CASE("clk is the clock among the inputs of a clocked netlist, and anywhere 
 }
 
 TEST_CASE("an input that is not wired does not prevent the comparison") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     const Netlist netlist = netlist_of(grafcet_of(R"(
 input a
 output lamp
@@ -88,7 +88,7 @@ graph G { initial 0 : lamp step 1
 }
 
 TEST_CASE("some control inputs but not all") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     Netlist netlist = netlist_of(grafcet, Style::gates);
     for (Port& port : netlist.inputs) {
         if (port.name == "AUdur") port.name = "stop";
@@ -99,7 +99,7 @@ TEST_CASE("some control inputs but not all") {
 }
 
 TEST_CASE("timers that do not say which time condition they are") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     Netlist netlist = netlist_of(grafcet, Style::gates);
     for (const std::uint32_t ordinal : {1U, Timing::no_ordinal}) {
         for (Timing& timing : netlist.timings) timing.ordinal = ordinal;
@@ -110,7 +110,7 @@ TEST_CASE("timers that do not say which time condition they are") {
 }
 
 TEST_CASE("a netlist from elsewhere is brought into the order of the GRAFCET") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(two_inputs);
     Netlist netlist = netlist_of(grafcet, Style::nand);
     std::swap(netlist.outputs.front(), netlist.outputs.back());
     netlist.step_count = 0;

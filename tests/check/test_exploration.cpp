@@ -12,7 +12,7 @@ namespace grafwire::testing {
 
 namespace {
 
-constexpr const char* chart = R"(
+constexpr const char* coin = R"(
 input a
 output lamp
 graph G { initial 0 step 1 : lamp
@@ -130,7 +130,7 @@ CheckResult explored(const Grafcet& grafcet, CoinDevice& device) {
 
 Grafcet parsed_chart() {
     Diagnostics diagnostics;
-    auto grafcet = parse_grafcet({"coin", chart}, diagnostics);
+    auto grafcet = parse_grafcet({"coin", coin}, diagnostics);
     REQUIRE(grafcet);
     return *grafcet;
 }

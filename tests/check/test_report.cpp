@@ -8,7 +8,7 @@ namespace grafwire::testing {
 
 namespace {
 
-const std::string chart = R"(
+const std::string apart = R"(
 assume /(a . b)
 input a, b
 output lamp
@@ -63,7 +63,7 @@ CheckResult equivalent_and(const Together& together) {
 
 std::string text_of(const CheckSubject& subject, const CheckResult& result,
                     Language language = Language::english) {
-    return write_check_text(subject, grafcet_of(chart), result, {"The story.\n", "", {}, {}},
+    return write_check_text(subject, grafcet_of(apart), result, {"The story.\n", "", {}, {}},
                             language);
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("without assumptions that is said") {
 }
 
 TEST_CASE("what no case exercised is told of an exploration that went to its end") {
-    const Grafcet grafcet = grafcet_of(chart);
+    const Grafcet grafcet = grafcet_of(apart);
     NeverExercised never;
     never.steps = {grafcet.steps.id_at(0), grafcet.steps.id_at(1)};
     never.transitions = {grafcet.transitions.id_at(1)};
@@ -260,7 +260,7 @@ TEST_CASE("what memories hold at power-up stands before the story") {
     const CheckResult result = different(DifferenceKind::situation);
     const ExplainedWitness explained{"The story.\n", "", {}, {{"q", true}, {"p", false}}};
     const auto text = [&](Language language) {
-        return write_check_text(wiring(), grafcet_of(chart), result, explained, language);
+        return write_check_text(wiring(), grafcet_of(apart), result, explained, language);
     };
     const std::string english = text(Language::english);
     CHECK(english.find("  at power-up: q = 1\n  at power-up: p = 0\n") <

@@ -16,7 +16,7 @@ graph G { initial 0 step 1 : lamp if 30ms/X1, horn if 50ms/X1
   1 -> 0 : /a }
 )";
 
-CheckResult check(const Grafcet& grafcet, const ScannedDevice& device) {
+CheckResult check_device(const Grafcet& grafcet, const ScannedDevice& device) {
     return check_scans(grafcet, device, natural_period(grafcet, device), {});
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("the period divides all delays, and leaves room between two") {
 
 TEST_CASE("a program that does what the reference does is equivalent") {
     const Grafcet grafcet = grafcet_of(warning);
-    const CheckResult result = check(grafcet, NaiveDevice(grafcet));
+    const CheckResult result = check_device(grafcet, NaiveDevice(grafcet));
     CHECK(result.verdict == Verdict::equivalent);
     CHECK(result.complete);
     CHECK_FALSE(result.witness);
@@ -54,7 +54,7 @@ TEST_CASE("a program that does what the reference does is equivalent") {
     CHECK(result.coverage.unstable == 0);
     CHECK(result.coverage.waiting == 0);
 
-    const CheckResult plain = check(grafcet, NaiveDevice(grafcet, {}, false));
+    const CheckResult plain = check_device(grafcet, NaiveDevice(grafcet, {}, false));
     CHECK(plain.verdict == Verdict::equivalent);
     CHECK(plain.coverage.situations == 2);
     CHECK(plain.coverage.cases < result.coverage.cases);
@@ -69,7 +69,7 @@ TEST_CASE("a delay that is a scan too long shows itself in the scan in which it 
     // The lamp is held back until the horn sounds.
     const NaiveDevice device(grafcet, [](const NaiveState&, const InputValues&, Outcome& shown,
                                          std::string&) { shown.outputs[0] = shown.outputs[1]; });
-    const CheckResult result = check(grafcet, device);
+    const CheckResult result = check_device(grafcet, device);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     const Witness& witness = *result.witness;
@@ -91,7 +91,7 @@ TEST_CASE("a program that reads an input where the GRAFCET does not is found out
                                              Outcome& shown, std::string&) {
             if (state.ts[1] && inputs[1] != 0) shown.steps[1] = Logic::zero;
         });
-        const CheckResult result = check(grafcet, device);
+        const CheckResult result = check_device(grafcet, device);
         CHECK(result.verdict == Verdict::different);
         CHECK(result.witness->kind == DifferenceKind::situation);
         CHECK(write_stimuli(result.witness->stimuli, grafcet) == "0s : a=1 b=1\n0s : end\n");
@@ -103,7 +103,7 @@ TEST_CASE("a program that reads an input where the GRAFCET does not is found out
             if (extra.size() >= 3) shown.outputs[1] = inverted(shown.outputs[1]);
             if (extra.size() < 3) extra = inputs[1] != 0 ? extra + "b" : "";
         });
-        const CheckResult result = check(grafcet, device);
+        const CheckResult result = check_device(grafcet, device);
         CHECK(result.verdict == Verdict::different);
         CHECK(write_stimuli(result.witness->stimuli, grafcet) == "0s : b=1\n15ms : end\n");
     }
@@ -113,7 +113,7 @@ TEST_CASE("a program that reads an input where the GRAFCET does not is found out
                                            Outcome& shown, std::string&) {
             if (state.ts[1] && inputs[0] != 0 && inputs[1] != 0) shown.steps[1] = Logic::zero;
         });
-        CHECK(check(bound, device).verdict == Verdict::equivalent);
+        CHECK(check_device(bound, device).verdict == Verdict::equivalent);
     }
 }
 

@@ -14,7 +14,7 @@ namespace grafwire::testing {
 
 namespace {
 
-CheckResult check(const Grafcet& grafcet, const Netlist& netlist, Time period = 0) {
+CheckResult check_at(const Grafcet& grafcet, const Netlist& netlist, Time period = 0) {
     CheckOptions options;
     if (period != 0) options.scan_period = period;
     return check_equivalence(grafcet, netlist, options);
@@ -51,26 +51,26 @@ graph G { initial 1 step 2 step 3 : far
         cell.pin_count = 0;
     }
     REQUIRE(fault_of(blind) == "");
-    const CheckResult result = check(grafcet, blind);
+    const CheckResult result = check_at(grafcet, blind);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->scan_period == 10 * millisecond);
     CHECK(write_stimuli(result.witness->stimuli, grafcet) == "0s : s=1\n10ms : s=0\n10ms : end\n");
     CHECK(result.coverage.unstable == 0);
-    CHECK(check(grafcet, netlist_of(grafcet, Style::clocked)).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, netlist_of(grafcet, Style::clocked)).verdict == Verdict::equivalent);
 }
 
 TEST_CASE("delays that end in one scan, since the period is longer than what separates them") {
     const std::string head = "output lamp graph G { initial 0 : lamp if ";
     const Grafcet grafcet = grafcet_of(head + "10ms/X0 . /(20ms/X0) }");
     const Netlist right = netlist_of(grafcet, Style::clocked);
-    CHECK(check(grafcet, right).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, right).verdict == Verdict::equivalent);
     // Wrong for every period but those that let both end in one scan.
     const Netlist dark = netlist_of(grafcet_of(head + "10ms/X0 . /(10ms/X0) }"), Style::clocked);
-    CHECK(check(grafcet, dark, 20 * millisecond).verdict == Verdict::equivalent);
-    CHECK(check(grafcet, dark, 50 * millisecond).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, dark, 20 * millisecond).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, dark, 50 * millisecond).verdict == Verdict::equivalent);
     for (const Time period : {Time{0}, 10 * millisecond, 19 * millisecond}) {
-        const CheckResult result = check(grafcet, dark, period);
+        const CheckResult result = check_at(grafcet, dark, period);
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(result.witness->scan_period < 20 * millisecond);
@@ -94,11 +94,11 @@ TEST_CASE("a netlist that counts its scans is right for one period") {
 .latch two lamp re clk 0
 .end
 )");
-    CHECK(check(grafcet, counting, 10 * millisecond).verdict == Verdict::equivalent);
-    const CheckResult slower = check(grafcet, counting, 20 * millisecond);
+    CHECK(check_at(grafcet, counting, 10 * millisecond).verdict == Verdict::equivalent);
+    const CheckResult slower = check_at(grafcet, counting, 20 * millisecond);
     CHECK(slower.verdict == Verdict::different);
     CHECK(slower.witness->scan_period == 20 * millisecond);
-    const CheckResult any = check(grafcet, counting);
+    const CheckResult any = check_at(grafcet, counting);
     CHECK(any.verdict == Verdict::different);
     CHECK(any.witness->scan_period != 10 * millisecond);
 }
@@ -151,8 +151,8 @@ graph G { initial 1 step 2 : lamp
 1 1
 .end
 )";
-    CHECK(check(grafcet, blif(grafcet, memory)).verdict == Verdict::equivalent);
-    const CheckResult powered = check(grafcet, blif(grafcet, memory, false));
+    CHECK(check_at(grafcet, blif(grafcet, memory)).verdict == Verdict::equivalent);
+    const CheckResult powered = check_at(grafcet, blif(grafcet, memory, false));
     CHECK(powered.verdict == Verdict::different);
     REQUIRE(powered.witness);
     CHECK(powered.witness->kind == DifferenceKind::power_up);
@@ -165,9 +165,9 @@ TEST_CASE("a memory that powers up either way and makes no difference is none") 
     const std::string head =
         ".model m\n.inputs a\n.outputs X1 lamp\n.names X1\n1\n.names q q\n1 1\n";
     const Netlist either = blif(grafcet, head + ".names a q lamp\n11 1\n10 1\n.end\n", false);
-    CHECK(check(grafcet, either).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, either).verdict == Verdict::equivalent);
     const Netlist one_way = blif(grafcet, head + ".names a q lamp\n11 1\n.end\n", false);
-    const CheckResult result = check(grafcet, one_way);
+    const CheckResult result = check_at(grafcet, one_way);
     CHECK(result.verdict == Verdict::different);
     CHECK(result.witness->kind == DifferenceKind::power_up);
 }
@@ -194,9 +194,9 @@ graph G { initial 0 : lamp if a step 1
 .latch d1 X1 re clk 0
 )";
     const std::string rest = ".names X0 a lamp\n11 1\n.end\n";
-    CHECK(check(grafcet, blif(grafcet, head + rest)).verdict == Verdict::equivalent);
+    CHECK(check_at(grafcet, blif(grafcet, head + rest)).verdict == Verdict::equivalent);
     const std::string ring = ".names X0 a lamp ring\n111 0\n.names X0 a ring lamp\n111 1\n.end\n";
-    const CheckResult result = check(grafcet, blif(grafcet, head + ring));
+    const CheckResult result = check_at(grafcet, blif(grafcet, head + ring));
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->kind == DifferenceKind::oscillation);
@@ -213,7 +213,7 @@ graph G { initial 0 : lamp step 1 step 2 : dark
   (off) 1 -> 2 : b }
 )");
     for (const Style style : {Style::nand, Style::clocked}) {
-        const CheckResult result = check(grafcet, netlist_of(grafcet, style));
+        const CheckResult result = check_at(grafcet, netlist_of(grafcet, style));
         CHECK(result.never.steps == std::vector<StepId>{StepId{2}});
         CHECK(result.never.transitions == std::vector<TransitionId>{TransitionId{2}});
         CHECK(result.never.inputs == std::vector<std::uint32_t>{1});
@@ -232,7 +232,7 @@ graph G { initial 0 step 1 : lamp, n := n + 1, set v
   1 -> 0 : /a }
 )";
     const Grafcet grafcet = grafcet_of(chart);
-    const CheckResult result = check(grafcet, netlist_of(grafcet, Style::clocked));
+    const CheckResult result = check_at(grafcet, netlist_of(grafcet, Style::clocked));
     CHECK(result.verdict == Verdict::equivalent);
     CHECK(result.coverage.cases < 100);
     // Once the counter is read it counts.
@@ -256,15 +256,16 @@ TEST_CASE("an oscillation in a part that nothing reads") {
 .names a lamp
 1 1
 )";
-    const CheckResult ring = check(grafcet, blif(grafcet, head + ".names ring ring\n0 1\n.end\n"));
+    const CheckResult ring =
+        check_at(grafcet, blif(grafcet, head + ".names ring ring\n0 1\n.end\n"));
     CHECK(ring.verdict == Verdict::different);
     REQUIRE(ring.witness);
     CHECK(ring.witness->kind == DifferenceKind::oscillation);
     // Only while a is 1, which nothing else reads; and one that rests.
     const CheckResult gated =
-        check(grafcet, blif(grafcet, head + ".names a ring ring\n11 0\n.end\n"));
+        check_at(grafcet, blif(grafcet, head + ".names a ring ring\n11 0\n.end\n"));
     CHECK(gated.verdict == Verdict::different);
-    CHECK(check(grafcet, blif(grafcet, head + ".names a rest rest\n11 1\n.end\n")).verdict ==
+    CHECK(check_at(grafcet, blif(grafcet, head + ".names a rest rest\n11 1\n.end\n")).verdict ==
           Verdict::equivalent);
 }
 

@@ -7,14 +7,15 @@ namespace grafwire::testing {
 
 namespace {
 
-CheckResult check(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases = 0) {
+CheckResult verdict_within(const Grafcet& grafcet, const Netlist& netlist,
+                           std::uint64_t max_cases = 0) {
     CheckOptions options;
     options.max_cases = max_cases;
     return check_equivalence(grafcet, netlist, options);
 }
 
-CheckResult check(const Grafcet& grafcet, Style style) {
-    return check(grafcet, netlist_of(grafcet, style));
+CheckResult verdict_within(const Grafcet& grafcet, Style style) {
+    return verdict_within(grafcet, netlist_of(grafcet, style));
 }
 
 const Witness::Value& value_of(const Witness& witness, const std::string& name) {
@@ -57,14 +58,14 @@ graph G { initial 0 step 1 step 2
 
 TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
     const Grafcet grafcet = grafcet_of(two_steps);
-    const CheckResult gates = check(grafcet, Style::gates);
+    const CheckResult gates = verdict_within(grafcet, Style::gates);
     CHECK(gates.verdict == Verdict::different);
     REQUIRE(gates.witness);
     CHECK(gates.witness->kind == DifferenceKind::oscillation);
     const Netlist netlist = netlist_of(grafcet, Style::gates);
     CHECK(replay(grafcet, netlist, cell_delays(netlist, {}), gates.witness->stimuli, 0));
 
-    const CheckResult nand = check(grafcet, Style::nand);
+    const CheckResult nand = verdict_within(grafcet, Style::nand);
     CHECK(nand.verdict == Verdict::equivalent);
     CHECK(nand.complete);
     CHECK_FALSE(nand.witness);
@@ -72,20 +73,20 @@ TEST_CASE("a loop of two steps oscillates in gates and holds in NAND latches") {
 
 TEST_CASE("rule 5 is lost in NOR latches and kept in NAND latches and flip-flops") {
     const Grafcet grafcet = grafcet_of(rule_5);
-    const CheckResult nor = check(grafcet, Style::nor);
+    const CheckResult nor = verdict_within(grafcet, Style::nor);
     CHECK(nor.verdict == Verdict::different);
     REQUIRE(nor.witness);
     CHECK(nor.witness->kind == DifferenceKind::situation);
     CHECK(value_of(*nor.witness, "X1").expected == Logic::one);
     CHECK(value_of(*nor.witness, "X1").got == Logic::zero);
-    CHECK(check(grafcet, Style::nand).verdict == Verdict::equivalent);
-    CHECK(check(grafcet, Style::clocked).verdict == Verdict::equivalent);
+    CHECK(verdict_within(grafcet, Style::nand).verdict == Verdict::equivalent);
+    CHECK(verdict_within(grafcet, Style::clocked).verdict == Verdict::equivalent);
 }
 
 TEST_CASE("a plain sequence is equivalent in every style, and its circling is counted") {
     const Grafcet grafcet = grafcet_of(three_steps);
     for (const StyleRow& row : style_table) {
-        const CheckResult result = check(grafcet, row.style);
+        const CheckResult result = verdict_within(grafcet, row.style);
         CHECK(result.verdict == Verdict::equivalent);
         CHECK(result.complete);
         // Each of the three steps, and none while AUdur is 1.
@@ -110,7 +111,7 @@ TEST_CASE("a plain sequence is equivalent in every style, and its circling is co
 TEST_CASE("a bound on the cases leaves the check undecided") {
     const Grafcet grafcet = grafcet_of(three_steps);
     const Netlist netlist = netlist_of(grafcet, Style::nand);
-    const CheckResult result = check(grafcet, netlist, 10);
+    const CheckResult result = verdict_within(grafcet, netlist, 10);
     CHECK(result.verdict == Verdict::undecided);
     CHECK_FALSE(result.complete);
     CHECK(result.coverage.cases == 10);
@@ -149,7 +150,7 @@ graph G { initial 0 step 1 step 2
   2 -> 0 : b }
 )");
     const Netlist netlist = netlist_of(other, Style::nand, false);
-    const CheckResult result = check(grafcet, netlist);
+    const CheckResult result = verdict_within(grafcet, netlist);
     CHECK(result.verdict == Verdict::different);
     CHECK(result.witness->kind == DifferenceKind::situation);
     const auto stimuli = read_stimuli(stimuli_of(result, grafcet), grafcet);
@@ -171,12 +172,12 @@ graph G { initial 0 : lamp if a . /a }
     const Grafcet free = grafcet_of(head + chart);
     const Grafcet bound = grafcet_of(head + "assume /(a . b)" + chart);
     const Netlist wrong = netlist_of(grafcet_of(head + wrong_chart), Style::gates);
-    const CheckResult result = check(free, wrong);
+    const CheckResult result = verdict_within(free, wrong);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->kind == DifferenceKind::output);
     CHECK(stimuli_of(result, free).find("a=1 b=1") != std::string::npos);
-    const CheckResult within = check(bound, wrong);
+    const CheckResult within = verdict_within(bound, wrong);
     CHECK(within.verdict == Verdict::equivalent);
     CHECK(within.complete);
 }
@@ -188,7 +189,7 @@ TEST_CASE("a netlist that reads an input where the GRAFCET does not is found out
         const Grafcet other =
             grafcet_of(head + "graph G { initial 0 : lamp if /b step 1 0 -> 1 : a }");
         for (const StyleRow& row : style_table) {
-            const CheckResult result = check(grafcet, netlist_of(other, row.style));
+            const CheckResult result = verdict_within(grafcet, netlist_of(other, row.style));
             CHECK(result.verdict == Verdict::different);
             CHECK(result.witness->kind == DifferenceKind::output);
             CHECK(stimuli_of(result, grafcet).find("b=1") != std::string::npos);
@@ -199,7 +200,7 @@ TEST_CASE("a netlist that reads an input where the GRAFCET does not is found out
         const Grafcet other = grafcet_of(
             head + "var v graph G { initial 0 : lamp if /v, set v on ↑b step 1 0 -> 1 : a }");
         for (const Style style : {Style::gates, Style::nand}) {
-            const CheckResult result = check(grafcet, netlist_of(other, style));
+            const CheckResult result = verdict_within(grafcet, netlist_of(other, style));
             CHECK(result.verdict == Verdict::different);
             CHECK(result.witness->kind == DifferenceKind::output);
             CHECK(stimuli_of(result, grafcet).find("b=1") != std::string::npos);
@@ -222,14 +223,14 @@ TEST_CASE("a difference counts if the lengths of the delays allow it") {
     };
     SUBCASE("2 s over before 1 s: never") {
         const Grafcet grafcet = grafcet_of(head + "2s/X1 . /(1s/X1)" + tail);
-        const CheckResult result = check(grafcet, with_dark_lamp(grafcet));
+        const CheckResult result = verdict_within(grafcet, with_dark_lamp(grafcet));
         CHECK(result.verdict == Verdict::equivalent);
         CHECK(result.complete);
         CHECK_FALSE(result.witness);
     }
     SUBCASE("1 s over before 2 s: always") {
         const Grafcet grafcet = grafcet_of(head + "1s/X1 . /(2s/X1)" + tail);
-        const CheckResult result = check(grafcet, with_dark_lamp(grafcet));
+        const CheckResult result = verdict_within(grafcet, with_dark_lamp(grafcet));
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(result.witness->kind == DifferenceKind::output);
@@ -243,13 +244,13 @@ output lamp
 graph G { initial 0 step 1 step 2 : lamp if )";
         const std::string loop = " 0 -> 1 : 100ms/X0 1 -> 2 : 1500ms/X1 2 -> 0 : 5s/X2 }";
         const Grafcet early = grafcet_of(chart + "1s/X2 . /(2s/(X1 + X2))" + loop);
-        CHECK(check(early, with_dark_lamp(early)).verdict == Verdict::equivalent);
+        CHECK(verdict_within(early, with_dark_lamp(early)).verdict == Verdict::equivalent);
         const Grafcet late = grafcet_of(chart + "1s/X2 . /(2501ms/(X1 + X2))" + loop);
-        CHECK(check(late, with_dark_lamp(late)).verdict == Verdict::different);
+        CHECK(verdict_within(late, with_dark_lamp(late)).verdict == Verdict::different);
         const Grafcet together = grafcet_of(chart + "1s/X2 . /(2500ms/(X1 + X2))" + loop);
-        CHECK(check(together, with_dark_lamp(together)).verdict == Verdict::equivalent);
+        CHECK(verdict_within(together, with_dark_lamp(together)).verdict == Verdict::equivalent);
         // Scan by scan the second is over some scans later, which only a short period makes up for.
-        const CheckResult scanned = check(late, with_dark_lamp(late, Style::clocked));
+        const CheckResult scanned = verdict_within(late, with_dark_lamp(late, Style::clocked));
         CHECK(scanned.verdict == Verdict::different);
         REQUIRE(scanned.witness);
         CHECK(scanned.witness->scan_period < millisecond);
@@ -274,7 +275,7 @@ graph G {
 })";
     const Grafcet grafcet = grafcet_of(head + " : lamp" + tail);
     const Netlist wrong = netlist_of(grafcet_of(head + " : lamp if /X6" + tail), Style::clocked);
-    const CheckResult result = check(grafcet, wrong);
+    const CheckResult result = verdict_within(grafcet, wrong);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(value_of(*result.witness, "lamp").expected == Logic::one);
@@ -288,8 +289,8 @@ graph G {
   5 -> 6 : a . e
 })";
     const Grafcet bound = grafcet_of(head + " : lamp" + only);
-    const CheckResult none =
-        check(bound, netlist_of(grafcet_of(head + " : lamp if /X6" + only), Style::clocked));
+    const CheckResult none = verdict_within(
+        bound, netlist_of(grafcet_of(head + " : lamp if /X6" + only), Style::clocked));
     CHECK(none.verdict == Verdict::equivalent);
     CHECK(none.complete);
 }
@@ -302,12 +303,12 @@ TEST_CASE("timers of the netlist that run while the GRAFCET's do not are followe
         // Another length.
         Netlist hasty = netlist_of(grafcet, style);
         for (Timing& timing : hasty.timings) timing.rise /= 2;
-        const CheckResult early = check(grafcet, hasty);
+        const CheckResult early = verdict_within(grafcet, hasty);
         CHECK(early.verdict == Verdict::different);
         CHECK(stimuli_of(early, grafcet) == "0s : a=1\n1s : end\n");
         // Another operand: it counts from a on, even while Init keeps step 1 away.
         const Netlist other = netlist_of(grafcet_of(head + "(X1 + a)" + tail), style);
-        const CheckResult result = check(grafcet, other);
+        const CheckResult result = verdict_within(grafcet, other);
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(stimuli_of(result, grafcet).find("Init=1") != std::string::npos);
@@ -318,7 +319,7 @@ TEST_CASE("timers of the netlist that run while the GRAFCET's do not are followe
 
 TEST_CASE("without modes only the declared inputs are varied") {
     const Grafcet grafcet = grafcet_of(three_steps);
-    const CheckResult result = check(grafcet, netlist_of(grafcet, Style::gates, false));
+    const CheckResult result = verdict_within(grafcet, netlist_of(grafcet, Style::gates, false));
     CHECK(result.verdict == Verdict::equivalent);
     CHECK(result.coverage.situations == 3);
     // Nor does any that is forgotten on the way come back: AUdoux would put out the lamp.

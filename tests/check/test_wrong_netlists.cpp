@@ -10,19 +10,14 @@ namespace grafwire::testing {
 
 namespace {
 
-CheckResult check(const Grafcet& grafcet, const Netlist& netlist) {
+CheckResult check_whole(const Grafcet& grafcet, const Netlist& netlist) {
     REQUIRE(fault_of(netlist) == "");
     return check_equivalence(grafcet, netlist, {});
 }
 
-std::string stimuli_of(const CheckResult& result, const Grafcet& grafcet) {
-    REQUIRE(result.witness);
-    return write_stimuli(result.witness->stimuli, grafcet);
-}
-
 /// The stimuli of the witness, which replays; "" where there is none.
 std::string witness_of(const Grafcet& grafcet, const Netlist& netlist) {
-    const CheckResult result = check(grafcet, netlist);
+    const CheckResult result = check_whole(grafcet, netlist);
     CHECK(result.verdict == (result.witness ? Verdict::different : Verdict::equivalent));
     if (!result.witness) return {};
     CHECK(replay(grafcet, netlist, cell_delays(netlist, {}), result.witness->stimuli,
@@ -77,7 +72,7 @@ TEST_CASE("wiring that oscillates until the edge of the clock stops it") {
     add_cell(netlist, CellType::inverter, "early", {"X1"});
     add_cell(netlist, CellType::and_gate, "go", {"early", "a"});
     add_ring(netlist, "go");
-    const CheckResult result = check(grafcet, netlist);
+    const CheckResult result = check_whole(grafcet, netlist);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->kind == DifferenceKind::oscillation);
@@ -95,7 +90,7 @@ TEST_CASE("wiring that oscillates from the edge of the clock on") {
         add_cell(netlist, CellType::and_gate, "go", {"X1", "clk"});
         add_ring(netlist, "go");
     }
-    const CheckResult result = check(grafcet, netlist);
+    const CheckResult result = check_whole(grafcet, netlist);
     CHECK(result.verdict == Verdict::different);
     REQUIRE(result.witness);
     CHECK(result.witness->kind == DifferenceKind::oscillation);
@@ -223,7 +218,8 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
         const CheckResult result = check_changes(grafcet, netlist, options);
         CHECK(result.verdict == Verdict::different);
         const std::string both = inputs == "input a, b, c" ? "a=1 b=1" : "b=1 a=1";
-        CHECK(stimuli_of(result, grafcet) ==
+        REQUIRE(result.witness);
+        CHECK(write_stimuli(result.witness->stimuli, grafcet) ==
               "0s : " + both + "\n100ms : b=0\n200ms : b=1 c=1\n200ms : end\n");
     }
 }
@@ -257,7 +253,8 @@ graph G { initial 0 step 1 step 2 step 3 : lamp
     options.changes = Changes::many;
     const CheckResult result = check_changes(grafcet, netlist, options);
     CHECK(result.verdict == Verdict::different);
-    CHECK(stimuli_of(result, grafcet) ==
+    REQUIRE(result.witness);
+    CHECK(write_stimuli(result.witness->stimuli, grafcet) ==
           "0s : a=1\n100ms : a=0 d=1\n200ms : c=1 d=0\n200ms : end\n");
 }
 
@@ -285,7 +282,7 @@ TEST_CASE("an output that should be 0 and follows a memory that nothing has set"
             }
             add_cell(netlist, CellType::and_gate, "lit", pins);
             put_gate_before(netlist, "lamp", CellType::or_gate, {"lit"});
-            return check(grafcet, netlist);
+            return check_whole(grafcet, netlist);
         };
         for (const int memories : {1, 12}) {
             const CheckResult result = with_lamp_lit_in("X0", memories);
@@ -315,7 +312,7 @@ graph G { initial 0 step 1 : lamp step 2
         add_cell(memories, CellType::or_gate, "some_" + memory, {memory, "not_" + memory});
     }
     put_gate_before(memories, "lamp", CellType::and_gate, {"some_p", "some_q"});
-    const CheckResult right = check(grafcet, memories);
+    const CheckResult right = check_whole(grafcet, memories);
     CHECK(right.verdict == Verdict::equivalent);
     // A bound is one on the cases of all power-ups together.
     for (std::uint64_t most = 1; most < right.coverage.cases; ++most) {
@@ -323,7 +320,7 @@ graph G { initial 0 step 1 : lamp step 2
         options.max_cases = most;
         options.looks_at_many = false;
         const CheckResult bounded =
-            check_equivalence(grafcet, memories, unit_delays(memories), options);
+            check_equivalence(grafcet, memories, options);
         CHECK(bounded.verdict == Verdict::undecided);
     }
     for (const std::string p : {"p", "not_p"}) {
@@ -332,7 +329,7 @@ graph G { initial 0 step 1 : lamp step 2
             Netlist netlist = memories;
             add_cell(netlist, CellType::and_gate, "wrong", {"X2", p, q});
             put_gate_before(netlist, "horn", CellType::or_gate, {"wrong"});
-            const CheckResult result = check(grafcet, netlist);
+            const CheckResult result = check_whole(grafcet, netlist);
             CHECK(result.verdict == Verdict::different);
             REQUIRE(result.witness);
             const std::vector<Netlist::InitialValue>& power_up = result.witness->power_up;

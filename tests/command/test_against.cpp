@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command/charts.h"
 #include "command/json_schema.h"
 #include "support/run_program.h"
 
@@ -11,16 +12,14 @@ namespace grafwire::testing {
 
 namespace {
 
-const std::string chart = example("single-sequence.grafcet");
-
 std::string netlist(const std::string& format, const std::string& style) {
-    const Ran ran = grafwire_with({"netlist", chart, "--style", style, "--to", format});
+    const Ran ran = grafwire_with({"netlist", sequence_chart, "--style", style, "--to", format});
     CHECK(ran.status == 0);
     return ran.out;
 }
 
 Ran check_against(const std::string& file) {
-    return grafwire_with({"check", chart, "--against", file});
+    return grafwire_with({"check", sequence_chart, "--against", file});
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -77,11 +76,11 @@ TEST_CASE("a wiring by hand: a good one, and one with a slip") {
     CHECK(contains(wrong.out, "\nWitness:\n"));
     // Its witness replays on the same netlist.
     const Ran with_files =
-        grafwire_with({"check", chart, "--against", slip, "--witness", folder.path("w")});
+        grafwire_with({"check", sequence_chart, "--against", slip, "--witness", folder.path("w")});
     CHECK(with_files.status == 1);
     const std::string stim = folder.path("w/witness.stim");
-    const Ran run = grafwire_with({"run", chart, stim});
-    const Ran gates = grafwire_with({"simulate", chart, stim, "--against", slip});
+    const Ran run = grafwire_with({"run", sequence_chart, stim});
+    const Ran gates = grafwire_with({"simulate", sequence_chart, stim, "--against", slip});
     CHECK(run.status == 0);
     CHECK(run.out != gates.out);
     CHECK(text_of(folder.path("w/got.csv")) == gates.out);
@@ -98,7 +97,7 @@ TEST_CASE("a wiring without Init: at power-up anything, or the initial situation
                                          ".names X1 a X0 X2 X2\n11-- 1\n--01 1\n"
                                          ".end\n");
     const auto checked = [&](std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {"check", chart, "--against", file});
+        arguments.insert(arguments.begin(), {"check", sequence_chart, "--against", file});
         return grafwire_with(arguments);
     };
     const Ran unknown = checked({});
@@ -116,8 +115,9 @@ TEST_CASE("a wiring without Init: at power-up anything, or the initial situation
         if (!is_given) CHECK(json["witness"]["kind"] == "power-up");
     }
     // Nothing is to be said of the power-up of a netlist that has an Init.
-    const Ran refused = grafwire_with({"check", chart, "--power-up", "initial", "--against",
-                                       folder.file("good.blif", students_wiring("X0"))});
+    const Ran refused =
+        grafwire_with({"check", sequence_chart, "--power-up", "initial", "--against",
+                       folder.file("good.blif", students_wiring("X0"))});
     CHECK(refused.status == 2);
     CHECK(contains(refused.err, "--power-up has no effect here"));
 }
@@ -202,12 +202,12 @@ TEST_CASE("ports that do not fit: a table and status 2") {
     const Ran ran = check_against(file);
     CHECK(ran.status == 2);
     CHECK(ran.out.empty());
-    CHECK(contains(ran.err, file + ": the ports do not fit " + chart + ":\n"));
+    CHECK(contains(ran.err, file + ": the ports do not fit " + sequence_chart + ":\n"));
     CHECK(contains(ran.err, "X2\n"));
     CHECK(contains(ran.err, "Y2\n"));
     CHECK(contains(ran.err, " m\n"));
     CHECK(contains(ran.err, " go\n"));
-    CHECK(contains(grafwire_with({"check", chart, "--against", file, "--lang", "fr"}).err,
+    CHECK(contains(grafwire_with({"check", sequence_chart, "--against", file, "--lang", "fr"}).err,
                    "manquante"));
     const std::string json = replaced(netlist("json", "nand"), "\"X1\"", "\"Z1\"");
     const Ran in_json = check_against(folder.file("ports.json", json));

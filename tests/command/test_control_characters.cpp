@@ -4,13 +4,13 @@
 
 #include <filesystem>
 
+#include "command/charts.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-const std::string chart = example("rule-5.grafcet");
 const std::string escape = "\x1b[2J";
 const std::string replacement = "\xef\xbf\xbd";
 
@@ -66,26 +66,28 @@ TEST_CASE("no name or title of a chart holds a control character") {
 
 TEST_CASE("nor does a name that comes in otherwise") {
     const ScratchFolder folder;
-    check_refusal(grafwire_with({"check", chart, "--assume", "/\"" + escape + "\""}),
+    check_refusal(grafwire_with({"check", rule_5_chart, "--assume", "/\"" + escape + "\""}),
                   "--assume:1:3: error: ");
     const std::string io = folder.file("a.io", "E0.0 = \"s" + escape + "\"\nA0.0 = (\x7f)\n");
-    check_refusal(grafwire_with({"plc", chart, "--to", "s7-200", "--io", io}), ":1:8: error: ");
-    check_refusal(grafwire_with({"plc", chart, "--to", "s7-200", "--io", io}), ":2:8: error: ");
+    check_refusal(grafwire_with({"plc", rule_5_chart, "--to", "s7-200", "--io", io}),
+                  ":1:8: error: ");
+    check_refusal(grafwire_with({"plc", rule_5_chart, "--to", "s7-200", "--io", io}),
+                  ":2:8: error: ");
     // Whether written as it is or percent by percent.
     for (const std::string& name : {"a" + escape, std::string("a%1B")}) {
         const std::string net =
             ".inputs " + name + "\n.outputs y\n.names " + name + " y\n1 1\n.end\n";
         const std::string blif = folder.file("a.blif", ".model m\n" + net);
-        check_refusal(grafwire_with({"check", chart, "--against", blif}), ":2:9: error: ");
+        check_refusal(grafwire_with({"check", rule_5_chart, "--against", blif}), ":2:9: error: ");
         const std::string model = folder.file("b.blif", ".model " + name + "\n.inputs a\n.end\n");
-        check_refusal(grafwire_with({"check", chart, "--against", model}), ":1:8: error: ");
+        check_refusal(grafwire_with({"check", rule_5_chart, "--against", model}), ":1:8: error: ");
     }
     for (const std::string module : {"m", "\\u001b"}) {
         const std::string port = module == "m" ? "p\\u0007" : "p";
         const std::string json =
             folder.file("a.json", "{\"modules\":{\"" + module + "\":{\"ports\":{\"" + port +
                                       "\":{\"direction\":\"input\",\"bits\":[2]}}}}}");
-        check_refusal(grafwire_with({"check", chart, "--against", json}), "a.json:1:");
+        check_refusal(grafwire_with({"check", rule_5_chart, "--against", json}), "a.json:1:");
     }
     const std::string ladder =
         grafwire_with({"plc", example("manipulator.grafcet"), "--to", "plcopen"}).out;
@@ -98,15 +100,15 @@ TEST_CASE("nor does a name that comes in otherwise") {
 
 TEST_CASE("messages and reports show no control character of a file name") {
     const ScratchFolder folder;
-    const std::string odd = folder.file("a" + escape + ".grafcet", text_of(chart));
+    const std::string odd = folder.file("a" + escape + ".grafcet", text_of(rule_5_chart));
     const std::string shown = folder.path("a" + replacement + "[2J.grafcet");
     const std::string nowhere = folder.path("none" + escape + "/out");
     for (const std::vector<std::string>& request :
          std::vector<std::vector<std::string>>{{"check", odd, "--style", "nand"},
                                                {"check", odd, "--style", "nor"},
                                                {"check", odd, "--style", "nand", "--to", "junit"},
-                                               {"check", chart, "--against", odd},
-                                               {"equations", chart, "-o", nowhere},
+                                               {"check", rule_5_chart, "--against", odd},
+                                               {"equations", rule_5_chart, "-o", nowhere},
                                                {"equations", odd, "-o", odd},
                                                {"equations", odd + escape},
                                                {"netlist", odd, "--style", "nand", "--to", escape},

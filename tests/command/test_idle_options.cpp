@@ -10,14 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "command/charts.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
 
 namespace {
-
-const std::string chart = example("single-sequence.grafcet");
-const std::string stimuli = example("single-sequence.stim");
 
 /// A request, and the options that change nothing in it.
 struct Context {
@@ -45,17 +43,18 @@ class Files {
   public:
     Files() {
         const std::string text =
-            grafwire_with({"netlist", chart, "--style", "nand", "--to", "blif"}).out;
+            grafwire_with({"netlist", sequence_chart, "--style", "nand", "--to", "blif"}).out;
         folder_.file("init.blif", text);
-        folder_.file("clocked.blif",
-                     grafwire_with({"netlist", chart, "--style", "clocked", "--to", "blif"}).out);
+        folder_.file(
+            "clocked.blif",
+            grafwire_with({"netlist", sequence_chart, "--style", "clocked", "--to", "blif"}).out);
         folder_.file("bare.blif",
                      ".model bare\n.inputs m a b\n.outputs X0 X1 X2\n"
                      ".names X2 b X1 X0 X0\n11-- 1\n--01 1\n"
                      ".names X0 m X2 X1 X1\n11-- 1\n--01 1\n"
                      ".names X1 a X0 X2 X2\n11-- 1\n--01 1\n.end\n");
-        folder_.file("ladder.xml", grafwire_with({"plc", chart, "--to", "plcopen"}).out);
-        const Ran listing = grafwire_with({"plc", chart, "--to", "s7-200", "--addresses",
+        folder_.file("ladder.xml", grafwire_with({"plc", sequence_chart, "--to", "plcopen"}).out);
+        const Ran listing = grafwire_with({"plc", sequence_chart, "--to", "s7-200", "--addresses",
                                            folder_.path("a.io"), "-o", folder_.path("a.awl")});
         CHECK(listing.status == 0);
         folder_.file("by-address.stim", "0ms : E0.0=1\n+1ms : end\n");
@@ -108,9 +107,9 @@ TEST_CASE("options of equations and of run") {
     const Files files;
     std::vector<Context> contexts;
     for (const std::string form : {"text", "markdown", "latex", "json"}) {
-        contexts.push_back({{chart, "--to", form}, {}});
+        contexts.push_back({{sequence_chart, "--to", form}, {}});
     }
-    contexts.push_back({{chart, "--to", "csv"}, {"--karnaugh"}});
+    contexts.push_back({{sequence_chart, "--to", "csv"}, {"--karnaugh"}});
     try_all({"equations"},
             {{"--cdx", {"transition"}},
              {"--modes", {"off"}},
@@ -120,7 +119,7 @@ TEST_CASE("options of equations and of run") {
             contexts);
     try_all({"run"},
             {{"--scan", {"10ms"}}, {"--vcd", {files.path("vcd")}}, {"-o", {files.path("out")}}},
-            {{{chart, stimuli}, {}}});
+            {{{sequence_chart, sequence_stimuli}, {}}});
     CHECK(options_of({"info"}).empty());
 }
 
@@ -129,35 +128,39 @@ TEST_CASE("options of netlist") {
     std::vector<Context> contexts;
     for (const std::string style : {"gates", "nand", "nor"}) {
         for (const std::string format : {"blif", "json", "dot", "stats", "text"}) {
-            contexts.push_back(
-                {{chart, "--style", style, "--to", format}, {"--scan", "--stim", "--bench"}});
+            contexts.push_back({{sequence_chart, "--style", style, "--to", format},
+                                {"--scan", "--stim", "--bench"}});
         }
+        contexts.push_back({{sequence_chart, "--style", style, "--to", "verilog"},
+                            {"--scan", "--stim", "--bench"}});
         contexts.push_back(
-            {{chart, "--style", style, "--to", "verilog"}, {"--scan", "--stim", "--bench"}});
-        contexts.push_back({{chart, "--style", style, "--to", "spice"}, {"--scan", "--bench"}});
+            {{sequence_chart, "--style", style, "--to", "spice"}, {"--scan", "--bench"}});
     }
     contexts.push_back(
-        {{chart, "--style", "clocked", "--to", "blif"}, {"--scan", "--stim", "--bench"}});
-    contexts.push_back({{chart, "--style", "clocked", "--to", "verilog"}, {"--stim", "--bench"}});
-    contexts.push_back({{chart, "--style", "clocked", "--to", "spice"}, {"--bench"}});
+        {{sequence_chart, "--style", "clocked", "--to", "blif"}, {"--scan", "--stim", "--bench"}});
+    contexts.push_back(
+        {{sequence_chart, "--style", "clocked", "--to", "verilog"}, {"--stim", "--bench"}});
+    contexts.push_back({{sequence_chart, "--style", "clocked", "--to", "spice"}, {"--bench"}});
     // A bench needs stimuli and a file to stand beside; a deck is its own.
     const std::string out = files.path("n.v");
     contexts.push_back(
-        {{chart, "--style", "nand", "--to", "verilog", "--stim", stimuli}, {"--scan", "--bench"}});
+        {{sequence_chart, "--style", "nand", "--to", "verilog", "--stim", sequence_stimuli},
+         {"--scan", "--bench"}});
+    contexts.push_back({{sequence_chart, "--style", "nand", "--to", "verilog", "--stim",
+                         sequence_stimuli, "--bench", "-o", out},
+                        {"--scan"}});
+    contexts.push_back({{sequence_chart, "--style", "clocked", "--to", "verilog", "--stim",
+                         sequence_stimuli, "--bench", "-o", out},
+                        {}});
     contexts.push_back(
-        {{chart, "--style", "nand", "--to", "verilog", "--stim", stimuli, "--bench", "-o", out},
+        {{sequence_chart, "--style", "nand", "--to", "spice", "--stim", sequence_stimuli},
          {"--scan"}});
-    contexts.push_back(
-        {{chart, "--style", "clocked", "--to", "verilog", "--stim", stimuli, "--bench", "-o", out},
-         {}});
-    contexts.push_back(
-        {{chart, "--style", "nand", "--to", "spice", "--stim", stimuli}, {"--scan"}});
     try_all({"netlist"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
              {"--modes", {"off"}},
              {"--to", {"blif"}},
-             {"--stim", {stimuli}},
+             {"--stim", {sequence_stimuli}},
              {"--bench", {}},
              {"--scan", {"10ms"}},
              {"-o", {files.path("out")}}},
@@ -176,14 +179,14 @@ TEST_CASE("options of simulate") {
              {"--scan", {"10ms"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
-            {{{chart, stimuli}, {"--power-up", "--scan"}},
-             {{chart, stimuli, "--against", files.path("init.blif")},
+            {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan"}},
+             {{sequence_chart, sequence_stimuli, "--against", files.path("init.blif")},
               {"--style", "--cdx", "--modes", "--power-up", "--scan"}},
-             {{chart, stimuli, "--against", files.path("bare.blif")},
+             {{sequence_chart, sequence_stimuli, "--against", files.path("bare.blif")},
               {"--style", "--cdx", "--modes", "--scan"}},
-             {{chart, stimuli, "--against", files.path("clocked.blif")},
+             {{sequence_chart, sequence_stimuli, "--against", files.path("clocked.blif")},
               {"--style", "--cdx", "--modes", "--power-up"}},
-             {{chart, stimuli, "--style", "clocked"}, {"--power-up"}}});
+             {{sequence_chart, sequence_stimuli, "--style", "clocked"}, {"--power-up"}}});
 }
 
 TEST_CASE("options of check") {
@@ -197,19 +200,20 @@ TEST_CASE("options of check") {
     const std::set<std::string> of_netlists{"--program", "--io", "--cpu"};
     const std::set<std::string> of_elsewhere = with(of_netlists, {"--style", "--cdx", "--modes"});
     std::vector<Context> contexts{
-        {{chart}, with(of_netlists, {"--power-up", "--scan"})},
-        {{chart, "--style", "clocked"}, with(of_netlists, {"--power-up", "--changes"})},
-        {{chart, "--against", files.path("init.blif")},
+        {{sequence_chart}, with(of_netlists, {"--power-up", "--scan"})},
+        {{sequence_chart, "--style", "clocked"}, with(of_netlists, {"--power-up", "--changes"})},
+        {{sequence_chart, "--against", files.path("init.blif")},
          with(of_elsewhere, {"--power-up", "--scan"})},
-        {{chart, "--against", files.path("bare.blif")}, with(of_elsewhere, {"--scan"})},
-        {{chart, "--against", files.path("clocked.blif")},
+        {{sequence_chart, "--against", files.path("bare.blif")}, with(of_elsewhere, {"--scan"})},
+        {{sequence_chart, "--against", files.path("clocked.blif")},
          with(of_elsewhere, {"--power-up", "--changes"})},
-        {{chart, "--against", files.path("ladder.xml")}, with(of_programs, {"--io", "--cpu"})},
-        {{chart, "--against", files.path("a.awl"), "--io", files.path("a.io")},
+        {{sequence_chart, "--against", files.path("ladder.xml")},
+         with(of_programs, {"--io", "--cpu"})},
+        {{sequence_chart, "--against", files.path("a.awl"), "--io", files.path("a.io")},
          with(of_programs, {"--program"})}};
     for (const std::string style : {"gates", "nor"}) {
         contexts.push_back(
-            {{chart, "--style", style}, with(of_netlists, {"--power-up", "--scan"})});
+            {{sequence_chart, "--style", style}, with(of_netlists, {"--power-up", "--scan"})});
     }
     try_all({"check"},
             {{"--style", {"nand"}},
@@ -238,11 +242,11 @@ TEST_CASE("options of plc and of s7 run") {
     const std::set<std::string> of_listings{"--io",      "--addresses", "--mnemonics",
                                             "--offsets", "--tables",    "--cpu"};
     std::vector<Context> contexts{
-        {{chart, "--to", "s7-200"}, {}},
-        {{chart, "--to", "stl"}, {"--addresses", "--offsets", "--tables", "--cpu"}}};
+        {{sequence_chart, "--to", "s7-200"}, {}},
+        {{sequence_chart, "--to", "stl"}, {"--addresses", "--offsets", "--tables", "--cpu"}}};
     for (const std::string format : {"text", "il", "ladder", "ladder-svg", "pl7-2", "plcopen", "st",
                                      "c", "arduino", "pascal", "python"}) {
-        contexts.push_back({{chart, "--to", format}, of_listings});
+        contexts.push_back({{sequence_chart, "--to", format}, of_listings});
     }
     try_all({"plc"},
             {{"--to", {"c"}},
@@ -261,19 +265,20 @@ TEST_CASE("options of plc and of s7 run") {
          {"--scan", {"10ms"}},
          {"--io", {files.path("a.io")}},
          {"--cpu", {"212"}},
-         {"--grafcet", {chart}},
+         {"--grafcet", {sequence_chart}},
          {"--vcd", {files.path("vcd")}},
          {"-o", {files.path("out")}}},
         {{{files.path("a.awl"), "--stim", files.path("by-address.stim"), "--scan", "10ms"}, {}}});
 }
 
 TEST_CASE("the refusal says what the option is for, and is in the JUnit report") {
-    CHECK(grafwire_with({"check", chart, "--cpu", "212"}).err ==
+    CHECK(grafwire_with({"check", sequence_chart, "--cpu", "212"}).err ==
           "grafwire: error: --cpu has no effect here: it is for an S7-200 listing given with "
           "--against\n");
-    CHECK(grafwire_with({"netlist", chart, "--style", "clocked", "--to", "blif", "--scan", "1h"})
+    CHECK(grafwire_with(
+              {"netlist", sequence_chart, "--style", "clocked", "--to", "blif", "--scan", "1h"})
               .err == "grafwire: error: blif has no --scan; it is for verilog, spice\n");
-    const Ran ran = grafwire_with({"check", chart, "--scan", "1h", "--to", "junit"});
+    const Ran ran = grafwire_with({"check", sequence_chart, "--scan", "1h", "--to", "junit"});
     CHECK(ran.status == 2);
     CHECK(contains(ran.out, "--scan has no effect here: nothing is scanned"));
 }

@@ -4,14 +4,12 @@
 
 #include <filesystem>
 
+#include "command/charts.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
 
 namespace {
-
-const std::string chart = example("rule-5.grafcet");
-const std::string stim = example("rule-5.stim");
 
 using Names = std::vector<std::string>;
 
@@ -19,11 +17,11 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("-o holds what would go to standard output, and - is standard output") {
     const std::vector<std::vector<std::string>> requests{
-        {"equations", chart, "--to", "csv"},
-        {"run", chart, stim},
-        {"netlist", chart, "--style", "nand", "--to", "verilog"},
-        {"simulate", chart, stim, "--style", "nand"},
-        {"check", chart, "--style", "nand", "--to", "json"},
+        {"equations", rule_5_chart, "--to", "csv"},
+        {"run", rule_5_chart, rule_5_stimuli},
+        {"netlist", rule_5_chart, "--style", "nand", "--to", "verilog"},
+        {"simulate", rule_5_chart, rule_5_stimuli, "--style", "nand"},
+        {"check", rule_5_chart, "--style", "nand", "--to", "json"},
     };
     for (const std::vector<std::string>& request : requests) {
         INFO("command: " << request.front());
@@ -47,8 +45,9 @@ TEST_CASE("an existing file is replaced, and a link to it stays a link") {
     const ScratchFolder folder;
     const std::string file = folder.file("trace.csv", "something else, and longer than the trace");
     std::filesystem::create_symlink(file, folder.path("link"));
-    const std::string trace = grafwire_with({"run", chart, stim}).out;
-    CHECK(grafwire_with({"run", chart, stim, "-o", folder.path("link")}).status == 0);
+    const std::string trace = grafwire_with({"run", rule_5_chart, rule_5_stimuli}).out;
+    CHECK(grafwire_with({"run", rule_5_chart, rule_5_stimuli, "-o", folder.path("link")}).status ==
+          0);
     CHECK(text_of(file) == trace);
     CHECK(std::filesystem::is_symlink(folder.path("link")));
     CHECK(folder.names() == Names{"link", "trace.csv"});
@@ -60,11 +59,11 @@ TEST_CASE("a device is written to, never replaced") {
     const std::string copy = folder.path("copy");
     const Ran ran = run_program({"sh", "-c",
                                  "mkfifo " + pipe + " && { cat " + pipe + " >" + copy +
-                                     " & } && '" + GRAFWIRE_PROGRAM + "' run " + chart + " " +
-                                     stim + " -o " + pipe + " && wait"});
+                                     " & } && '" + GRAFWIRE_PROGRAM + "' run " + rule_5_chart +
+                                     " " + rule_5_stimuli + " -o " + pipe + " && wait"});
     CHECK(ran.status == 0);
     CHECK(std::filesystem::is_fifo(pipe));
-    CHECK(text_of(copy) == grafwire_with({"run", chart, stim}).out);
+    CHECK(text_of(copy) == grafwire_with({"run", rule_5_chart, rule_5_stimuli}).out);
 }
 
 TEST_CASE("an error leaves existing files as they were") {
@@ -74,10 +73,10 @@ TEST_CASE("an error leaves existing files as they were") {
     const std::string vcd = folder.file("vcd", "kept too");
     for (const std::vector<std::string>& request : std::vector<std::vector<std::string>>{
              {"equations", bad, "-o", out},
-             {"run", bad, stim, "-o", out, "--vcd", vcd},
-             {"run", chart, bad, "-o", out, "--vcd", vcd},
+             {"run", bad, rule_5_stimuli, "-o", out, "--vcd", vcd},
+             {"run", rule_5_chart, bad, "-o", out, "--vcd", vcd},
              {"netlist", bad, "--style", "nand", "--to", "blif", "-o", out},
-             {"simulate", bad, stim, "--style", "nand", "-o", out, "--vcd", vcd},
+             {"simulate", bad, rule_5_stimuli, "--style", "nand", "-o", out, "--vcd", vcd},
              {"check", bad, "--style", "nand", "-o", out}}) {
         INFO("command: " << request.front());
         CHECK(grafwire_with(request).status == 2);
@@ -93,11 +92,11 @@ TEST_CASE("a place that cannot be written to") {
     const std::string in_a_file = folder.file("file", "text") + "/out";
     for (const std::string& place : {no_folder, in_a_file}) {
         for (const std::vector<std::string>& request : std::vector<std::vector<std::string>>{
-                 {"equations", chart, "-o", place},
-                 {"run", chart, stim, "-o", place},
-                 {"netlist", chart, "--style", "nand", "--to", "blif", "-o", place},
-                 {"simulate", chart, stim, "--style", "nand", "-o", place},
-                 {"check", chart, "--style", "nand", "-o", place}}) {
+                 {"equations", rule_5_chart, "-o", place},
+                 {"run", rule_5_chart, rule_5_stimuli, "-o", place},
+                 {"netlist", rule_5_chart, "--style", "nand", "--to", "blif", "-o", place},
+                 {"simulate", rule_5_chart, rule_5_stimuli, "--style", "nand", "-o", place},
+                 {"check", rule_5_chart, "--style", "nand", "-o", place}}) {
             INFO("command: " << request.front());
             const Ran ran = grafwire_with(request);
             CHECK(ran.status == 2);
@@ -106,10 +105,10 @@ TEST_CASE("a place that cannot be written to") {
         }
     }
     CHECK(folder.names() == Names{"file"});
-    CHECK(grafwire_with({"run", chart, stim, "-o", "/dev/full"}).status == 2);
-    const Ran to_full = run_program(
-        {"sh", "-c",
-         "'" + std::string(GRAFWIRE_PROGRAM) + "' run " + chart + " " + stim + " >/dev/full"});
+    CHECK(grafwire_with({"run", rule_5_chart, rule_5_stimuli, "-o", "/dev/full"}).status == 2);
+    const Ran to_full = run_program({"sh", "-c",
+                                     "'" + std::string(GRAFWIRE_PROGRAM) + "' run " + rule_5_chart +
+                                         " " + rule_5_stimuli + " >/dev/full"});
     CHECK(to_full.status == 2);
     CHECK(contains(to_full.err, "standard output"));
 }
@@ -121,24 +120,26 @@ TEST_CASE("of several outputs none appears where one cannot be written") {
     for (const std::string& vcd : {folder.path("none/out.vcd"), folder.path("folder"), csv}) {
         INFO("waveform: " << vcd);
         for (const std::vector<std::string>& request : std::vector<std::vector<std::string>>{
-                 {"run", chart, stim, "-o", csv, "--vcd", vcd},
-                 {"run", chart, stim, "-o", vcd, "--vcd", csv},
-                 {"simulate", chart, stim, "--style", "nand", "-o", csv, "--vcd", vcd}}) {
+                 {"run", rule_5_chart, rule_5_stimuli, "-o", csv, "--vcd", vcd},
+                 {"run", rule_5_chart, rule_5_stimuli, "-o", vcd, "--vcd", csv},
+                 {"simulate", rule_5_chart, rule_5_stimuli, "--style", "nand", "-o", csv, "--vcd",
+                  vcd}}) {
             const Ran ran = grafwire_with(request);
             CHECK(ran.status == 2);
             CHECK(contains(ran.err, "cannot write " + vcd));
             CHECK(folder.names() == Names{"folder"});
         }
         // Nor does anything go to standard output.
-        if (vcd != csv) CHECK(grafwire_with({"run", chart, stim, "--vcd", vcd}).out.empty());
+        if (vcd != csv)
+            CHECK(grafwire_with({"run", rule_5_chart, rule_5_stimuli, "--vcd", vcd}).out.empty());
     }
 }
 
 TEST_CASE("a witness that cannot be written is no answer") {
     const ScratchFolder folder;
     const std::string place = folder.file("file", "text") + "/witness";
-    const Ran ran = grafwire_with({"check", chart, "--style", "nor", "--witness", place, "--to",
-                                   "json", "-o", folder.path("report.json")});
+    const Ran ran = grafwire_with({"check", rule_5_chart, "--style", "nor", "--witness", place,
+                                   "--to", "json", "-o", folder.path("report.json")});
     CHECK(ran.status == 2);
     CHECK(contains(ran.err, "cannot write " + place));
     CHECK(folder.names() == Names{"file"});

@@ -18,7 +18,7 @@ std::vector<std::string> plc(const std::string& chart, std::vector<std::string> 
 }
 
 /// Standard error of a request that is refused.
-std::string refusal(const std::vector<std::string>& arguments) {
+std::string refusal_of_list(const std::vector<std::string>& arguments) {
     const Ran ran = grafwire_with(arguments);
     INFO("standard error: " << ran.err);
     CHECK(ran.status == 2);
@@ -91,18 +91,19 @@ TEST_CASE("a partial assignment is completed, with a warning for what is wired")
 TEST_CASE("errors in an assignment have their place") {
     const ScratchFolder folder;
     const std::string io = folder.file("wrong.io", "E0.0 = v0\nE0.9 = v1\n");
-    CHECK(contains(refusal(plc(manipulator, {"--io", io})), "wrong.io:2:1: error: 'E0.9'"));
+    CHECK(contains(refusal_of_list(plc(manipulator, {"--io", io})), "wrong.io:2:1: error: 'E0.9'"));
     const std::string other = folder.file("other.io", "E0.0 = v0\nA0.0 = dcy\n");
-    CHECK(contains(refusal(plc(manipulator, {"--io", other})),
+    CHECK(contains(refusal_of_list(plc(manipulator, {"--io", other})),
                    "other.io:2:1: error: A0.0 cannot be the address of 'dcy'"));
-    CHECK(contains(refusal(plc(manipulator, {"--io", folder.path("missing.io")})), "missing.io"));
-    CHECK(contains(refusal(plc("-", {"--io", "-"})), "standard input"));
+    CHECK(contains(refusal_of_list(plc(manipulator, {"--io", folder.path("missing.io")})),
+                   "missing.io"));
+    CHECK(contains(refusal_of_list(plc("-", {"--io", "-"})), "standard input"));
 }
 
 TEST_CASE("a program has to fit the controller that is named") {
     CHECK(grafwire_with(plc(manipulator, {"--cpu", "212"})).status == 0);
     const std::string crossing = example("level-crossing.grafcet");
-    CHECK(contains(refusal(plc(crossing, {"--cpu", "212"})),
+    CHECK(contains(refusal_of_list(plc(crossing, {"--cpu", "212"})),
                    "and the program memory of a CPU 212 holds 1024"));
     CHECK(grafwire_with(plc(crossing, {"--cpu", "214"})).status == 0);
     const Ran wide = grafwire_with(plc(crossing, {"--tables", "wide"}));
@@ -111,9 +112,9 @@ TEST_CASE("a program has to fit the controller that is named") {
 }
 
 TEST_CASE("an option that a format has no use for is refused") {
-    CHECK(contains(refusal({"plc", manipulator, "--to", "text", "--io", manipulator_io}),
+    CHECK(contains(refusal_of_list({"plc", manipulator, "--to", "text", "--io", manipulator_io}),
                    "text has no --io; it is for s7-200"));
-    CHECK(contains(refusal({"plc", manipulator, "--to", "stl", "--offsets", "on"}),
+    CHECK(contains(refusal_of_list({"plc", manipulator, "--to", "stl", "--offsets", "on"}),
                    "stl has no --offsets; it is for s7-200"));
 }
 
@@ -124,7 +125,7 @@ TEST_CASE("the other Statement List takes addresses as well") {
     CHECK(ran.status == 0);
     CHECK(contains(ran.out, "E 4.1"));
     const std::string wrong = folder.file("wrong.io", "E4.1 = dcv\n");
-    CHECK(contains(refusal({"plc", manipulator, "--to", "stl", "--io", wrong}),
+    CHECK(contains(refusal_of_list({"plc", manipulator, "--to", "stl", "--io", wrong}),
                    "wrong.io:1:1: error: the chart has no 'dcv'; did you mean 'dcy'?"));
 }
 

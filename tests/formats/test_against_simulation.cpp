@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
 #include <iterator>
 #include <random>
 #include <sstream>
@@ -14,20 +13,13 @@
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
 #include "simulate/simulate.h"
+#include "support/files.h"
 #include "support/tool_runner.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;
 
 namespace {
-
-std::string file_text(const std::string& path) {
-    std::ifstream in(std::string(GRAFWIRE_ROOT) + "/" + path);
-    REQUIRE(in.good());
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 Grafcet parsed(const std::string& name, const std::string& text) {
     Diagnostics diagnostics;
@@ -108,9 +100,9 @@ TEST_CASE("examples in Icarus Verilog") {
          {"manipulator", "manipulator-modes", "positioning-axis", "nine-steps"}) {
         CAPTURE(name);
         Diagnostics diagnostics;
-        const Grafcet grafcet = parsed(name, file_text("examples/" + name + ".grafcet"));
+        const Grafcet grafcet = parsed(name, example_text(name + ".grafcet"));
         const std::optional<Stimuli> stimuli =
-            parse_stimuli({name, file_text("examples/" + name + ".stim")}, grafcet, diagnostics);
+            parse_stimuli({name, example_text(name + ".stim")}, grafcet, diagnostics);
         REQUIRE(stimuli.has_value());
         for (const bool modes : {true, false}) {
             CAPTURE(modes);

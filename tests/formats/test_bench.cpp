@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "formats/benches.h"
 #include "formats/sample_netlists.h"
 #include "formats/shared/bench.h"
 
@@ -7,8 +8,6 @@ using namespace grafwire;
 using namespace grafwire::testing;
 
 namespace {
-
-constexpr Time ms = millisecond;
 
 /// Events as text: "20ms a=1 row 2".
 std::string described(const Netlist& netlist, const std::vector<BenchEvent>& events) {

@@ -8,7 +8,7 @@ using namespace grafwire;
 namespace {
 
 /// The netlist as text, or what is wrong with the file.
-std::string read(const std::string& text) {
+std::string read_as_blif(const std::string& text) {
     const SourceFile source{"x.blif", text};
     Diagnostics diagnostics;
     const std::optional<Netlist> netlist = read_blif(source, diagnostics);
@@ -24,65 +24,65 @@ std::string read(const std::string& text) {
 }
 
 /// The cells for one cover over a, b, c.
-std::string cells_of(const std::string& names, const std::string& rows) {
-    const std::string text =
-        read(".model m\n.inputs a b c\n.outputs y\n.names " + names + "\n" + rows + "\n.end\n");
+std::string cells_of_cover(const std::string& names, const std::string& rows) {
+    const std::string text = read_as_blif(".model m\n.inputs a b c\n.outputs y\n.names " + names +
+                                          "\n" + rows + "\n.end\n");
     const std::string head = "netlist m\ninput a\ninput b\ninput c\noutput y = y\nmodule m\n";
     REQUIRE(text.starts_with(head));
     return text.substr(head.size());
 }
 
 std::string error_of(const std::string& line) {
-    return read(".model m\n.inputs a b clk\n.outputs y\n" + line + "\n.end\n");
+    return read_as_blif(".model m\n.inputs a b clk\n.outputs y\n" + line + "\n.end\n");
 }
 
 }  // namespace
 
 TEST_CASE("covers that are one gate") {
-    CHECK(cells_of("y", "") == "  y = low()\n");
-    CHECK(cells_of("y", "0") == "  y = low()\n");
-    CHECK(cells_of("y", "1") == "  y = high()\n");
-    CHECK(cells_of("a y", "1 1") == "  y = buf(a)\n");
-    CHECK(cells_of("a y", "0 1") == "  y = not(a)\n");
-    CHECK(cells_of("a y", "1 0") == "  y = not(a)\n");
-    CHECK(cells_of("a y", "0 0") == "  y = buf(a)\n");
-    CHECK(cells_of("a b y", "") == "  y = low()\n");
-    CHECK(cells_of("a b y", "-- 1") == "  y = high()\n");
-    CHECK(cells_of("a b y", "-- 0") == "  y = low()\n");
-    CHECK(cells_of("a b c y", "111 1") == "  y = and(a, b, c)\n");
-    CHECK(cells_of("a b c y", "111 0") == "  y = nand(a, b, c)\n");
-    CHECK(cells_of("a b c y", "000 1") == "  y = nor(a, b, c)\n");
-    CHECK(cells_of("a b c y", "000 0") == "  y = or(a, b, c)\n");
-    CHECK(cells_of("a b c y", "1-1 1") == "  y = and(a, c)\n");
-    CHECK(cells_of("a b c y", "-1- 1") == "  y = buf(b)\n");
-    CHECK(cells_of("a b c y", "1-- 1\n-1- 1\n--1 1") == "  y = or(a, b, c)\n");
-    CHECK(cells_of("a b c y", "0-- 1\n-0- 1\n--0 1") == "  y = nand(a, b, c)\n");
-    CHECK(cells_of("a b y", "1- 0\n-1 0") == "  y = nor(a, b)\n");
-    CHECK(cells_of("a b y", "0- 0\n-0 0") == "  y = and(a, b)\n");
-    CHECK(cells_of("a b y", "01 1\n10 1") == "  y = xor(a, b)\n");
-    CHECK(cells_of("a b y", "00 0\n11 0") == "  y = xor(a, b)\n");
-    CHECK(cells_of("a b c y", "001 1\n010 1\n100 1\n111 1") == "  y = xor(a, b, c)\n");
+    CHECK(cells_of_cover("y", "") == "  y = low()\n");
+    CHECK(cells_of_cover("y", "0") == "  y = low()\n");
+    CHECK(cells_of_cover("y", "1") == "  y = high()\n");
+    CHECK(cells_of_cover("a y", "1 1") == "  y = buf(a)\n");
+    CHECK(cells_of_cover("a y", "0 1") == "  y = not(a)\n");
+    CHECK(cells_of_cover("a y", "1 0") == "  y = not(a)\n");
+    CHECK(cells_of_cover("a y", "0 0") == "  y = buf(a)\n");
+    CHECK(cells_of_cover("a b y", "") == "  y = low()\n");
+    CHECK(cells_of_cover("a b y", "-- 1") == "  y = high()\n");
+    CHECK(cells_of_cover("a b y", "-- 0") == "  y = low()\n");
+    CHECK(cells_of_cover("a b c y", "111 1") == "  y = and(a, b, c)\n");
+    CHECK(cells_of_cover("a b c y", "111 0") == "  y = nand(a, b, c)\n");
+    CHECK(cells_of_cover("a b c y", "000 1") == "  y = nor(a, b, c)\n");
+    CHECK(cells_of_cover("a b c y", "000 0") == "  y = or(a, b, c)\n");
+    CHECK(cells_of_cover("a b c y", "1-1 1") == "  y = and(a, c)\n");
+    CHECK(cells_of_cover("a b c y", "-1- 1") == "  y = buf(b)\n");
+    CHECK(cells_of_cover("a b c y", "1-- 1\n-1- 1\n--1 1") == "  y = or(a, b, c)\n");
+    CHECK(cells_of_cover("a b c y", "0-- 1\n-0- 1\n--0 1") == "  y = nand(a, b, c)\n");
+    CHECK(cells_of_cover("a b y", "1- 0\n-1 0") == "  y = nor(a, b)\n");
+    CHECK(cells_of_cover("a b y", "0- 0\n-0 0") == "  y = and(a, b)\n");
+    CHECK(cells_of_cover("a b y", "01 1\n10 1") == "  y = xor(a, b)\n");
+    CHECK(cells_of_cover("a b y", "00 0\n11 0") == "  y = xor(a, b)\n");
+    CHECK(cells_of_cover("a b c y", "001 1\n010 1\n100 1\n111 1") == "  y = xor(a, b, c)\n");
 }
 
 TEST_CASE("other covers") {
-    CHECK(cells_of("a b y", "10 1") == "  b$1 = not(b)\n  y = and(a, b$1)\n");
-    CHECK(cells_of("a b y", "1- 1\n-0 1") == "  b$1 = not(b)\n  y = or(a, b$1)\n");
-    CHECK(cells_of("a b y", "00 1\n11 1") == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
-    CHECK(cells_of("a b c y", "1-0 1\n011 1") ==
+    CHECK(cells_of_cover("a b y", "10 1") == "  b$1 = not(b)\n  y = and(a, b$1)\n");
+    CHECK(cells_of_cover("a b y", "1- 1\n-0 1") == "  b$1 = not(b)\n  y = or(a, b$1)\n");
+    CHECK(cells_of_cover("a b y", "00 1\n11 1") == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
+    CHECK(cells_of_cover("a b c y", "1-0 1\n011 1") ==
           "  c$1 = not(c)\n  y$1 = and(a, c$1)\n  a$1 = not(a)\n  y$2 = and(a$1, b, c)\n"
           "  y = or(y$1, y$2)\n");
-    CHECK(cells_of("a b c y", "11- 0\n--1 0") == "  y$1 = and(a, b)\n  y = nor(y$1, c)\n");
+    CHECK(cells_of_cover("a b c y", "11- 0\n--1 0") == "  y$1 = and(a, b)\n  y = nor(y$1, c)\n");
 }
 
 TEST_CASE("a row that stands twice makes no exclusive or") {
-    CHECK(cells_of("a b y", "01 1\n01 1") ==
+    CHECK(cells_of_cover("a b y", "01 1\n01 1") ==
           "  a$1 = not(a)\n  y$1 = and(a$1, b)\n  y$2 = and(a$1, b)\n  y = or(y$1, y$2)\n");
-    CHECK(cells_of("a b c y", "001 1\n010 1\n100 1\n100 1").find("xor") == std::string::npos);
+    CHECK(cells_of_cover("a b c y", "001 1\n010 1\n100 1\n100 1").find("xor") == std::string::npos);
 }
 
 TEST_CASE("the value of a parameter stands between two quotes or none") {
     const auto timer = [](const std::string& value) {
-        return read(
+        return read_as_blif(
             ".model m\n.inputs a\n.outputs t\n.subckt grafwire_timer a=a q=t\n.param RISE " +
             value + "\n.end\n");
     };
@@ -93,67 +93,75 @@ TEST_CASE("the value of a parameter stands between two quotes or none") {
 }
 
 TEST_CASE("inner nets stay clear of the names in the file") {
-    CHECK(read(".model m\n.inputs a b b$1\n.outputs y y$1\n.names a b y\n10 1\n.names b$1 y$1\n1 "
-               "1\n.end") ==
+    CHECK(read_as_blif(
+              ".model m\n.inputs a b b$1\n.outputs y y$1\n.names a b y\n10 1\n.names b$1 y$1\n1 "
+              "1\n.end") ==
           "netlist m\ninput a\ninput b\ninput b$1\noutput y = y\noutput y$1 = y$1\nmodule m\n"
           "  b$2 = not(b)\n  y = and(a, b$2)\n  y$1 = buf(b$1)\n");
 }
 
 TEST_CASE("latches of all forms that can be used") {
     CHECK(
-        read(".model m\n.inputs d e clk\n.outputs q r s t\n.latch d q re clk 1\n.latch d r re clk\n"
-             ".latch d s ah e 0\n.latch d t 2\n.end\n") ==
+        read_as_blif(
+            ".model m\n.inputs d e clk\n.outputs q r s t\n.latch d q re clk 1\n.latch d r re clk\n"
+            ".latch d s ah e 0\n.latch d t 2\n.end\n") ==
         "netlist m\ninput d\ninput e\ninput clk\noutput q = q\noutput r = r\noutput s = s\n"
         "output t = t\nmodule m\n  q = dff(d, clk) initially 1\n  r = dff(d, clk)\n"
         "  s = hold(d, e) initially 0\n  t = dff(d, clk)\n");
     // What ABC writes: no clock at all.
-    CHECK(read(".model m\n.inputs d\n.outputs q\n.latch d q 0\n.end\n") ==
+    CHECK(read_as_blif(".model m\n.inputs d\n.outputs q\n.latch d q 0\n.end\n") ==
           "netlist m\ninput d\ninput clk\noutput q = q\nmodule m\n  q = dff(d, clk) initially 0\n");
-    CHECK(read(".model m\n.inputs d\n.clock clk\n.outputs q\n.latch d q re clk 0\n.end\n") ==
-          "netlist m\ninput d\ninput clk\noutput q = q\nmodule m\n  q = dff(d, clk) initially 0\n");
+    CHECK(
+        read_as_blif(".model m\n.inputs d\n.clock clk\n.outputs q\n.latch d q re clk 0\n.end\n") ==
+        "netlist m\ninput d\ninput clk\noutput q = q\nmodule m\n  q = dff(d, clk) initially 0\n");
 }
 
 TEST_CASE("comments, joined lines and carriage returns") {
-    CHECK(
-        read("# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
-             ".names a \\\n b y\n11 1 # the row\n.end\nwhat comes after .end is of no interest") ==
-        "x.blif:12:1: error: 'what' is not a BLIF command\n"
-        "what comes after .end is of no interest\n^\n");
-    CHECK(read("# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
-               ".names a \\\n b y\n11 1 # the row\n.end") ==
+    CHECK(read_as_blif(
+              "# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
+              ".names a \\\n b y\n11 1 # the row\n.end\nwhat comes after .end is of no interest") ==
+          "x.blif:12:1: error: 'what' is not a BLIF command\n"
+          "what comes after .end is of no interest\n^\n");
+    CHECK(read_as_blif(
+              "# a comment \\\n.model m # and one here\r\n.inputs a \\\n  b\n\n.outputs \\ \n y\n"
+              ".names a \\\n b y\n11 1 # the row\n.end") ==
           "netlist m\ninput a\ninput b\noutput y = y\nmodule m\n  y = and(a, b)\n");
 }
 
 TEST_CASE("names written with percent signs") {
-    CHECK(read(".model a%20b\n.inputs %25 %3D%23%5C%41\n.outputs y%20\n.names % %3D%23%5C%41 "
-               "y%20\n11 1\n"
-               ".names %\n1\n.end\n") ==
-          "x.blif:6:1: error: net '%' has a second driver\n.names %\n^\n"
-          "x.blif:2:9: note: the first one is here\n.inputs %25 %3D%23%5C%41\n        ^\n");
-    CHECK(read(".model a%20b\n.inputs %25 %3D%23%5C%41\n.outputs y%20\n.names %25 %3D%23%5C%41 "
-               "y%20\n11 1\n"
-               ".end\n") ==
+    CHECK(
+        read_as_blif(".model a%20b\n.inputs %25 %3D%23%5C%41\n.outputs y%20\n.names % %3D%23%5C%41 "
+                     "y%20\n11 1\n"
+                     ".names %\n1\n.end\n") ==
+        "x.blif:6:1: error: net '%' has a second driver\n.names %\n^\n"
+        "x.blif:2:9: note: the first one is here\n.inputs %25 %3D%23%5C%41\n        ^\n");
+    CHECK(read_as_blif(
+              ".model a%20b\n.inputs %25 %3D%23%5C%41\n.outputs y%20\n.names %25 %3D%23%5C%41 "
+              "y%20\n11 1\n"
+              ".end\n") ==
           "netlist a b\ninput %\ninput =#\\%41\noutput y  = y \nmodule a b\n  y  = and(%, "
           "=#\\%41)\n");
 }
 
 TEST_CASE("black boxes and what is said about them") {
     CHECK(
-        read(".model m\n.inputs a s r\n.outputs q p t\n.subckt grafwire_latch r=r q=q s=s\n.attr "
-             "INIT 1\n"
-             ".cname whatever\n.attr src \"x.v:1\"\n.subckt grafwire_rise_pulse a=a q=p\n"
-             ".param FALL \"3us\"\n.subckt grafwire__timer a=a q=t\n.attr RISE \"5s\"\n.attr FALL "
-             "\"0s\"\n"
-             ".attr ORDINAL \"2\"\n.end\n.model grafwire_latch\n.inputs s r\n.outputs "
-             "q\n.blackbox\n.end\n") ==
+        read_as_blif(
+            ".model m\n.inputs a s r\n.outputs q p t\n.subckt grafwire_latch r=r q=q s=s\n.attr "
+            "INIT 1\n"
+            ".cname whatever\n.attr src \"x.v:1\"\n.subckt grafwire_rise_pulse a=a q=p\n"
+            ".param FALL \"3us\"\n.subckt grafwire__timer a=a q=t\n.attr RISE \"5s\"\n.attr FALL "
+            "\"0s\"\n"
+            ".attr ORDINAL \"2\"\n.end\n.model grafwire_latch\n.inputs s r\n.outputs "
+            "q\n.blackbox\n.end\n") ==
         "netlist m\ninput a\ninput s\ninput r\noutput q = q\noutput p = p\noutput t = t\nmodule m\n"
         "  q = latch(s, r) initially 1\n  p = rise_pulse(a) rise 0s fall 3us\n"
         "  t = timer(a) rise 5s fall 0s\n");
 }
 
 TEST_CASE("initial values of nets") {
-    CHECK(read(".model m\n.inputs a\n.outputs X1\n#@initially X1 1\n#@something else\n.names a "
-               "X1\n1 1\n.end\n") ==
+    CHECK(read_as_blif(
+              ".model m\n.inputs a\n.outputs X1\n#@initially X1 1\n#@something else\n.names a "
+              "X1\n1 1\n.end\n") ==
           "netlist m\ninput a\noutput X1 = X1\nmodule m\n  X1 = buf(a)\ninitially X1 = 1\n");
 }
 
@@ -241,12 +249,12 @@ TEST_CASE("refusals name the place and the cause") {
     CHECK(error_of(".names a y\n1 1\n.outputs y") ==
           "x.blif:6:10: error: output 'y' is listed twice\n.outputs y\n         ^\n");
     CHECK(error_of("hello") == "x.blif:4:1: error: 'hello' is not a BLIF command\nhello\n^\n");
-    CHECK(read("") == "x.blif: error: there is no .model in the file\n");
-    CHECK(read("module m; endmodule") ==
+    CHECK(read_as_blif("") == "x.blif: error: there is no .model in the file\n");
+    CHECK(read_as_blif("module m; endmodule") ==
           "x.blif:1:1: error: expected .model at the start of the netlist\nmodule m; endmodule\n^\n"
           "x.blif: error: there is no .model in the file\n");
-    CHECK(read(".model m\n.end\n.model n\n.names a\n1\n.names b\n.end\n") ==
+    CHECK(read_as_blif(".model m\n.end\n.model n\n.names a\n1\n.names b\n.end\n") ==
           "x.blif:4:1: error: a second model with cells of its own; flatten the netlist "
           "first\n.names a\n^\n");
-    CHECK(read(".model m\n.inputs \xff\n.end\n").find("x.blif:2:9: error: ") == 0);
+    CHECK(read_as_blif(".model m\n.inputs \xff\n.end\n").find("x.blif:2:9: error: ") == 0);
 }

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "formats/benches.h"
 #include "formats/sample_netlists.h"
 #include "netlist/passes/counted_timers.h"
 #include "simulate/simulator.h"
@@ -12,8 +13,6 @@ using namespace grafwire;
 using namespace grafwire::testing;
 
 namespace {
-
-constexpr Time ms = millisecond;
 
 /// `outer = o1/(o2/a/o3)/o4`, with the look-ahead in between.
 Netlist nested_timers(const Timing& inner, const Timing& outer) {

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "equations/equations.h"
@@ -14,6 +13,7 @@
 #include "formats/yosys/write_yosys_json.h"
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
+#include "support/files.h"
 #include "support/tool_runner.h"
 
 using namespace grafwire;
@@ -74,14 +74,6 @@ void check_round_trips(const Netlist& netlist) {
     }
 }
 
-std::string file_text(const std::string& path) {
-    std::ifstream in(std::string(GRAFWIRE_ROOT) + "/" + path);
-    REQUIRE(in.good());
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 constexpr std::string_view examples[] = {
     "manipulator", "manipulator-modes", "positioning-axis", "press",
     "rule-5",      "nine-steps",        "batch-counter"};
@@ -91,8 +83,7 @@ template <typename Visit>
 void for_each_example(const Visit& visit) {
     std::size_t count = 0;
     for (const std::string_view name : examples) {
-        const SourceFile source{std::string(name),
-                                file_text("examples/" + std::string(name) + ".grafcet")};
+        const SourceFile source{std::string(name), example_text(std::string(name) + ".grafcet")};
         Diagnostics diagnostics;
         const std::optional<Grafcet> grafcet = parse_grafcet(source, diagnostics);
         REQUIRE(grafcet.has_value());

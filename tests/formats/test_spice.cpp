@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "formats/benches.h"
 #include "formats/netlist_formats.h"
 #include "formats/sample_netlists.h"
 #include "formats/spice/spice_elements.h"
@@ -11,8 +12,6 @@ using namespace grafwire;
 using namespace grafwire::testing;
 
 namespace {
-
-constexpr Time ms = millisecond;
 
 std::string deck_of(const Netlist& netlist, const Bench& bench = idle_bench(),
                     Time scan_period = 10 * ms) {
@@ -53,13 +52,6 @@ std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
         }
     }
     return rows;
-}
-
-Bench bench_of(std::vector<Bench::Change> changes, std::vector<Time> instants) {
-    Bench bench;
-    bench.changes = std::move(changes);
-    bench.instants = std::move(instants);
-    return bench;
 }
 
 using Rows = std::vector<std::string>;

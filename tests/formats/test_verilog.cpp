@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "formats/benches.h"
 #include "formats/sample_netlists.h"
 #include "formats/verilog/verilog_names.h"
 #include "formats/verilog/write_verilog.h"
@@ -27,15 +28,6 @@ std::string simulated(const Netlist& netlist, const Bench& bench, Time scan = 10
     CHECK(result.status == 0);
     return result.output;
 }
-
-Bench bench_of(std::vector<Bench::Change> changes, std::vector<Time> instants) {
-    Bench bench;
-    bench.changes = std::move(changes);
-    bench.instants = std::move(instants);
-    return bench;
-}
-
-constexpr Time ms = millisecond;
 
 }  // namespace
 

@@ -7,7 +7,7 @@ using namespace grafwire;
 namespace {
 
 /// The netlist as text, or the first message.
-std::string read(const std::string& text) {
+std::string read_as_json(const std::string& text) {
     const SourceFile source{"x.json", text};
     Diagnostics diagnostics;
     const std::optional<Netlist> netlist = read_yosys_json(source, diagnostics);
@@ -43,9 +43,9 @@ std::string cell(const std::string& type, const std::string& connections,
 }
 
 /// The cells that a Yosys cell becomes; a to d are bits 2 to 5, y is bit 6.
-std::string cells_of(const std::string& type, const std::string& connections,
-                     const std::string& parameters = "") {
-    const std::string text = read(module_with(cell(type, connections, parameters)));
+std::string cells_of_cell(const std::string& type, const std::string& connections,
+                          const std::string& parameters = "") {
+    const std::string text = read_as_json(module_with(cell(type, connections, parameters)));
     const std::string head =
         "netlist m\ninput a\ninput b\ninput c\ninput d\noutput y = y\nmodule m\n";
     if (!text.starts_with(head)) return text;
@@ -74,125 +74,128 @@ TEST_CASE("every cell knows the line at which it begins") {
 }
 
 TEST_CASE("gates") {
-    CHECK(cells_of("$_BUF_", R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
-    CHECK(cells_of("$_NOT_", R"("A": [2], "Y": [6])") == "  y = not(a)\n");
-    CHECK(cells_of("$_AND_", ab) == "  y = and(a, b)\n");
-    CHECK(cells_of("$_NAND_", ab) == "  y = nand(a, b)\n");
-    CHECK(cells_of("$_OR_", ab) == "  y = or(a, b)\n");
-    CHECK(cells_of("$_NOR_", ab) == "  y = nor(a, b)\n");
-    CHECK(cells_of("$_XOR_", ab) == "  y = xor(a, b)\n");
-    CHECK(cells_of("$_XNOR_", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
-    CHECK(cells_of("$_ANDNOT_", ab) == "  b$1 = not(b)\n  y = and(a, b$1)\n");
-    CHECK(cells_of("$_ORNOT_", ab) == "  b$1 = not(b)\n  y = or(a, b$1)\n");
-    CHECK(cells_of("$_MUX_", R"("A": [2], "B": [3], "S": [4], "Y": [6])") ==
+    CHECK(cells_of_cell("$_BUF_", R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
+    CHECK(cells_of_cell("$_NOT_", R"("A": [2], "Y": [6])") == "  y = not(a)\n");
+    CHECK(cells_of_cell("$_AND_", ab) == "  y = and(a, b)\n");
+    CHECK(cells_of_cell("$_NAND_", ab) == "  y = nand(a, b)\n");
+    CHECK(cells_of_cell("$_OR_", ab) == "  y = or(a, b)\n");
+    CHECK(cells_of_cell("$_NOR_", ab) == "  y = nor(a, b)\n");
+    CHECK(cells_of_cell("$_XOR_", ab) == "  y = xor(a, b)\n");
+    CHECK(cells_of_cell("$_XNOR_", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
+    CHECK(cells_of_cell("$_ANDNOT_", ab) == "  b$1 = not(b)\n  y = and(a, b$1)\n");
+    CHECK(cells_of_cell("$_ORNOT_", ab) == "  b$1 = not(b)\n  y = or(a, b$1)\n");
+    CHECK(cells_of_cell("$_MUX_", R"("A": [2], "B": [3], "S": [4], "Y": [6])") ==
           "  c$1 = not(c)\n  y$1 = and(a, c$1)\n  y$2 = and(b, c)\n  y = or(y$1, y$2)\n");
-    CHECK(cells_of("$_NMUX_", R"("A": [2], "B": [3], "S": [4], "Y": [6])") ==
+    CHECK(cells_of_cell("$_NMUX_", R"("A": [2], "B": [3], "S": [4], "Y": [6])") ==
           "  c$1 = not(c)\n  y$1 = and(a, c$1)\n  y$2 = and(b, c)\n  y = nor(y$1, y$2)\n");
-    CHECK(cells_of("$_AOI3_", abcd) == "  y$1 = and(a, b)\n  y = nor(y$1, c)\n");
-    CHECK(cells_of("$_OAI3_", abcd) == "  y$1 = or(a, b)\n  y = nand(y$1, c)\n");
-    CHECK(cells_of("$_AOI4_", abcd) ==
+    CHECK(cells_of_cell("$_AOI3_", abcd) == "  y$1 = and(a, b)\n  y = nor(y$1, c)\n");
+    CHECK(cells_of_cell("$_OAI3_", abcd) == "  y$1 = or(a, b)\n  y = nand(y$1, c)\n");
+    CHECK(cells_of_cell("$_AOI4_", abcd) ==
           "  y$1 = and(a, b)\n  y$2 = and(c, d)\n  y = nor(y$1, y$2)\n");
-    CHECK(cells_of("$_OAI4_", abcd) ==
+    CHECK(cells_of_cell("$_OAI4_", abcd) ==
           "  y$1 = or(a, b)\n  y$2 = or(c, d)\n  y = nand(y$1, y$2)\n");
 }
 
 TEST_CASE("word-level cells of one bit") {
-    CHECK(cells_of("$not", R"("A": [2], "Y": [6])") == "  y = not(a)\n");
-    CHECK(cells_of("$and", ab) == "  y = and(a, b)\n");
-    CHECK(cells_of("$or", ab) == "  y = or(a, b)\n");
-    CHECK(cells_of("$xor", ab) == "  y = xor(a, b)\n");
+    CHECK(cells_of_cell("$not", R"("A": [2], "Y": [6])") == "  y = not(a)\n");
+    CHECK(cells_of_cell("$and", ab) == "  y = and(a, b)\n");
+    CHECK(cells_of_cell("$or", ab) == "  y = or(a, b)\n");
+    CHECK(cells_of_cell("$xor", ab) == "  y = xor(a, b)\n");
     for (const char* type : {"$buf", "$pos"}) {
-        CHECK(cells_of(type, R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
+        CHECK(cells_of_cell(type, R"("A": [2], "Y": [6])") == "  y = buf(a)\n");
     }
-    CHECK(cells_of("$reduce_xnor", R"("A": [2, 3, 4], "Y": [6])") ==
+    CHECK(cells_of_cell("$reduce_xnor", R"("A": [2, 3, 4], "Y": [6])") ==
           "  y$1 = xor(a, b, c)\n  y = not(y$1)\n");
     // Of these each bit would have a gate of its own.
     for (const char* type : {"$buf", "$pos", "$not", "$and", "$or", "$xor", "$xnor"}) {
-        CHECK(
-            cells_of(type, R"("A": [2, 3], "B": [4], "Y": [6])").starts_with("cell 'g' of type "));
+        CHECK(cells_of_cell(type, R"("A": [2, 3], "B": [4], "Y": [6])")
+                  .starts_with("cell 'g' of type "));
     }
-    CHECK(cells_of("$xnor", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
-    CHECK(cells_of("$reduce_and", R"("A": [2, 3, 4], "Y": [6])") == "  y = and(a, b, c)\n");
-    CHECK(cells_of("$reduce_or", R"("A": [2, 3, 4], "Y": [6])") == "  y = or(a, b, c)\n");
-    CHECK(cells_of("$reduce_bool", R"("A": [2, 3, 4], "Y": [6])") == "  y = or(a, b, c)\n");
-    CHECK(cells_of("$reduce_xor", R"("A": [2, 3, 4], "Y": [6])") == "  y = xor(a, b, c)\n");
-    CHECK(cells_of("$logic_not", R"("A": [2, 3, 4], "Y": [6])") == "  y = nor(a, b, c)\n");
-    CHECK(cells_of("$logic_or", R"("A": [2, 3], "B": [4], "Y": [6])") == "  y = or(a, b, c)\n");
-    CHECK(cells_of("$logic_and", R"("A": [2, 3], "B": [4], "Y": [6])") ==
+    CHECK(cells_of_cell("$xnor", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
+    CHECK(cells_of_cell("$reduce_and", R"("A": [2, 3, 4], "Y": [6])") == "  y = and(a, b, c)\n");
+    CHECK(cells_of_cell("$reduce_or", R"("A": [2, 3, 4], "Y": [6])") == "  y = or(a, b, c)\n");
+    CHECK(cells_of_cell("$reduce_bool", R"("A": [2, 3, 4], "Y": [6])") == "  y = or(a, b, c)\n");
+    CHECK(cells_of_cell("$reduce_xor", R"("A": [2, 3, 4], "Y": [6])") == "  y = xor(a, b, c)\n");
+    CHECK(cells_of_cell("$logic_not", R"("A": [2, 3, 4], "Y": [6])") == "  y = nor(a, b, c)\n");
+    CHECK(cells_of_cell("$logic_or", R"("A": [2, 3], "B": [4], "Y": [6])") ==
+          "  y = or(a, b, c)\n");
+    CHECK(cells_of_cell("$logic_and", R"("A": [2, 3], "B": [4], "Y": [6])") ==
           "  y$1 = or(a, b)\n  y = and(y$1, c)\n");
-    CHECK(cells_of("$ne", ab) == "  y = xor(a, b)\n");
-    CHECK(cells_of("$eq", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
-    CHECK(cells_of("$ne", R"("A": [2, 3], "B": ["1", "1"], "Y": [6])") == "  y = nand(a, b)\n");
-    CHECK(cells_of("$eq", R"("A": ["0", 3], "B": [2, "1"], "Y": [6])") ==
+    CHECK(cells_of_cell("$ne", ab) == "  y = xor(a, b)\n");
+    CHECK(cells_of_cell("$eq", ab) == "  y$1 = xor(a, b)\n  y = not(y$1)\n");
+    CHECK(cells_of_cell("$ne", R"("A": [2, 3], "B": ["1", "1"], "Y": [6])") ==
+          "  y = nand(a, b)\n");
+    CHECK(cells_of_cell("$eq", R"("A": ["0", 3], "B": [2, "1"], "Y": [6])") ==
           "  a$1 = not(a)\n  y = and(a$1, b)\n");
-    CHECK(cells_of("$eq", R"("A": ["0", "1"], "B": ["1", 2], "Y": [6])") ==
+    CHECK(cells_of_cell("$eq", R"("A": ["0", "1"], "B": ["1", 2], "Y": [6])") ==
           "  net$1 = high()\n  net$2 = low()\n  y = and(net$2, a)\n");
-    CHECK(cells_of("$eq", R"("A": [2, 3], "B": [4, 5], "Y": [6])") ==
+    CHECK(cells_of_cell("$eq", R"("A": [2, 3], "B": [4, 5], "Y": [6])") ==
           "  y$1 = xor(a, c)\n  y$1$1 = not(y$1)\n  y$2 = xor(b, d)\n  y$2$1 = not(y$2)\n"
           "  y = and(y$1$1, y$2$1)\n");
 }
 
 TEST_CASE("look-up tables") {
     const std::string pins = R"("A": [2, 3], "Y": [6])";
-    CHECK(cells_of("$lut", pins, R"("LUT": "1000")") == "  y = and(a, b)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "0111")") == "  y = nand(a, b)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "1110")") == "  y = or(a, b)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "0001")") == "  y = nor(a, b)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "0110")") == "  y = xor(a, b)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "0010")") == "  b$1 = not(b)\n  y = and(a, b$1)\n");
-    CHECK(cells_of("$lut", R"("A": [2], "Y": [6])", R"("LUT": "01")") == "  y = not(a)\n");
-    CHECK(cells_of("$lut", pins, R"("LUT": "01")") ==
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "1000")") == "  y = and(a, b)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "0111")") == "  y = nand(a, b)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "1110")") == "  y = or(a, b)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "0001")") == "  y = nor(a, b)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "0110")") == "  y = xor(a, b)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "0010")") == "  b$1 = not(b)\n  y = and(a, b$1)\n");
+    CHECK(cells_of_cell("$lut", R"("A": [2], "Y": [6])", R"("LUT": "01")") == "  y = not(a)\n");
+    CHECK(cells_of_cell("$lut", pins, R"("LUT": "01")") ==
           "cell 'g' of type $lut: its table does not fit its inputs\n");
-    CHECK(cells_of("$lut", R"("Y": [6])", R"("LUT": "1")") ==
+    CHECK(cells_of_cell("$lut", R"("Y": [6])", R"("LUT": "1")") ==
           "cell 'g' of type $lut: its port A is not connected\n");
 }
 
 TEST_CASE("constants") {
     // Both in one module, each made once.
     CHECK(
-        cells_of("$_AOI4_", R"("A": ["1"], "B": ["0"], "C": ["1"], "D": ["0"], "Y": [6])") ==
+        cells_of_cell("$_AOI4_", R"("A": ["1"], "B": ["0"], "C": ["1"], "D": ["0"], "Y": [6])") ==
         "  net$1 = high()\n  net$2 = low()\n  y$1 = and(net$1, net$2)\n  y$2 = and(net$1, net$2)\n"
         "  y = nor(y$1, y$2)\n");
-    CHECK(cells_of("$_BUF_", R"("A": ["1"], "Y": [6])") == "  y = high()\n");
-    CHECK(cells_of("$_AND_", R"("A": [2], "B": ["0"], "Y": [6])") ==
+    CHECK(cells_of_cell("$_BUF_", R"("A": ["1"], "Y": [6])") == "  y = high()\n");
+    CHECK(cells_of_cell("$_AND_", R"("A": [2], "B": ["0"], "Y": [6])") ==
           "  net$1 = low()\n  y = and(a, net$1)\n");
     for (const char* type : {"$_AND_", "$_BUF_", "$eq"}) {
-        CHECK(cells_of(type, R"("A": [2], "B": [3], "Y": ["1"])") ==
+        CHECK(cells_of_cell(type, R"("A": [2], "B": [3], "Y": ["1"])") ==
               "cell 'g' of type " + std::string(type) +
                   ": its output Y is connected to a constant\n");
     }
-    CHECK(cells_of("$_AND_", R"("A": [2], "B": ["x"], "Y": [6])") ==
+    CHECK(cells_of_cell("$_AND_", R"("A": [2], "B": ["x"], "Y": [6])") ==
           "cell 'g' of type $_AND_: port B is connected to 'x'\n");
-    CHECK(read(R"({"modules": {"m": {"ports": {"y": {"direction": "output", "bits": ["1"]}}}}})") ==
+    CHECK(read_as_json(
+              R"({"modules": {"m": {"ports": {"y": {"direction": "output", "bits": ["1"]}}}}})") ==
           "netlist m\noutput y = y\nmodule m\n  y = high()\n");
 }
 
 TEST_CASE("memories") {
     const std::string pins = R"("D": [2], "C": [3], "Q": [6])";
-    CHECK(cells_of("$_DFF_P_", pins) == "  y = dff(a, b)\n");
-    CHECK(cells_of("$dff", R"("D": [2], "CLK": [3], "Q": [6])",
-                   R"("CLK_POLARITY": 1, "WIDTH": 1)") == "  y = dff(a, b)\n");
-    CHECK(cells_of("$_DFFE_PN_", R"("D": [2], "C": [3], "E": [4], "Q": [6])") ==
+    CHECK(cells_of_cell("$_DFF_P_", pins) == "  y = dff(a, b)\n");
+    CHECK(cells_of_cell("$dff", R"("D": [2], "CLK": [3], "Q": [6])",
+                        R"("CLK_POLARITY": 1, "WIDTH": 1)") == "  y = dff(a, b)\n");
+    CHECK(cells_of_cell("$_DFFE_PN_", R"("D": [2], "C": [3], "E": [4], "Q": [6])") ==
           "  c$1 = not(c)\n  y$1 = and(a, c$1)\n  y$2 = and(y, c)\n  y$3 = or(y$1, y$2)\n"
           "  y = dff(y$3, b)\n");
-    CHECK(cells_of("$_SDFF_PP1_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
+    CHECK(cells_of_cell("$_SDFF_PP1_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
           "  y$1 = or(a, c)\n  y = dff(y$1, b)\n");
-    CHECK(cells_of("$_SDFF_PN0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
+    CHECK(cells_of_cell("$_SDFF_PN0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
           "  c$1 = not(c)\n  y$1 = and(a, c)\n  y = dff(y$1, b)\n");
-    CHECK(cells_of("$_DLATCH_P_", R"("D": [2], "E": [3], "Q": [6])") == "  y = hold(a, b)\n");
-    CHECK(cells_of("$_DLATCH_N_", R"("D": [2], "E": [3], "Q": [6])") ==
+    CHECK(cells_of_cell("$_DLATCH_P_", R"("D": [2], "E": [3], "Q": [6])") == "  y = hold(a, b)\n");
+    CHECK(cells_of_cell("$_DLATCH_N_", R"("D": [2], "E": [3], "Q": [6])") ==
           "  b$1 = not(b)\n  y = hold(a, b$1)\n");
     // The reset of Yosys's latches wins.
-    CHECK(cells_of("$_SR_PP_", R"("S": [2], "R": [3], "Q": [6])") ==
+    CHECK(cells_of_cell("$_SR_PP_", R"("S": [2], "R": [3], "Q": [6])") ==
           "  b$1 = not(b)\n  y$1 = and(a, b$1)\n  y = latch(y$1, b)\n");
-    CHECK(cells_of("$_DFF_N_", pins) ==
+    CHECK(cells_of_cell("$_DFF_N_", pins) ==
           "cell 'g' of type $_DFF_N_: flip-flops on the falling edge are not "
           "supported\n");
-    CHECK(cells_of("$_DFF_PP0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
+    CHECK(cells_of_cell("$_DFF_PP0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
           "cell 'g' of type $_DFF_PP0_: flip-flops with asynchronous set or reset "
           "are not "
           "supported\n");
-    CHECK(cells_of("$_DLATCH_PP0_", pins) ==
+    CHECK(cells_of_cell("$_DLATCH_PP0_", pins) ==
           "cell 'g' of type $_DLATCH_PP0_: latches with set or reset are not "
           "supported\n");
 }
@@ -200,8 +203,8 @@ TEST_CASE("memories") {
 TEST_CASE("initial values belong to memories, else to nets") {
     const std::string flip_flop = cell("$_DFF_P_", R"("D": [2], "C": [3], "Q": [6])");
     const std::string names = R"("q": {"bits": [6], "attributes": {"init": "1"}})";
-    CHECK(read(module_with(flip_flop, names)).ends_with("  y = dff(a, b) initially 1\n"));
-    CHECK(read(module_with(cell("$_AND_", ab), names))
+    CHECK(read_as_json(module_with(flip_flop, names)).ends_with("  y = dff(a, b) initially 1\n"));
+    CHECK(read_as_json(module_with(cell("$_AND_", ab), names))
               .ends_with("  y = and(a, b)\ninitially y = 1\n"));
     // Of a word the last digit is that of bit 0.
     const std::string memories = R"("g": {"type": "$_DFF_P_",
@@ -213,43 +216,47 @@ TEST_CASE("initial values belong to memories, else to nets") {
 }
 
 TEST_CASE("black boxes") {
-    CHECK(cells_of("grafwire_timer", R"("a": [2], "q": [6])",
-                   R"("RISE": "5s", "FALL": "20ms", "INIT": "0",
+    CHECK(cells_of_cell("grafwire_timer", R"("a": [2], "q": [6])",
+                        R"("RISE": "5s", "FALL": "20ms", "INIT": "0",
                       "ORDINAL": "00000000000000000000000000000011")") ==
           "  y = timer(a) rise 5s fall 20ms initially 0\n");
-    CHECK(cells_of("grafwire_latch", R"("s": [2], "r": [3], "q": [6])") == "  y = latch(a, b)\n");
-    CHECK(cells_of("grafwire_timer", R"("a": [2], "q": [6])", R"("RISE": "5 s")") ==
+    CHECK(cells_of_cell("grafwire_latch", R"("s": [2], "r": [3], "q": [6])") ==
+          "  y = latch(a, b)\n");
+    CHECK(cells_of_cell("grafwire_timer", R"("a": [2], "q": [6])", R"("RISE": "5 s")") ==
           "cell 'g' of type grafwire_timer: its RISE is not valid: '5 s'\n");
 }
 
 TEST_CASE("what cannot be used is refused by name") {
-    CHECK(cells_of("$add", ab) ==
+    CHECK(cells_of_cell("$add", ab) ==
           "cell 'g' of type $add: cells of this type are not supported (Yosys: "
           "techmap; "
           "opt)\n");
-    CHECK(cells_of("adder", ab)
+    CHECK(cells_of_cell("adder", ab)
               .starts_with("cell 'g' of type adder: it is a module of its own; "
                            "flatten the netlist first\n"));
-    CHECK(cells_of("$and", R"("A": [2, 3], "B": [4, 5], "Y": [6])")
+    CHECK(cells_of_cell("$and", R"("A": [2, 3], "B": [4, 5], "Y": [6])")
               .starts_with("cell 'g' of type $and: its port A has 2 bits; split "
                            "words into bits first (Yosys: "
                            "simplemap)\n"));
-    CHECK(cells_of("$_AND_", R"("A": [2], "Y": [6])")
+    CHECK(cells_of_cell("$_AND_", R"("A": [2], "Y": [6])")
               .starts_with("cell 'g' of type $_AND_: its port B is not connected\n"));
-    CHECK(cells_of("$_AND_", R"("A": [2], "B": [9], "Y": [6])") ==
+    CHECK(cells_of_cell("$_AND_", R"("A": [2], "B": [9], "Y": [6])") ==
           "net 'net$1' has no driver: it is neither an input nor the output of a "
           "cell\n");
-    CHECK(read(R"({"modules": {"m": {"ports": {"a": {"direction": "input", "bits": [2, 3]}}}}})") ==
+    CHECK(read_as_json(
+              R"({"modules": {"m": {"ports": {"a": {"direction": "input", "bits": [2, 3]}}}}})") ==
           "port 'a' has 2 bits; ports of one bit are supported\n");
-    CHECK(read(R"({"modules": {"m": {"ports": {"a": {"direction": "inout", "bits": [2]}}}}})") ==
+    CHECK(read_as_json(
+              R"({"modules": {"m": {"ports": {"a": {"direction": "inout", "bits": [2]}}}}})") ==
           "port 'a' is neither an input nor an output\n");
-    CHECK(read(R"({"modules": {}})") == "there is no module in the file\n");
-    CHECK(read(R"({"modules": {"m": {}, "n": {}}})") ==
+    CHECK(read_as_json(R"({"modules": {}})") == "there is no module in the file\n");
+    CHECK(read_as_json(R"({"modules": {"m": {}, "n": {}}})") ==
           "there are several modules and none is marked as the top; flatten the "
           "netlist "
           "first (Yosys: hierarchy -auto-top; flatten)\n");
-    CHECK(read(R"({"modules": {"m": {}, "n": {"attributes": {"top": "01"}}}})") == "netlist n\n");
-    CHECK(read("[]") == "not a Yosys netlist: there is no \"modules\"\n");
+    CHECK(read_as_json(R"({"modules": {"m": {}, "n": {"attributes": {"top": "01"}}}})") ==
+          "netlist n\n");
+    CHECK(read_as_json("[]") == "not a Yosys netlist: there is no \"modules\"\n");
 }
 
 TEST_CASE("messages show the place of the cell or port") {
@@ -292,9 +299,9 @@ TEST_CASE("texts that are not JSON are refused with the place") {
 }
 
 TEST_CASE("words in names, and nets without one") {
-    CHECK(read(module_with(R"("g": {"type": "$_NOT_", "connections": {"A": [2], "Y": [7]}},
+    CHECK(read_as_json(module_with(R"("g": {"type": "$_NOT_", "connections": {"A": [2], "Y": [7]}},
                               "h": {"type": "$_NOT_", "connections": {"A": [7], "Y": [8]}},
                               "i": {"type": "$_NOT_", "connections": {"A": [8], "Y": [6]}})",
-                           R"("w": {"bits": [2, 8, 9], "attributes": {}})"))
+                                   R"("w": {"bits": [2, 8, 9], "attributes": {}})"))
               .ends_with("module m\n  net$1 = not(a)\n  w[1] = not(net$1)\n  y = not(w[1])\n"));
 }

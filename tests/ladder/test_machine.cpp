@@ -33,7 +33,7 @@ struct Bench {
         variable.block = type;
         return diagram.add(variable);
     }
-    void rung(Power power, std::vector<Block> blocks, std::vector<Coil> coils) {
+    void rung(Power power, std::vector<ladder::Block> blocks, std::vector<Coil> coils) {
         Rung rung;
         rung.power = std::move(power);
         rung.blocks = std::move(blocks);

@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
@@ -16,6 +14,7 @@
 #include "explain/write_explanation.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
+#include "support/files.h"
 #include "support/mutate.h"
 #include "support/slow_build.h"
 
@@ -78,10 +77,7 @@ TEST_CASE("mistakes in the small examples are explained") {
     for (const std::string name :
          {"single-sequence", "selection-divergence", "selection-convergence", "parallel-divergence",
           "parallel-convergence", "rule-5"}) {
-        std::ifstream file(std::string(GRAFWIRE_ROOT) + "/examples/" + name + ".grafcet");
-        std::ostringstream text;
-        text << file.rdbuf();
-        const auto grafcet = read_grafcet(text.str());
+        const auto grafcet = read_grafcet(example_text(name + ".grafcet"));
         REQUIRE(grafcet);
         for (const StyleRow& style : style_table) {
             const Equations equations = equations_from(*grafcet, {style.default_cdx, true});

@@ -8,16 +8,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "grafcet/parse_grafcet.h"
 #include "netlist/styles/netlist_from.h"
 #include "random/read_text.h"
+#include "support/files.h"
 #include "support/mutate.h"
 #include "support/reviewed_file.h"
 #include "support/slow_build.h"
@@ -161,13 +159,8 @@ Row try_mutants(const std::string& example, const std::string& text, Style style
 
 TEST_CASE("the check finds wrong wiring of the examples") {
     std::map<std::string, std::string> texts;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(GRAFWIRE_ROOT) + "/examples")) {
-        if (entry.path().extension() != ".grafcet") continue;
-        std::ifstream file(entry.path(), std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        texts[entry.path().stem().string()] = text.str();
+    for (const std::string& name : example_names()) {
+        texts[name] = example_text(name + ".grafcet");
     }
     REQUIRE(texts.size() == 13);
     const std::vector<std::string> reviewed = reviewed_lines(file_name);

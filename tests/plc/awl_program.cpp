@@ -22,9 +22,9 @@ const std::set<std::string> plain_operations = {
 const std::regex label_form("[A-Za-z_][A-Za-z0-9_]{0,3}");
 const std::regex call_form("CALL  SFB ([45]), DB (\\d+) \\(");
 
-class Reader {
+class AwlReader {
   public:
-    Reader(const std::string& text, bool international) : international_(international) {
+    AwlReader(const std::string& text, bool international) : international_(international) {
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);) lines_.push_back(line);
     }
@@ -260,7 +260,7 @@ class Reader {
 }  // namespace
 
 AwlProgram read_awl(const std::string& text, bool international) {
-    return Reader(text, international).read();
+    return AwlReader(text, international).read();
 }
 
 }  // namespace grafwire::testing

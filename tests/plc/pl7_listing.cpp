@@ -8,7 +8,7 @@ namespace grafwire::testing {
 
 namespace {
 
-class Reader {
+class Pl7Reader {
   public:
     Pl7Listing read(const std::string& text);
 
@@ -21,7 +21,7 @@ class Reader {
     std::size_t line_ = 0;
 };
 
-Pl7Listing Reader::read(const std::string& text) {
+Pl7Listing Pl7Reader::read(const std::string& text) {
     std::istringstream lines(text);
     std::string part = "HEAD";
     bool has_label = false;
@@ -64,7 +64,7 @@ Pl7Listing Reader::read(const std::string& text) {
     return std::move(listing_);
 }
 
-void Reader::read_transition(const std::string& line) {
+void Pl7Reader::read_transition(const std::string& line) {
     static const std::regex form("\\*\\* (X[X\\d ]*) --> (X[X\\d ]*)   .*");
     std::smatch parts;
     if (!std::regex_match(line, parts, form)) fail("a transition");
@@ -83,7 +83,7 @@ void Reader::read_transition(const std::string& line) {
     listing_.transitions.push_back(transition);
 }
 
-Pl7Rung Reader::read_rung(const std::string& line) const {
+Pl7Rung Pl7Reader::read_rung(const std::string& line) const {
     const std::size_t wire = line.find(" --");
     if (line.rfind("   ", 0) != 0 || wire == std::string::npos) fail("a rung");
     return {line.substr(3, wire - 3), line.substr(wire + 3), line_};
@@ -92,7 +92,7 @@ Pl7Rung Reader::read_rung(const std::string& line) const {
 }  // namespace
 
 Pl7Listing read_pl7(const std::string& text) {
-    return Reader().read(text);
+    return Pl7Reader().read(text);
 }
 
 bool is_pl7_bit(const std::string& object) {

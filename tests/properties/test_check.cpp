@@ -5,7 +5,7 @@
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
-#include "netlist/styles/netlist_from.h"
+#include "properties/netlist_in.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "support/styles.h"
@@ -13,13 +13,6 @@
 namespace grafwire::testing {
 
 namespace {
-
-std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
-    const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    const Equations equations = equations_from(grafcet, {cdx, true});
-    Diagnostics diagnostics;
-    return netlist_from(grafcet, equations, style, diagnostics);
-}
 
 CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_t max_cases) {
     CheckOptions options;
@@ -37,7 +30,7 @@ std::string witness_text(const Grafcet& grafcet, const Witness& witness) {
     return text;
 }
 
-struct Tally {
+struct Verdicts {
     std::size_t equivalent = 0;
     std::size_t different = 0;
     std::size_t undecided = 0;
@@ -48,7 +41,7 @@ struct Tally {
     }
 };
 
-std::string clocked_is_never_different(const RandomCase& item, Tally& tally) {
+std::string clocked_is_never_different(const RandomCase& item, Verdicts& tally) {
     const auto grafcet = read_grafcet(item.chart);
     const auto netlist = netlist_in(*grafcet, Style::clocked);
     const CheckResult result = checked(*grafcet, *netlist, 3000);
@@ -58,7 +51,7 @@ std::string clocked_is_never_different(const RandomCase& item, Tally& tally) {
 }
 
 /// Of an asynchronous style: a witness that replays wherever the verdict is "different".
-std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
+std::string witness_replays(const RandomCase& item, Style style, Verdicts& tally) {
     const auto grafcet = read_grafcet(item.chart);
     const auto netlist = netlist_in(*grafcet, style);
     if (!netlist) return "no netlist";
@@ -89,7 +82,7 @@ std::string witness_replays(const RandomCase& item, Style style, Tally& tally) {
 }  // namespace
 
 TEST_CASE("no clocked netlist of a small random chart is different") {
-    Tally tally;
+    Verdicts tally;
     const Property property = [&](const RandomCase& item) {
         return clocked_is_never_different(item, tally);
     };
@@ -104,7 +97,7 @@ TEST_CASE("asynchronous netlists of plain charts: every witness replays") {
     features.steps = 8;
     features.inputs = 3;
     for (const Style style : asynchronous_styles()) {
-        Tally tally;
+        Verdicts tally;
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);
         };
@@ -120,7 +113,7 @@ TEST_CASE("asynchronous netlists of any charts: every witness replays") {
     Features features = Features::small();
     features.counters = 0;
     for (const Style style : asynchronous_styles()) {
-        Tally tally;
+        Verdicts tally;
         const Property property = [&](const RandomCase& item) {
             return witness_replays(item, style, tally);
         };

@@ -7,7 +7,7 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "evolution/run.h"
-#include "netlist/styles/netlist_from.h"
+#include "properties/netlist_in.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "support/mutate.h"
@@ -16,7 +16,7 @@ namespace grafwire::testing {
 
 namespace {
 
-struct Tally {
+struct Mutants {
     std::size_t alike = 0;  ///< the stimuli show no difference
     std::size_t found = 0;
     std::size_t undecided = 0;
@@ -31,13 +31,10 @@ bool stimuli_show_it(const Grafcet& grafcet, const Netlist& netlist, const Stimu
 }
 
 /// Some mutants of a netlist, a few cells apart.
-std::string mutants_are_found(const RandomCase& item, Style style, Tally& tally) {
+std::string mutants_are_found(const RandomCase& item, Style style, Mutants& tally) {
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
-    const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    const Equations equations = equations_from(*grafcet, {cdx, true});
-    Diagnostics diagnostics;
-    const auto netlist = netlist_from(*grafcet, equations, style, diagnostics);
+    const auto netlist = netlist_in(*grafcet, style);
     if (!netlist) return "no netlist";
     const std::vector<Mutation> mutations = mutations_of(*netlist);
     for (std::size_t i = 0; i < mutations.size(); i += 23) {
@@ -57,7 +54,7 @@ std::string mutants_are_found(const RandomCase& item, Style style, Tally& tally)
     return {};
 }
 
-Features timed() {
+Features with_three_times() {
     Features features = Features::small();
     features.counters = 0;
     features.time_conditions = 3;
@@ -69,11 +66,11 @@ Features timed() {
 
 TEST_CASE("the check overlooks no wrong timer that random stimuli find") {
     for (const Style style : {Style::gates, Style::nand, Style::clocked}) {
-        Tally tally;
+        Mutants tally;
         const Property property = [&](const RandomCase& item) {
             return mutants_are_found(item, style, tally);
         };
-        check_property(property, timed(), 1'500'000, 100, 20);
+        check_property(property, with_three_times(), 1'500'000, 100, 20);
         MESSAGE(style_table[static_cast<std::size_t>(style)].name
                 << ": " << tally.found << " found, " << tally.undecided
                 << " undecided within the bound, " << tally.alike << " not shown by the stimuli");

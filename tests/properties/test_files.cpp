@@ -7,7 +7,7 @@
 #include "formats/blif/write_blif.h"
 #include "formats/yosys/read_yosys_json.h"
 #include "formats/yosys/write_yosys_json.h"
-#include "netlist/styles/netlist_from.h"
+#include "properties/netlist_in.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"
@@ -15,13 +15,6 @@
 namespace grafwire::testing {
 
 namespace {
-
-std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style) {
-    const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;
-    const Equations equations = equations_from(grafcet, {cdx, true});
-    Diagnostics diagnostics;
-    return netlist_from(grafcet, equations, style, diagnostics);
-}
 
 /// The trace as text, without vars and counters, whose nets a file does not name.
 std::string trace_of(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& stimuli) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Time period = 500 * microsecond;  // divides all durations of random charts
 
-struct Tally {
+struct Decided {
     std::size_t decided = 0;
     std::size_t undecided = 0;
     void count(const CheckResult& result) {
@@ -29,7 +29,7 @@ CheckResult check(const Grafcet& grafcet, const ScannedDevice& device, std::uint
     return check_scans(grafcet, device, period, options);
 }
 
-std::string right_is_never_different(const RandomCase& item, Tally& tally) {
+std::string right_is_never_different(const RandomCase& item, Decided& tally) {
     const auto grafcet = read_grafcet(item.chart);
     const CheckResult result = check(*grafcet, NaiveDevice(*grafcet), 3000);
     tally.count(result);
@@ -52,7 +52,7 @@ std::optional<NaiveState> reached(const Grafcet& grafcet, const Stimuli& stimuli
     return state;
 }
 
-std::string wrong_is_different(const RandomCase& item, Tally& tally) {
+std::string wrong_is_different(const RandomCase& item, Decided& tally) {
     const auto grafcet = read_grafcet(item.chart);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
     const auto target = reached(*grafcet, *stimuli);
@@ -78,7 +78,7 @@ std::string wrong_is_different(const RandomCase& item, Tally& tally) {
     return {};
 }
 
-Features timed() {
+Features with_two_times() {
     Features features = Features::small();
     features.time_conditions = 2;
     features.edges = 1;
@@ -88,21 +88,21 @@ Features timed() {
 }  // namespace
 
 TEST_CASE("scan by scan, the plain evolution is never different") {
-    Tally tally;
+    Decided tally;
     const Property property = [&](const RandomCase& item) {
         return right_is_never_different(item, tally);
     };
-    check_property(property, timed(), 1'300'000, 150, 1);
+    check_property(property, with_two_times(), 1'300'000, 150, 1);
     MESSAGE(tally.decided << " equivalent, " << tally.undecided << " undecided within the bound");
     CHECK(tally.decided > tally.undecided);
 }
 
 TEST_CASE("scan by scan, a fault in a situation that can be reached is found") {
-    Tally tally;
+    Decided tally;
     const Property property = [&](const RandomCase& item) {
         return wrong_is_different(item, tally);
     };
-    check_property(property, timed(), 1'400'000, 150, 12);
+    check_property(property, with_two_times(), 1'400'000, 150, 12);
     MESSAGE(tally.decided << " different, " << tally.undecided << " undecided within the bound");
     CHECK(tally.decided > tally.undecided);
 }

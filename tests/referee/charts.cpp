@@ -1,23 +1,16 @@
 #include "referee/charts.h"
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
-#include <vector>
 
 #include "random/random_grafcet.h"
+#include "support/files.h"
 
 namespace grafwire::testing {
 
 std::map<std::string, std::string> example_charts() {
     std::map<std::string, std::string> texts;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(GRAFWIRE_ROOT) + "/examples")) {
-        if (entry.path().extension() != ".grafcet") continue;
-        std::ifstream file(entry.path(), std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        texts[entry.path().stem().string()] = text.str();
+    for (const std::string& name : example_names()) {
+        texts[name] = example_text(name + ".grafcet");
     }
     return texts;
 }

@@ -11,7 +11,6 @@ using ladder::BlockType;
 using ladder::Coil;
 using ladder::CoilKind;
 using ladder::ContactKind;
-using ladder::Operand;
 using ladder::Power;
 using ladder::Rung;
 using ladder::Type;
@@ -103,13 +102,13 @@ bool LadderInterpreter::edge(bool now, bool rising) {
     return rising ? now && !before : !now && before;
 }
 
-std::int64_t LadderInterpreter::number(const Operand& operand) const {
-    if (operand.kind != Operand::Kind::variable) return operand.value;
+std::int64_t LadderInterpreter::number(const ladder::Operand& operand) const {
+    if (operand.kind != ladder::Operand::Kind::variable) return operand.value;
     return numbers_[static_cast<std::size_t>(operand.variable)];
 }
 
-bool LadderInterpreter::bit(const Operand& operand) const {
-    if (operand.kind != Operand::Kind::variable) return operand.value != 0;
+bool LadderInterpreter::bit(const ladder::Operand& operand) const {
+    if (operand.kind != ladder::Operand::Kind::variable) return operand.value != 0;
     return bits_[static_cast<std::size_t>(operand.variable)];
 }
 
@@ -197,7 +196,7 @@ void LadderInterpreter::counter(const Block& block, bool counts) {
 
 void LadderInterpreter::function(const Block& block) {
     std::vector<std::int64_t> in;
-    for (const Operand& operand : block.operands) in.push_back(number(operand));
+    for (const ladder::Operand& operand : block.operands) in.push_back(number(operand));
     // Without a sign, as overflow is to wrap around.
     const auto bits = [&](std::size_t i) { return static_cast<std::uint64_t>(in[i]); };
     std::uint64_t result = bits(0);

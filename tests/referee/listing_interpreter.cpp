@@ -12,7 +12,6 @@ using s7::Instruction;
 using s7::IoAssignment;
 using s7::Listing;
 using s7::Network;
-using s7::Operand;
 using s7::Operation;
 using s7::Width;
 
@@ -65,7 +64,7 @@ void ListingInterpreter::start() {
 std::vector<bool> ListingInterpreter::shown() const {
     std::vector<bool> values;
     const auto add = [&](const std::string& name) {
-        const Operand* operand = assignment_.operand_of(name);
+        const s7::Operand* operand = assignment_.operand_of(name);
         if (operand == nullptr) FAIL("no address for " << name);
         values.push_back(bit(*operand));
     };
@@ -79,7 +78,7 @@ void ListingInterpreter::scan(Time now, const InputValues& inputs) {
         if (timer.runs && !is_first_) timer.elapsed += now - last_scan_;
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const Operand* operand = assignment_.operand_of(input_name(grafcet_, i));
+        const s7::Operand* operand = assignment_.operand_of(input_name(grafcet_, i));
         if (operand != nullptr) set_bit(*operand, 0, inputs[i] != 0);
     }
     memory_[Area::special][0] = is_first_ ? 3 : 1;
@@ -118,7 +117,7 @@ bool ListingInterpreter::rises(bool now, std::size_t edge) {
 
 // Memory.
 
-bool ListingInterpreter::bit(const Operand& operand) const {
+bool ListingInterpreter::bit(const s7::Operand& operand) const {
     if (operand.area == Area::timer || operand.area == Area::counter) {
         const auto& all = operand.area == Area::timer ? timers_ : counters_;
         const auto found = all.find(operand.address);
@@ -128,7 +127,7 @@ bool ListingInterpreter::bit(const Operand& operand) const {
     return (byte >> operand.bit & 1) != 0;
 }
 
-void ListingInterpreter::set_bit(const Operand& operand, std::size_t further, bool value) {
+void ListingInterpreter::set_bit(const s7::Operand& operand, std::size_t further, bool value) {
     const std::size_t number = operand.bit + further;
     std::uint8_t& byte =
         memory_.at(operand.area)[static_cast<std::size_t>(operand.address) + number / 8];
@@ -136,7 +135,7 @@ void ListingInterpreter::set_bit(const Operand& operand, std::size_t further, bo
     byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
 }
 
-std::int64_t ListingInterpreter::number(const Operand& operand, Width width) const {
+std::int64_t ListingInterpreter::number(const s7::Operand& operand, Width width) const {
     if (operand.area == Area::constant) {
         return signed_number(static_cast<std::uint64_t>(operand.address), width);
     }
@@ -154,7 +153,7 @@ std::int64_t ListingInterpreter::number(const Operand& operand, Width width) con
 }
 
 /// The high byte first; `further`: the number of places of this width behind the operand.
-void ListingInterpreter::set_number(const Operand& operand, Width width, std::size_t further,
+void ListingInterpreter::set_number(const s7::Operand& operand, Width width, std::size_t further,
                                     std::int64_t value) {
     const std::size_t size = bytes_of_width(width);
     auto rest = static_cast<std::uint64_t>(value);
@@ -319,7 +318,7 @@ void ListingInterpreter::logic(std::size_t at) {
 }
 
 void ListingInterpreter::set_or_reset(const Instruction& now) {
-    const Operand& first = now.operands[0];
+    const s7::Operand& first = now.operands[0];
     for (std::int32_t i = 0; i < now.operands[1].address; ++i) {
         if (first.area == Area::timer) {
             timers_[first.address + i] = {};
@@ -332,15 +331,15 @@ void ListingInterpreter::set_or_reset(const Instruction& now) {
 }
 
 void ListingInterpreter::words(const Instruction& now) {
-    const Operand& first = now.operands[0];
-    const Operand& last = now.operands.size() > 1 ? now.operands[1] : first;
+    const s7::Operand& first = now.operands[0];
+    const s7::Operand& last = now.operands.size() > 1 ? now.operands[1] : first;
     const std::int64_t a = number(first, now.width);
     const std::int64_t b = number(last, now.width);
     switch (now.operation) {
         case Operation::block_move: {
             std::vector<std::int64_t> block;
             for (std::int32_t i = 0; i < now.operands[2].address; ++i) {
-                Operand from = first;
+                s7::Operand from = first;
                 from.address += i * static_cast<std::int32_t>(bytes_of_width(now.width));
                 block.push_back(number(from, now.width));
             }

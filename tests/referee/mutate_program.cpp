@@ -112,7 +112,6 @@ std::string change_rung(Ladder& ladder, std::size_t number, RandomSource& random
 using s7::Area;
 using s7::Instruction;
 using s7::Listing;
-using s7::Operand;
 using s7::Operation;
 
 Operation mistaken(Operation operation) {
@@ -144,11 +143,11 @@ Operation negated(Operation operation) {
     }
 }
 
-std::vector<Operand> bits_in(const Listing& listing) {
-    std::vector<Operand> bits;
+std::vector<s7::Operand> bits_in(const Listing& listing) {
+    std::vector<s7::Operand> bits;
     for (const s7::Network& network : listing.networks) {
         for (const Instruction& instruction : network.instructions) {
-            for (const Operand& operand : instruction.operands) {
+            for (const s7::Operand& operand : instruction.operands) {
                 if (operand.width == s7::Width::bit && operand.area <= Area::memento) {
                     bits.push_back(operand);
                 }
@@ -160,7 +159,7 @@ std::vector<Operand> bits_in(const Listing& listing) {
 
 std::string change_operand(const Listing& listing, Instruction& instruction, RandomSource& random) {
     if (instruction.operands.empty()) return {};
-    Operand& operand = instruction.operands[random.below(instruction.operands.size())];
+    s7::Operand& operand = instruction.operands[random.below(instruction.operands.size())];
     if (operand.area == Area::constant) {
         operand.address += random.flip() ? 1 : -1;
         return "another constant";

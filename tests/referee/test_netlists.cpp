@@ -24,12 +24,12 @@ namespace grafwire::testing {
 
 namespace {
 
-constexpr std::size_t walks = 8;
-constexpr std::size_t walk_length = 60;
+constexpr std::size_t netlist_walks = 8;
+constexpr std::size_t steps_of_walk = 60;
 /// How often power-up is tried where the gates leave something open there.
 constexpr std::size_t power_ups = 64;
 
-struct Counts {
+struct NetlistCounts {
     std::size_t equivalent = 0;
     std::size_t different = 0;
     std::size_t undecided = 0;
@@ -53,7 +53,7 @@ struct Counts {
 };
 
 /// A netlist, and all that is needed to make it again.
-struct Item {
+struct NetlistCase {
     std::string chart;  ///< its text
     Style style = Style::gates;
     bool modes = true;
@@ -61,7 +61,7 @@ struct Item {
     std::uint64_t seed = 0;
 };
 
-std::string told(const Item& item, const std::string& what, const Grafcet& grafcet,
+std::string told(const NetlistCase& item, const std::string& what, const Grafcet& grafcet,
                  const Stimuli& stimuli, Time scan_period) {
     return fmt::format("{}\nstyle {}, modes {}, {}, seed {}\n{}--- chart\n{}--- stimuli\n{}--- end",
                        what, style_table[static_cast<std::size_t>(item.style)].name,
@@ -79,12 +79,13 @@ CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::uint64_
 }
 
 /// Runs in search of a difference; the first that shows one.
-std::optional<Walk> contradicting_walk(const Item& item, const Grafcet& grafcet,
-                                       const Netlist& netlist, Happens happens, Counts& counts) {
+std::optional<Walk> contradicting_walk(const NetlistCase& item, const Grafcet& grafcet,
+                                       const Netlist& netlist, Happens happens,
+                                       NetlistCounts& counts) {
     RandomSource random(item.seed);
-    for (std::size_t i = 0; i < walks; ++i) {
+    for (std::size_t i = 0; i < netlist_walks; ++i) {
         const Time period = netlist.is_clocked() ? random_period(grafcet, random) : 0;
-        Walk walk = random_walk(grafcet, netlist, happens, period, random, walk_length);
+        Walk walk = random_walk(grafcet, netlist, happens, period, random, steps_of_walk);
         ++counts.runs;
         counts.instants += walk.instants;
         if (!walk.contradiction.empty()) return walk;
@@ -92,8 +93,8 @@ std::optional<Walk> contradicting_walk(const Item& item, const Grafcet& grafcet,
     return std::nullopt;
 }
 
-void judge_equivalent(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-                      Happens happens, Counts& counts) {
+void judge_equivalent(const NetlistCase& item, const Grafcet& grafcet, const Netlist& netlist,
+                      Happens happens, NetlistCounts& counts) {
     ++counts.equivalent;
     const auto walk = contradicting_walk(item, grafcet, netlist, happens, counts);
     if (!walk) return;
@@ -129,8 +130,8 @@ bool shows(const Grafcet& grafcet, const Netlist& netlist, const Witness& witnes
 /// A race shows a value that the gates leave open, and an oscillation may be one of such values:
 /// three values do so now and then where two would not. Then another run has to differ. If none
 /// does, the verdict rests on the three values alone.
-void judge_different(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-                     const Witness& witness, Happens happens, Counts& counts) {
+void judge_different(const NetlistCase& item, const Grafcet& grafcet, const Netlist& netlist,
+                     const Witness& witness, Happens happens, NetlistCounts& counts) {
     ++counts.different;
     const bool differs = contradicting_walk(item, grafcet, netlist, happens, counts).has_value();
     counts.found += differs ? 1 : 0;
@@ -149,9 +150,9 @@ void judge_different(const Item& item, const Grafcet& grafcet, const Netlist& ne
                     witness.stimuli, witness.scan_period));
 }
 
-void judge_verdict(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
+void judge_verdict(const NetlistCase& item, const Grafcet& grafcet, const Netlist& netlist,
                    Verdict verdict, const std::optional<Witness>& witness, Happens happens,
-                   Counts& counts) {
+                   NetlistCounts& counts) {
     switch (verdict) {
         case Verdict::undecided:
             ++counts.undecided;
@@ -167,8 +168,8 @@ void judge_verdict(const Item& item, const Grafcet& grafcet, const Netlist& netl
 }
 
 /// What the check says of one change at a time, and where that is equivalent of many at once.
-void judge(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-           std::uint64_t max_cases, Counts& counts) {
+void judge(const NetlistCase& item, const Grafcet& grafcet, const Netlist& netlist,
+           std::uint64_t max_cases, NetlistCounts& counts) {
     const CheckResult result = checked(grafcet, netlist, max_cases);
     const Happens happens = netlist.is_clocked() ? Happens::many_things : Happens::one_thing;
     judge_verdict(item, grafcet, netlist, result.verdict, result.witness, happens, counts);
@@ -186,8 +187,8 @@ std::optional<Netlist> netlist_in(const Grafcet& grafcet, Style style, bool mode
 
 /// A netlist that is probably wrong: one of another chart, one with something foreign in it, one
 /// with a slip of the hand. `told`: in words, what was done.
-std::optional<Netlist> spoiled(const Item& item, const Grafcet& grafcet, const Netlist& netlist,
-                               RandomSource& random, std::string& told) {
+std::optional<Netlist> spoiled(const NetlistCase& item, const Grafcet& grafcet,
+                               const Netlist& netlist, RandomSource& random, std::string& told) {
     if (random.one_in(4)) {
         const std::string text = altered(item.chart, random);
         const auto other = read_grafcet(text);
@@ -208,8 +209,8 @@ std::optional<Netlist> spoiled(const Item& item, const Grafcet& grafcet, const N
     return mutated(netlist, mutation);
 }
 
-void judge_mutants(Item item, const Grafcet& grafcet, std::size_t count, std::uint64_t max_cases,
-                   Counts& counts) {
+void judge_mutants(NetlistCase item, const Grafcet& grafcet, std::size_t count,
+                   std::uint64_t max_cases, NetlistCounts& counts) {
     const auto netlist = netlist_in(grafcet, item.style, item.modes);
     if (!netlist) return;
     RandomSource random(item.seed);
@@ -224,7 +225,7 @@ void judge_mutants(Item item, const Grafcet& grafcet, std::size_t count, std::ui
 }  // namespace
 
 TEST_CASE("referee: the netlists of the examples") {
-    Counts counts;
+    NetlistCounts counts;
     for (const auto& [name, text] : example_charts()) {
         const auto grafcet = read_grafcet(text);
         REQUIRE(grafcet);
@@ -240,7 +241,7 @@ TEST_CASE("referee: the netlists of the examples") {
 }
 
 TEST_CASE("referee: the netlists of random charts") {
-    Counts counts;
+    NetlistCounts counts;
     const std::size_t charts = case_count(300);
     for (std::uint64_t seed = 5'000'000; seed < 5'000'000 + charts; ++seed) {
         const std::string text = chart_of(seed);
@@ -257,7 +258,7 @@ TEST_CASE("referee: the netlists of random charts") {
 }
 
 TEST_CASE("referee: mutants of the netlists of the examples") {
-    Counts counts;
+    NetlistCounts counts;
     const auto texts = example_charts();
     const std::size_t each = 1 + case_count(600) / (4 * texts.size());
     for (const auto& [name, text] : texts) {
@@ -273,7 +274,7 @@ TEST_CASE("referee: mutants of the netlists of the examples") {
 }
 
 TEST_CASE("referee: mutants of the netlists of random charts") {
-    Counts counts;
+    NetlistCounts counts;
     const std::size_t charts = 1 + case_count(2400) / 8;
     for (std::uint64_t seed = 6'000'000; seed < 6'000'000 + charts; ++seed) {
         const std::string text = chart_of(seed);

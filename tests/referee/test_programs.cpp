@@ -24,11 +24,11 @@ namespace grafwire::testing {
 
 namespace {
 
-constexpr std::size_t walks = 6;
-constexpr std::size_t walk_length = 60;
+constexpr std::size_t program_walks = 6;
+constexpr std::size_t scans_of_walk = 60;
 constexpr std::uint64_t most_cases = 1500;
 
-struct Counts {
+struct ProgramCounts {
     std::size_t equivalent = 0;
     std::size_t different = 0;
     std::size_t undecided = 0;
@@ -48,7 +48,7 @@ struct Counts {
 };
 
 /// A program and what it is to be compared with, in the eyes of the check and of the referee.
-struct Item {
+struct ProgramCase {
     const std::string& chart;
     const Grafcet& grafcet;
     const ScannedDevice& device;
@@ -57,18 +57,19 @@ struct Item {
     std::uint64_t seed = 0;
 };
 
-std::string told(const Item& item, const std::string& what, const Stimuli& stimuli, Time period) {
+std::string told(const ProgramCase& item, const std::string& what, const Stimuli& stimuli,
+                 Time period) {
     return fmt::format("{}\n{}, seed {}, a scan every {}\n--- chart\n{}--- stimuli\n{}--- end",
                        what, item.what, item.seed, format_duration(period), item.chart,
                        write_stimuli(stimuli, item.grafcet));
 }
 
-void judge_equivalent(const Item& item, Time period, Counts& counts) {
+void judge_equivalent(const ProgramCase& item, Time period, ProgramCounts& counts) {
     ++counts.equivalent;
     RandomSource random(item.seed);
-    for (std::size_t i = 0; i < walks; ++i) {
+    for (std::size_t i = 0; i < program_walks; ++i) {
         const ScanWalk walk = random_scans(item.grafcet, item.program, period,
-                                           item.device.has_modes(), random, walk_length);
+                                           item.device.has_modes(), random, scans_of_walk);
         ++counts.runs;
         counts.scans += walk.scans;
         if (walk.contradiction.empty()) continue;
@@ -79,7 +80,7 @@ void judge_equivalent(const Item& item, Time period, Counts& counts) {
     }
 }
 
-void judge_different(const Item& item, const Witness& witness, Counts& counts) {
+void judge_different(const ProgramCase& item, const Witness& witness, ProgramCounts& counts) {
     ++counts.different;
     for (const bool is_plain : {false, true}) {
         const ScanWalk walk = replayed_scans(item.grafcet, item.program, witness.stimuli,
@@ -93,7 +94,7 @@ void judge_different(const Item& item, const Witness& witness, Counts& counts) {
     ++counts.replayed;
 }
 
-void judge(const Item& item, Counts& counts) {
+void judge(const ProgramCase& item, ProgramCounts& counts) {
     const Time period = natural_period(item.grafcet, item.device);
     CheckOptions options;
     options.max_cases = most_cases;
@@ -107,7 +108,7 @@ void judge(const Item& item, Counts& counts) {
 }
 
 void judge_ladder(const std::string& chart, const Grafcet& grafcet, const ladder::Ladder& ladder,
-                  const std::string& what, std::uint64_t seed, Counts& counts) {
+                  const std::string& what, std::uint64_t seed, ProgramCounts& counts) {
     const LadderDevice device(grafcet, ladder, find_names(grafcet, ladder));
     LadderInterpreter program(grafcet, ladder);
     judge({chart, grafcet, device, program, what, seed}, counts);
@@ -115,7 +116,7 @@ void judge_ladder(const std::string& chart, const Grafcet& grafcet, const ladder
 
 /// The ladder diagram of a chart, and some mutants of it.
 void judge_ladders(const std::string& chart, std::uint64_t seed, bool modes, std::size_t mutants,
-                   Counts& right, Counts& wrong) {
+                   ProgramCounts& right, ProgramCounts& wrong) {
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     Diagnostics diagnostics;
@@ -132,7 +133,7 @@ void judge_ladders(const std::string& chart, std::uint64_t seed, bool modes, std
 
 void judge_listing(const std::string& chart, const Grafcet& grafcet, const s7::Listing& listing,
                    const s7::IoAssignment& assignment, const std::string& what, std::uint64_t seed,
-                   Counts& counts) {
+                   ProgramCounts& counts) {
     Diagnostics diagnostics;
     s7::check_listing(listing, s7::Cpu::cpu_214, diagnostics);
     const auto binding = s7::bind(grafcet, assignment, diagnostics);
@@ -143,7 +144,7 @@ void judge_listing(const std::string& chart, const Grafcet& grafcet, const s7::L
 }
 
 void judge_listings(const std::string& chart, std::uint64_t seed, bool modes, std::size_t mutants,
-                    Counts& right, Counts& wrong) {
+                    ProgramCounts& right, ProgramCounts& wrong) {
     const auto grafcet = read_grafcet(chart);
     REQUIRE(grafcet);
     Diagnostics diagnostics;
@@ -158,11 +159,12 @@ void judge_listings(const std::string& chart, std::uint64_t seed, bool modes, st
     }
 }
 
-using Judge = void (*)(const std::string&, std::uint64_t, bool, std::size_t, Counts&, Counts&);
+using Judge = void (*)(const std::string&, std::uint64_t, bool, std::size_t, ProgramCounts&,
+                       ProgramCounts&);
 
 void judge_all(Judge judge_one, const char* name, std::uint64_t first_seed) {
-    Counts right;
-    Counts wrong;
+    ProgramCounts right;
+    ProgramCounts wrong;
     for (const auto& [example, chart] : example_charts())
         judge_one(chart, 3, true, 4, right, wrong);
     const std::size_t charts = case_count(150);

@@ -16,8 +16,8 @@ std::string addresses_of(const std::string& chart, const std::string& io = {}, b
     return s7::write_io_assignment(result.made->assignment);
 }
 
-std::string refusal(const std::string& chart, const std::string& io,
-                    s7::ListingOptions options = {}) {
+std::string refused_addresses(const std::string& chart, const std::string& io,
+                              s7::ListingOptions options = {}) {
     const MadeListing result = make_listing(chart, io, options);
     CHECK_FALSE(result.made);
     return result.messages;
@@ -163,9 +163,10 @@ TEST_CASE("what an assignment must not say") {
         output lamp
         counter n : 0..9
         graph G0 { initial 0 : lamp, n := n + 1 on ↑start  (1) 0 -> 0 : start })";
-    CHECK(refusal(chart,
-                  "E0.0 = strat\nA0.0 = start\nE0.1 = lamp\nVB100 = n\nV19.7 = X0\nV1.0 = (1)\n"
-                  "VW104 = G0\n") == R"(1:1: the chart has no 'strat'; did you mean 'start'?
+    CHECK(refused_addresses(
+              chart,
+              "E0.0 = strat\nA0.0 = start\nE0.1 = lamp\nVB100 = n\nV19.7 = X0\nV1.0 = (1)\n"
+              "VW104 = G0\n") == R"(1:1: the chart has no 'strat'; did you mean 'start'?
 2:1: A0.0 cannot be the address of 'start': an input is a bit of E, M, V or SM
 3:1: E0.1 cannot be the address of 'lamp': what is written is a bit of A, M or V
 4:1: VB100 cannot be the address of 'n': a counter is a word or double word of V or M, like VW100
@@ -173,21 +174,21 @@ TEST_CASE("what an assignment must not say") {
 6:1: V1.0 cannot be the address of '(1)': a transition is a bit of the table Tt, V80.0 … V99.7
 7:1: VW104 cannot be the address of 'G0': a graph is a bit of the table Tfig, V0.0 … V1.7
 )");
-    CHECK(refusal(chart, "V2.0 = lamp\nVW4 = n\nEB0 = start\n") ==
+    CHECK(refused_addresses(chart, "V2.0 = lamp\nVW4 = n\nEB0 = start\n") ==
           R"(1:1: V2.0 cannot be the address of 'lamp': the method uses it itself
 2:1: VW4 cannot be the address of 'n': the method uses it itself
 3:1: EB0 cannot be the address of 'start': a bit is wanted, like E0.0 or V6.0
 )");
-    CHECK(refusal(chart, "V70.0 = lamp\n") ==
+    CHECK(refused_addresses(chart, "V70.0 = lamp\n") ==
           R"(1:1: V70.0 cannot be the address of 'lamp': the method uses it itself
 )");
-    CHECK(refusal(chart, "VW9 = n") ==
+    CHECK(refused_addresses(chart, "VW9 = n") ==
           R"(1:1: VW9 cannot be the address of 'n': the method uses it itself
 )");
     s7::ListingOptions wide;
     wide.wide_tables = true;
     CHECK(
-        refusal(chart, "V14.0 = X0", wide) ==
+        refused_addresses(chart, "V14.0 = X0", wide) ==
         R"(1:1: V14.0 cannot be the address of 'X0': in wide tables the place of a step follows from the chart; leave it out
 )");
 }

@@ -9,8 +9,8 @@ namespace grafwire::testing {
 
 namespace {
 
-std::string refusal(const std::string& chart, const std::string& io = {},
-                    std::optional<s7::Cpu> cpu = {}) {
+std::string refused_size(const std::string& chart, const std::string& io = {},
+                         std::optional<s7::Cpu> cpu = {}) {
     s7::ListingOptions options;
     options.cpu = cpu;
     const MadeListing result = make_listing(chart, io, options);
@@ -45,7 +45,7 @@ std::string inputs(int count) {
 TEST_CASE("tables") {
     CHECK(make_listing(ring(80)).made);
     CHECK(
-        refusal(ring(81)) ==
+        refused_size(ring(81)) ==
         R"(the chart has 81 steps, and the tables of the method hold 80: wide tables (--tables wide) hold them all
 )");
 }
@@ -53,7 +53,7 @@ TEST_CASE("tables") {
 TEST_CASE("the process images") {
     CHECK(make_listing(inputs(64)).made);
     CHECK(
-        refusal(inputs(66)) ==
+        refused_size(inputs(66)) ==
         R"(1:317: input 'i64' finds no room: an S7-200 has 64 inputs, E0.0 … E7.7; give some of them addresses in M or V with an assignment (--io) and carry them over to another controller
 1:322: input 'i65' finds no room: an S7-200 has 64 inputs, E0.0 … E7.7; give some of them addresses in M or V with an assignment (--io) and carry them over to another controller
 )");
@@ -70,7 +70,7 @@ TEST_CASE("timers") {
     CHECK(make_listing(delays(fine), {}, of_212).made);
     fine.push_back("60ms/a");
     CHECK(
-        refusal(delays(fine), {}, s7::Cpu::cpu_212) ==
+        refused_size(delays(fine), {}, s7::Cpu::cpu_212) ==
         R"(no timer of 10ms or finer is left on a CPU 212 for 60ms of '60ms/a'; round delays to 100 ms, of which there are most timers, or take a CPU 214, which has twice as many
 )");
     // Without a controller in mind it is a CPU 214, and the head says so.
@@ -80,11 +80,11 @@ TEST_CASE("timers") {
     CHECK(head.at(5) == "CPU 212, 1024 bytes of program, 1024 of V memory: does not fit.");
     CHECK(head.at(6) == "CPU 214, 4096 bytes of program, 4096 of V memory: fits.");
     CHECK(
-        refusal(delays({"1ms/a", "2ms/a/3ms"})) ==
+        refused_size(delays({"1ms/a", "2ms/a/3ms"})) ==
         R"(no timer of 1ms is left on a CPU 214 for 3ms of '2ms/a/3ms'; round delays to 100 ms, of which there are most timers
 )");
     CHECK(
-        refusal(delays({"1.5ms/a", "2h/a", "33.001s/a"})) ==
+        refused_size(delays({"1.5ms/a", "2h/a", "33.001s/a"})) ==
         R"(no timer of an S7-200 counts 1.5ms of '1.5ms/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
 no timer of an S7-200 counts 2h of '2h/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
 no timer of an S7-200 counts 33.001s of '33.001s/a': the timers count up to 32767 times 1 ms, 10 ms or 100 ms; choose a delay that is a multiple of one of these, or divide a long one between two steps
@@ -94,18 +94,18 @@ no timer of an S7-200 counts 33.001s of '33.001s/a': the timers count up to 3276
 
 TEST_CASE("integers") {
     CHECK(
-        refusal(R"(
+        refused_size(R"(
         input a
         counter n : 2147483000..2147483640
         graph G0 { initial 0 : n := n + n on ↑a })") ==
         R"(4:32: a sum in 'n on an event in step 0' can reach beyond the 32 bits that an S7-200 counts with; narrow the ranges of the counters
 )");
     CHECK(
-        refusal(R"(
+        refused_size(R"(
         input a
         counter n : 0..40000
         graph G0 { initial 0 : n := n + 1 on ↑a })",
-                "VW100 = n\n") ==
+                     "VW100 = n\n") ==
         R"(3:17: counter 'n' needs a double word in the assignment (VD instead of VW): a counter or sum of this chart needs more than 16 bits, or another counter has a double word
 )");
 }
@@ -115,7 +115,7 @@ TEST_CASE("memory") {
     of_212.cpu = s7::Cpu::cpu_212;
     CHECK(make_listing(ring(16), {}, of_212).made);
     CHECK(
-        refusal(ring(40), {}, s7::Cpu::cpu_212) ==
+        refused_size(ring(40), {}, s7::Cpu::cpu_212) ==
         R"(the program takes 1512 bytes, and the program memory of a CPU 212 holds 1024: take a CPU 214
 )");
     s7::ListingOptions options;

@@ -109,7 +109,7 @@ std::uint64_t bits_of(std::size_t count) {
 }
 
 /// "g1 = latch i0 g2, 1 ns 3 ns" and so on.
-std::string text_of(const RandomNetlist& made) {
+std::string netlist_text(const RandomNetlist& made) {
     std::string text;
     const Netlist& netlist = made.small.netlist;
     for (std::size_t i = 0; i < made.cells.size(); ++i) {
@@ -124,15 +124,6 @@ std::string text_of(const RandomNetlist& made) {
             text += ", " + std::to_string(time / nanosecond);
         }
         text += cell.initial == one ? " ns from 1\n" : " ns from 0\n";
-    }
-    return text;
-}
-
-std::string text_of(const Waveforms& waveforms) {
-    std::string text;
-    for (const InputRow& row : waveforms) {
-        for (const Logic value : row) text += "01x"[static_cast<std::size_t>(value)];
-        text += ' ';
     }
     return text;
 }
@@ -174,7 +165,7 @@ TEST_CASE("random netlists show what their unknown inputs allow") {
                     const bool ends_right = !rests || in_three.at_rest[net] == unknown ||
                                             in_three.at_rest[net] == in_two.at_rest[net];
                     if (three.allows(two) && ends_right) continue;
-                    INFO(text_of(made) << made.cells[net] << ": " << text_of(waveforms)
+                    INFO(netlist_text(made) << made.cells[net] << ": " << text_of(waveforms)
                                        << "against " << text_of(fill));
                     CHECK(in_three.seen[net].zero == (three.zero | two.zero));
                     CHECK(in_three.seen[net].one == (three.one | two.one));

@@ -166,16 +166,7 @@ std::vector<std::size_t> numbers_of_fills(const Waveforms& waveforms) {
     return numbers;
 }
 
-std::string text_of(const Waveforms& waveforms) {
-    std::string text;
-    for (const InputRow& row : waveforms) {
-        for (const Logic value : row) text += "01x"[static_cast<std::size_t>(value)];
-        text += ' ';
-    }
-    return text;
-}
-
-std::string text_of(const Setting& setting) {
+std::string setting_text(const Setting& setting) {
     const PlainCell& cell = setting.cell;
     std::string text(row_of(cell.type).name);
     for (const std::int64_t number :
@@ -197,7 +188,7 @@ struct Counts {
 };
 
 void examine(const Setting& setting, Counts& counts) {
-    INFO(text_of(setting));
+    INFO(setting_text(setting));
     Subject subject(setting);
     const std::size_t rows = setting.spread.rows();
     const std::size_t places = subject.inputs() * rows;

@@ -38,6 +38,15 @@ std::vector<NetId> nets_of(const std::vector<Port>& ports) {
 
 }  // namespace
 
+std::string text_of(const Waveforms& waveforms) {
+    std::string text;
+    for (const InputRow& row : waveforms) {
+        for (const Logic value : row) text += "01x"[static_cast<std::size_t>(value)];
+        text += ' ';
+    }
+    return text;
+}
+
 std::size_t Spread::rows() const {
     return std::accumulate(positions.begin(), positions.end(), std::size_t{1});
 }

@@ -15,6 +15,8 @@ using InputRow = std::vector<Logic>;
 /// Row 0 is what the inputs are at rest, before the first instant; a position is a nanosecond, or
 /// the beginning of the next instant.
 using Waveforms = std::vector<InputRow>;
+/// Row after row, such as "01 1x ".
+std::string text_of(const Waveforms& waveforms);
 
 /// What a net has been seen at, one bit for each nanosecond of each instant; both where unknown.
 struct Seen {

@@ -2,34 +2,16 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include "support/files.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    REQUIRE_MESSAGE(file, path.string());
-    return text.str();
-}
-
 std::vector<ChartFiles> read_charts() {
-    std::vector<std::filesystem::path> paths;
-    const std::filesystem::path folder = std::filesystem::path(GRAFWIRE_ROOT) / "examples";
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() == ".grafcet") paths.push_back(entry.path());
-    }
-    std::sort(paths.begin(), paths.end());
     std::vector<ChartFiles> charts;
-    for (std::filesystem::path path : paths) {
-        const std::string chart = text_of(path);
-        charts.push_back({path.stem().string(), chart, text_of(path.replace_extension(".stim"))});
+    for (const std::string& name : example_names()) {
+        charts.push_back({name, example_text(name + ".grafcet"), example_text(name + ".stim")});
     }
     REQUIRE(charts.size() >= 13);
     return charts;

@@ -2,20 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "s7/addresses/operand_text.h"
 
 namespace grafwire::testing {
-
-std::string example_text(const std::string& name) {
-    std::ifstream file(GRAFWIRE_ROOT "/examples/" + name);
-    REQUIRE_MESSAGE(file.good(), name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 s7::Listing read_listing(const std::string& text, s7::Cpu cpu) {
     const SourceFile source{"test.awl", text};

@@ -5,11 +5,9 @@
 #include "s7/addresses/io_assignment.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
+#include "support/files.h"
 
 namespace grafwire::testing {
-
-/// The text of a file of examples/, such as `s7-200/manipulator.awl`.
-std::string example_text(const std::string& name);
 
 /// The listing of a text that has no errors, else a test failure with the messages.
 s7::Listing read_listing(const std::string& text, s7::Cpu cpu = s7::Cpu::cpu_214);

@@ -2,12 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include "evolution/run.h"
 #include "random/read_text.h"
+#include "support/files.h"
 
 namespace grafwire::testing {
 
@@ -29,14 +26,6 @@ void add_row(const PlcMachine& machine, const Grafcet& grafcet, const std::vecto
     for (std::uint32_t i = 0; i < grafcet.counters.size(); ++i) {
         trace.values.push_back(machine.counter(i));
     }
-}
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    REQUIRE_MESSAGE(file.good(), "cannot read " << path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 }  // namespace
@@ -90,18 +79,15 @@ std::string difference(const PlcLanguage& language, const Grafcet& grafcet, cons
 std::size_t check_examples(const PlcLanguage& language) {
     std::size_t count = 0;
     std::size_t refused = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(GRAFWIRE_ROOT "/examples")) {
-        if (entry.path().extension() != ".grafcet") continue;
+    for (const std::string& name : example_names()) {
         ++count;
-        const auto grafcet = read_grafcet(text_of(entry.path()));
+        const auto grafcet = read_grafcet(example_text(name + ".grafcet"));
         REQUIRE(grafcet);
-        std::filesystem::path stimuli_path = entry.path();
-        const auto stimuli =
-            read_stimuli(text_of(stimuli_path.replace_extension(".stim")), *grafcet);
+        const auto stimuli = read_stimuli(example_text(name + ".stim"), *grafcet);
         REQUIRE(stimuli);
         const std::string found =
             difference(language, *grafcet, *stimuli, {10 * millisecond, 7 * millisecond}, &refused);
-        CHECK_MESSAGE(found.empty(), entry.path().filename().string() << ": " << found);
+        CHECK_MESSAGE(found.empty(), name << ": " << found);
     }
     CHECK(count == 13);
     return refused;

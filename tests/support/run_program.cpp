@@ -118,25 +118,6 @@ std::vector<std::string> ScratchFolder::names() const {
     return names;
 }
 
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    REQUIRE_MESSAGE(file.is_open(), "cannot read " << path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::string example(const std::string& name) {
-    return std::string(GRAFWIRE_ROOT) + "/examples/" + name;
-}
-
-std::vector<std::string> example_names() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(example(""))) {
-        if (entry.path().extension() == ".grafcet") names.push_back(entry.path().stem().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "support/files.h"
+
 namespace grafwire::testing {
 
 /// What a program left behind.
@@ -43,15 +45,6 @@ class ScratchFolder {
   private:
     std::filesystem::path folder_;
 };
-
-/// The text of a file; one that cannot be read is a test failure.
-std::string text_of(const std::string& path);
-
-/// The path of a file of examples/, as `example("press.stim")`.
-std::string example(const std::string& name);
-
-/// The names of all examples, in order.
-std::vector<std::string> example_names();
 
 bool contains(const std::string& text, const std::string& part);
 
