@@ -1,11 +1,11 @@
 // Random receptivities: what the equations hold means the same as what was written, and keeps the
 // promises of the header about its form.
 
-#include <functional>
 #include <map>
 
 #include "equations/parsed.h"
 #include "random/random_expression.h"
+#include "support/evaluate_expression.h"
 
 namespace grafwire::testing {
 
@@ -21,85 +21,30 @@ struct Assignment {
     std::vector<std::int64_t> counters;
 };
 
-std::int64_t value_of(const Sum& sum, const Assignment& values) {
-    std::int64_t total = 0;
-    for (const SumTerm& term : sum) {
-        const std::int64_t value =
-            term.counter == SumTerm::no_counter ? term.value : values.counters[term.counter];
-        total += term.negative ? -value : value;
-    }
-    return total;
-}
-
-bool compare(const Comparison& comparison, const Assignment& values) {
-    const std::int64_t left = value_of(comparison.left, values);
-    const std::int64_t right = value_of(comparison.right, values);
-    switch (comparison.relation) {
-        case Relation::equal:
-            return left == right;
-        case Relation::not_equal:
-            return left != right;
-        case Relation::less:
-            return left < right;
-        case Relation::less_equal:
-            return left <= right;
-        case Relation::greater:
-            return left > right;
-        case Relation::greater_equal:
-            return left >= right;
-    }
-    return false;
-}
-
 bool any_step(std::uint32_t first, std::uint32_t count, const Assignment& values) {
     for (std::uint32_t i = first; i < first + count; ++i)
         if (values.variables.at({VariableKind::step, i})) return true;
     return false;
 }
 
-bool evaluate(const Expressions& pool, ExprId id, const Assignment& values) {
-    const auto operand = [&](std::size_t i) {
-        return evaluate(pool, pool.operands(id)[i], values);
-    };
-    switch (pool.kind(id)) {
-        case ExprKind::constant:
-            return pool.constant_value(id);
-        case ExprKind::variable: {
-            const Variable variable = pool.variable_of(id);
-            if (variable.kind == VariableKind::macro) {
-                const Macro& macro = values.grafcet.macros[MacroId{variable.index}];
-                return any_step(macro.steps.first, macro.steps.count, values);
-            }
-            if (variable.kind == VariableKind::graph) {
-                const Graph& graph = values.grafcet.graphs[GraphId{variable.index}];
-                return any_step(graph.steps.first, graph.steps.count, values);
-            }
-            return values.variables.at(variable);
-        }
-        case ExprKind::negation:
-            return !operand(0);
-        case ExprKind::conjunction:
-            for (std::size_t i = 0; i < pool.operands(id).size(); ++i)
-                if (!operand(i)) return false;
-            return true;
-        case ExprKind::disjunction:
-            for (std::size_t i = 0; i < pool.operands(id).size(); ++i)
-                if (operand(i)) return true;
-            return false;
-        case ExprKind::exclusive_or: {
-            bool result = false;
-            for (std::size_t i = 0; i < pool.operands(id).size(); ++i) result ^= operand(i);
-            return result;
-        }
-        case ExprKind::rise:
-        case ExprKind::fall:
-            return values.edges[pool.ordinal(id)];
-        case ExprKind::time_condition:
-            return values.times[pool.ordinal(id)];
-        case ExprKind::comparison:
-            return compare(pool.comparison_of(id), values);
+bool variable_value(Variable variable, const Assignment& values) {
+    if (variable.kind == VariableKind::macro) {
+        const Macro& macro = values.grafcet.macros[MacroId{variable.index}];
+        return any_step(macro.steps.first, macro.steps.count, values);
     }
-    return false;
+    if (variable.kind == VariableKind::graph) {
+        const Graph& graph = values.grafcet.graphs[GraphId{variable.index}];
+        return any_step(graph.steps.first, graph.steps.count, values);
+    }
+    return values.variables.at(variable);
+}
+
+bool evaluate(const Expressions& pool, ExprId id, const Assignment& values) {
+    return value_of(pool, id,
+                    {[&](Variable variable) { return variable_value(variable, values); },
+                     [&](std::size_t edge) { return values.edges[edge]; },
+                     [&](std::size_t condition) { return values.times[condition]; },
+                     [&](std::uint32_t counter) { return values.counters[counter]; }});
 }
 
 // Edges and time conditions whose operand is constantly 0 (for edges also 1) are 0.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "support/evaluate_expression.h"
+
 namespace grafwire::testing {
 
 namespace {
@@ -32,34 +34,9 @@ class Machine {
         Time since = 0;
     };
 
-    std::int64_t value(const Sum& sum) {
-        std::int64_t total = 0;
-        for (const SumTerm& term : sum) {
-            const std::int64_t part =
-                term.counter == SumTerm::no_counter ? term.value : integers[{false, term.counter}];
-            total += term.negative ? -part : part;
-        }
-        return total;
-    }
-
-    bool compare(const Comparison& comparison) {
-        const std::int64_t left = value(comparison.left);
-        const std::int64_t right = value(comparison.right);
-        switch (comparison.relation) {
-            case Relation::equal:
-                return left == right;
-            case Relation::not_equal:
-                return left != right;
-            case Relation::less:
-                return left < right;
-            case Relation::less_equal:
-                return left <= right;
-            case Relation::greater:
-                return left > right;
-            case Relation::greater_equal:
-                return left >= right;
-        }
-        return false;
+    /// Reads the counters.
+    auto counter() {
+        return [this](std::uint32_t number) { return integers[{false, number}]; };
     }
 
     bool holds(const Condition& condition) {
@@ -79,7 +56,7 @@ class Machine {
             case Condition::Kind::exclusive_or:
                 return ones % 2 == 1;
             case Condition::Kind::comparison:
-                return compare(condition.comparison);
+                return value_of(condition.comparison, counter());
         }
         return false;
     }
@@ -143,9 +120,10 @@ class Machine {
                 break;
             case Statement::Kind::move:
                 if (holds_now) {
-                    integers[statement.integer] = std::clamp(
-                        statement.sum.empty() ? integers[statement.source] : value(statement.sum),
-                        statement.low, statement.high);
+                    integers[statement.integer] =
+                        std::clamp(statement.sum.empty() ? integers[statement.source]
+                                                         : value_of(statement.sum, counter()),
+                                   statement.low, statement.high);
                 }
                 break;
             case Statement::Kind::time:

@@ -1,38 +1,10 @@
 #include "properties/evaluate_equations.h"
 
+#include "support/evaluate_expression.h"
+
 namespace grafwire::testing {
 
 namespace {
-
-std::int64_t sum_of(const Sum& terms, const std::vector<std::int64_t>& counters) {
-    std::int64_t total = 0;
-    for (const SumTerm& term : terms) {
-        const std::int64_t value =
-            term.counter == SumTerm::no_counter ? term.value : counters[term.counter];
-        total += term.negative ? -value : value;
-    }
-    return total;
-}
-
-bool holds(const Comparison& comparison, const std::vector<std::int64_t>& counters) {
-    const std::int64_t left = sum_of(comparison.left, counters);
-    const std::int64_t right = sum_of(comparison.right, counters);
-    switch (comparison.relation) {
-        case Relation::equal:
-            return left == right;
-        case Relation::not_equal:
-            return left != right;
-        case Relation::less:
-            return left < right;
-        case Relation::less_equal:
-            return left <= right;
-        case Relation::greater:
-            return left > right;
-        case Relation::greater_equal:
-            return left >= right;
-    }
-    return false;
-}
 
 bool variable_value(Variable variable, const EquationValues& values) {
     switch (variable.kind) {
@@ -55,39 +27,12 @@ bool variable_value(Variable variable, const EquationValues& values) {
 }  // namespace
 
 bool equation_value(const Equations& equations, ExprId id, const EquationValues& values) {
-    const Expressions& pool = equations.expressions;
-    const auto value = [&](ExprId operand) { return equation_value(equations, operand, values); };
-    switch (pool.kind(id)) {
-        case ExprKind::constant:
-            return pool.constant_value(id);
-        case ExprKind::variable:
-            return variable_value(pool.variable_of(id), values);
-        case ExprKind::negation:
-            return !value(pool.operands(id)[0]);
-        case ExprKind::conjunction:
-            for (const ExprId operand : pool.operands(id)) {
-                if (!value(operand)) return false;
-            }
-            return true;
-        case ExprKind::disjunction:
-            for (const ExprId operand : pool.operands(id)) {
-                if (value(operand)) return true;
-            }
-            return false;
-        case ExprKind::exclusive_or: {
-            bool odd = false;
-            for (const ExprId operand : pool.operands(id)) odd = odd != value(operand);
-            return odd;
-        }
-        case ExprKind::rise:
-        case ExprKind::fall:
-            return values.state->edges.test(pool.ordinal(id));
-        case ExprKind::time_condition:
-            return values.state->time_values.test(pool.ordinal(id));
-        case ExprKind::comparison:
-            return holds(pool.comparison_of(id), values.state->counters);
-    }
-    return false;
+    const EvolutionState& state = *values.state;
+    return value_of(equations.expressions, id,
+                    {[&](Variable variable) { return variable_value(variable, values); },
+                     [&](std::size_t edge) { return state.edges.test(edge); },
+                     [&](std::size_t condition) { return state.time_values.test(condition); },
+                     [&](std::uint32_t counter) { return state.counters[counter]; }});
 }
 
 }  // namespace grafwire::testing

@@ -166,7 +166,7 @@ TEST_CASE("random netlists show what their unknown inputs allow") {
                                             in_three.at_rest[net] == in_two.at_rest[net];
                     if (three.allows(two) && ends_right) continue;
                     INFO(netlist_text(made) << made.cells[net] << ": " << text_of(waveforms)
-                                       << "against " << text_of(fill));
+                                            << "against " << text_of(fill));
                     CHECK(in_three.seen[net].zero == (three.zero | two.zero));
                     CHECK(in_three.seen[net].one == (three.one | two.one));
                     FAIL("not allowed");
