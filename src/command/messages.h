@@ -31,9 +31,9 @@ inline constexpr Message<std::string_view> word_too_many{"'{}' is one word too m
 inline constexpr Message<std::string_view> argument_required{"{} is required", "il manque {}"};
 inline constexpr Message<> command_required{"A subcommand is required", "il manque une commande"};
 inline constexpr Message<std::string_view, std::string_view> value_missing{
-    "{}: 1 required {} missing", "{}: il manque la valeur ({})"};
+    "{}: 1 required {} missing", "{} : il manque la valeur ({})"};
 inline constexpr Message<std::string_view, std::size_t> given_too_often{
-    "{}: At Most 1 required but received {}", "{}: une seule valeur est admise, et non {}"};
+    "{}: At Most 1 required but received {}", "{} : une seule valeur est admise, et non {}"};
 inline constexpr Message<std::string_view, std::string_view> flag_with_value{
     "Could not convert: {} = {}", "{} ne prend pas de valeur (« {} »)"};
 inline constexpr Message<Localized, std::string_view> see_help{

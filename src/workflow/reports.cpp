@@ -10,12 +10,13 @@ std::string text(const Judgement& judgement, const Chart& chart, double, Languag
 }
 
 std::string json(const Judgement& judgement, const Chart& chart, double, Language) {
-    return write_check_json(judgement.subject, chart.grafcet, judgement.result, judgement.explained);
+    return write_check_json(judgement.subject, chart.grafcet, judgement.result,
+                            judgement.explained);
 }
 
 std::string junit(const Judgement& judgement, const Chart& chart, double seconds, Language) {
-    return write_check_junit(judgement.subject, chart.grafcet, judgement.result, judgement.explained,
-                             seconds);
+    return write_check_junit(judgement.subject, chart.grafcet, judgement.result,
+                             judgement.explained, seconds);
 }
 
 constexpr ReportRow table[] = {{"text", text}, {"json", json}, {"junit", junit}};

@@ -319,8 +319,7 @@ graph G { initial 0 step 1 : lamp step 2
         CheckOptions options;
         options.max_cases = most;
         options.looks_at_many = false;
-        const CheckResult bounded =
-            check_equivalence(grafcet, memories, options);
+        const CheckResult bounded = check_equivalence(grafcet, memories, options);
         CHECK(bounded.verdict == Verdict::undecided);
     }
     for (const std::string p : {"p", "not_p"}) {

@@ -211,7 +211,7 @@ TEST_CASE("initial values belong to memories, else to nets") {
         "connections": {"D": [2], "C": [3], "Q": [6]}}, "h": {"type": "$_DFF_P_",
         "connections": {"D": [6], "C": [3], "Q": [7]}})";
     const std::string word = R"("q": {"bits": [6, 7], "attributes": {"init": "01"}})";
-    CHECK(read(module_with(memories, word))
+    CHECK(read_as_json(module_with(memories, word))
               .ends_with("  y = dff(a, b) initially 1\n  q[1] = dff(y, b) initially 0\n"));
 }
 

@@ -44,6 +44,7 @@ void set_pins(Netlist& netlist, Cell& cell, const std::vector<NetId>& pins) {
 NetId inverter_behind(Netlist& netlist, NetId net) {
     Cell inverter;
     inverter.type = CellType::inverter;
+    inverter.origin = 0;  // of no part of the chart
     inverter.output = netlist.names.add("mutation$inverter");
     set_pins(netlist, inverter, {net});
     netlist.cells.add(inverter);

@@ -73,8 +73,8 @@ TEST_CASE("long names are cut in messages") {
     for (int i = 0; i < 60; ++i) sixty += "é";
     CHECK(in_quotes(sixty) == "'" + sixty + "'");
     CHECK(in_quotes(sixty + "é") == "'" + sixty + "…'");
-    CHECK(quoted(sixty + "é").english == "'" + sixty + "…'");
-    CHECK(quoted(sixty + "é").french == "«\u00a0" + sixty + "…\u00a0»");
+    CHECK(grafwire::quoted(sixty + "é").english == "'" + sixty + "…'");
+    CHECK(grafwire::quoted(sixty + "é").french == "«\u00a0" + sixty + "…\u00a0»");
 }
 
 TEST_CASE("lists of texts are joined in both languages") {

@@ -97,7 +97,7 @@ inline constexpr Message<> several_modules{
     "there are several modules and none is marked as the top; flatten the netlist first (Yosys: "
     "hierarchy -auto-top; flatten)",
     "il y a plusieurs modules et aucun n'est marqué comme le premier ; mettez d'abord le câblage "
-    "à plat (Yosys : hierarchy -auto-top; flatten)"};
+    "à plat (Yosys : hierarchy -auto-top puis flatten)"};
 inline constexpr Message<std::string_view, std::size_t> wide_port{
     "port '{}' has {} bits; ports of one bit are supported",
     "le port « {} » a {} bits ; seuls les ports d'un bit sont admis"};
@@ -140,7 +140,7 @@ inline constexpr Message<std::string_view, std::string_view> bad_parameter{
     "its {} is not valid: '{}'", "son paramètre {} n'est pas valable : « {} »"};
 inline constexpr Message<> cell_not_supported{
     "cells of this type are not supported (Yosys: techmap; opt)",
-    "les cellules de ce type ne sont pas admises (Yosys : techmap; opt)"};
+    "les cellules de ce type ne sont pas admises (Yosys : techmap puis opt)"};
 inline constexpr Message<> module_of_its_own{
     "it is a module of its own; flatten the netlist first",
     "c'est un module à part entière ; mettez d'abord le câblage à plat"};
