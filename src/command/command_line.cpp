@@ -66,11 +66,11 @@ AddedOption CommandLine::add(const char* name, std::vector<std::string>& target,
 
 AddedOption CommandLine::add(const char* name, std::uint64_t& target, const Localized& text) const {
     // CLI11 takes -1 for the largest number there is.
-    const auto check = [language = language_](const std::string& text) -> std::string {
+    const auto check = [language = language_](const std::string& word) -> std::string {
         std::uint64_t number = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        if (error == std::errc() && end == text.data() + text.size()) return {};
-        return say::no_whole_number.in(language, text);
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        if (error == std::errc() && end == word.data() + word.size()) return {};
+        return say::no_whole_number.in(language, word);
     };
     CLI::Option* option = app_.add_option(name, target, text.in(language_));
     option->type_name(help::whole.in(language_));
@@ -79,10 +79,10 @@ AddedOption CommandLine::add(const char* name, std::uint64_t& target, const Loca
 }
 
 AddedOption CommandLine::add(const char* name, double& target, const Localized& text) const {
-    const auto check = [language = language_](const std::string& text) -> std::string {
+    const auto check = [language = language_](const std::string& word) -> std::string {
         double number = 0;
-        if (CLI::detail::lexical_cast(text, number) && number >= 0) return {};
-        return say::no_number.in(language, text);
+        if (CLI::detail::lexical_cast(word, number) && number >= 0) return {};
+        return say::no_number.in(language, word);
     };
     CLI::Option* option = app_.add_option(name, target, text.in(language_));
     option->type_name(help::number.in(language_));

@@ -7,7 +7,7 @@
 
 namespace grafwire::testing {
 
-std::map<std::string, std::string> example_charts() {
+std::map<std::string, std::string> texts_of_examples() {
     std::map<std::string, std::string> texts;
     for (const std::string& name : example_names()) {
         texts[name] = example_text(name + ".grafcet");

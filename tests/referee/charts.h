@@ -9,7 +9,7 @@
 namespace grafwire::testing {
 
 /// The GRAFCETs of examples/ by their names, as texts.
-std::map<std::string, std::string> example_charts();
+std::map<std::string, std::string> texts_of_examples();
 
 /// A small random chart of the kind that goes with the seed: a bit of everything, timers, a single
 /// token, counters.

@@ -226,7 +226,7 @@ void judge_mutants(NetlistCase item, const Grafcet& grafcet, std::size_t count,
 
 TEST_CASE("referee: the netlists of the examples") {
     NetlistCounts counts;
-    for (const auto& [name, text] : example_charts()) {
+    for (const auto& [name, text] : texts_of_examples()) {
         const auto grafcet = read_grafcet(text);
         REQUIRE(grafcet);
         for (const Style style : all_styles()) {
@@ -259,7 +259,7 @@ TEST_CASE("referee: the netlists of random charts") {
 
 TEST_CASE("referee: mutants of the netlists of the examples") {
     NetlistCounts counts;
-    const auto texts = example_charts();
+    const auto texts = texts_of_examples();
     const std::size_t each = 1 + case_count(600) / (4 * texts.size());
     for (const auto& [name, text] : texts) {
         const auto grafcet = read_grafcet(text);

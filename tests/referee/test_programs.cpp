@@ -165,7 +165,7 @@ using Judge = void (*)(const std::string&, std::uint64_t, bool, std::size_t, Pro
 void judge_all(Judge judge_one, const char* name, std::uint64_t first_seed) {
     ProgramCounts right;
     ProgramCounts wrong;
-    for (const auto& [example, chart] : example_charts())
+    for (const auto& [example, chart] : texts_of_examples())
         judge_one(chart, 3, true, 4, right, wrong);
     const std::size_t charts = case_count(150);
     for (std::uint64_t seed = first_seed; seed < first_seed + charts; ++seed) {
