@@ -21,7 +21,8 @@ target_include_directories(grafwire_whole INTERFACE
 target_link_libraries(grafwire_whole PRIVATE fmt::fmt pugixml::pugixml cadical)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/grafwire/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire
-  FILES_MATCHING PATTERN "*.h" PATTERN parts.h EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN parts.h EXCLUDE
+  PATTERN messages.h EXCLUDE)
 install(TARGETS grafwire_whole EXPORT grafwireTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT grafwireTargets NAMESPACE grafwire:: DESTINATION ${package_folder})
 install(FILES ${PROJECT_SOURCE_DIR}/src/check/report.schema.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
