@@ -1,7 +1,5 @@
 #include "text/utf8.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -110,10 +108,6 @@ std::string shortened(std::string_view text, std::size_t most) {
         return std::string(text.substr(0, at)) + "…";
     }
     return std::string(text);
-}
-
-std::string in_quotes(std::string_view name) {
-    return fmt::format("'{}'", shortened(name));
 }
 
 bool check_utf8(std::string_view text, Diagnostics& diagnostics) {

@@ -44,7 +44,4 @@ Localized control_in_name_message(std::string_view name);
 /// message shows of a name.
 std::string shortened(std::string_view text, std::size_t most = 60);
 
-/// A name as it is quoted in a message: `'name'`, a long one cut short with an ellipsis.
-std::string in_quotes(std::string_view name);
-
 }  // namespace grafwire

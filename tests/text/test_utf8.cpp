@@ -68,11 +68,10 @@ TEST_CASE("control characters are found, and made visible") {
 }
 
 TEST_CASE("long names are cut in messages") {
-    CHECK(in_quotes("lamp") == "'lamp'");
+    CHECK(grafwire::quoted("lamp").english == "'lamp'");
     std::string sixty;
     for (int i = 0; i < 60; ++i) sixty += "é";
-    CHECK(in_quotes(sixty) == "'" + sixty + "'");
-    CHECK(in_quotes(sixty + "é") == "'" + sixty + "…'");
+    CHECK(grafwire::quoted(sixty).english == "'" + sixty + "'");
     CHECK(grafwire::quoted(sixty + "é").english == "'" + sixty + "…'");
     CHECK(grafwire::quoted(sixty + "é").french == "«\u00a0" + sixty + "…\u00a0»");
 }
