@@ -7,7 +7,7 @@
 #include "grafcet/grafcet.h"
 #include "grafcet/plant_conditions.h"
 #include "logic/logic.h"
-#include "trace/stimuli.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

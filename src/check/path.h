@@ -8,6 +8,7 @@
 #include "check/partial_inputs.h"
 #include "grafcet/grafcet.h"
 #include "text/time.h"
+#include "trace/input_values.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {

@@ -23,7 +23,7 @@
 #include "check/reference_case.h"
 #include "check/state_encoding.h"
 #include "evolution/run.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

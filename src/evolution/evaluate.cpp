@@ -10,7 +10,7 @@
 #include <cassert>
 #include <limits>
 
-#include "evolution/bits.h"
+#include "evolution/bit_table.h"
 #include "grafcet/relations.h"
 
 namespace grafwire {

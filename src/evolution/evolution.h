@@ -10,7 +10,7 @@
 #include "grafcet/grafcet.h"
 #include "text/keep_going.h"
 #include "text/time.h"
-#include "trace/stimuli.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

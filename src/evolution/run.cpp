@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

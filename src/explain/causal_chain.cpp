@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "simulate/netlist_machine.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

@@ -15,7 +15,7 @@
 #include "evolution/run.h"
 #include "explain/causal_chain.h"
 #include "grafcet/write_grafcet.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

@@ -15,7 +15,7 @@
 #include "explain/cause_search.h"
 #include "explain/compare_functions.h"
 #include "explain/explanation_writer.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

@@ -10,7 +10,7 @@
 
 #include "evolution/run.h"
 #include "explain/messages.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

@@ -12,7 +12,7 @@
 #include "ladder/draw/write_drawings.h"
 #include "laddercheck/ladder_device.h"
 #include "laddercheck/messages.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

@@ -26,7 +26,7 @@
 
 #include "s7check/candidate_networks.h"
 #include "s7check/method_tables.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 

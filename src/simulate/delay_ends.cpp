@@ -14,7 +14,6 @@
 #include "simulate/delay_ends.h"
 
 #include "netlist/loops.h"
-#include "simulate/cell_word.h"
 #include "simulate/evaluate_cell.h"
 
 namespace grafwire {

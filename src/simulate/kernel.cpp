@@ -2,7 +2,7 @@
 // setting and holding nets, moving the clock, saving and restoring.
 //
 // Of the netlist no more is kept than the simulation touches, by number of the net in arrays of
-// their own: a word per node (cell_word.h), and who reads it. Time is counted in ticks of the
+// their own: a word per node (evaluate_cell.h), and who reads it. Time is counted in ticks of the
 // greatest common divisor of all delays. If that is every delay, two lists take the place of the
 // timing wheel (run_kernel.cpp).
 

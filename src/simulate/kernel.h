@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "netlist/netlist.h"
-#include "simulate/cell_word.h"
 #include "simulate/evaluate_cell.h"
 #include "simulate/event_wheel.h"
 #include "simulate/oscillation.h"
@@ -156,7 +155,7 @@ class Simulator::Kernel {
     void count_ahead(std::size_t timer, Logic operand, Logic shown);
     Logic looked_ahead(std::size_t timer, Logic operand, Logic shown) const;
 
-    // pulse_cells.cpp
+    // memory_cells.cpp: pulse cells
     void evaluate_pulse(MemoryCell& cell);
     void look_at_pulse_input(Pulse& pulse);
     void rest_pulses();

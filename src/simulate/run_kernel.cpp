@@ -7,7 +7,8 @@
 //
 // What makes it fast:
 // - Node and cell are one number. A change of a net touches 16 bytes that hold up to three readers,
-//   and the word (cell_word.h) of each reader; lists of readers are there for greater fan-out only.
+//   and the word (evaluate_cell.h) of each reader; lists of readers are there for greater fan-out
+//   only.
 // - Applying a change adds one number to the word of each reader. If that leaves the row of its
 //   table as it was, the reader need not even be evaluated, and evaluation is a look-up. So an
 //   input that is read by 100 000 gates costs little where it decides none of them.

@@ -1,4 +1,4 @@
-// A netlist under stimuli
+// A netlist under stimuli: its rows, and a waveform of all its nets.
 //
 // The instants are those of the reference, so that the rows of the two traces can be laid side by
 // side. Within an asynchronous netlist the gates race on by themselves until nothing moves. A
@@ -13,12 +13,64 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "simulate/waveform.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
+#include "trace/trace.h"
 
 namespace grafwire {
 
 namespace {
+
+bool is_whole(Time time) {
+    return time % nanosecond == 0;
+}
+
+bool all_whole(const Netlist& netlist, const CellDelays& delays) {
+    const bool cells = std::all_of(delays.rise.begin(), delays.rise.end(), is_whole) &&
+                       std::all_of(delays.fall.begin(), delays.fall.end(), is_whole);
+    return cells &&
+           std::all_of(netlist.timings.begin(), netlist.timings.end(),
+                       [](const Timing& t) { return is_whole(t.rise) && is_whole(t.fall); });
+}
+
+/// Records every net of a netlist while it is simulated.
+class Waveform {
+  public:
+    /// `delays` and the times of the stimuli decide the timescale: nanoseconds where they fit.
+    Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds);
+
+    /// Writes down the present values as those of time 0 and follows the simulator from there.
+    /// The waveform must stay where it is until the simulator has gone or stop() was called.
+    void follow(Simulator& simulator);
+    std::string stop(Simulator& simulator, Time end);
+
+  private:
+    VcdWriter writer_;
+    std::size_t net_count_;
+};
+
+Waveform::Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds)
+    : writer_(netlist.name, whole_nanoseconds && all_whole(netlist, delays) ? nanosecond : 1),
+      net_count_(netlist.net_count()) {
+    for (std::size_t net = 0; net < net_count_; ++net) {
+        writer_.add_signal(netlist.names[static_cast<NetId>(net)]);
+    }
+    writer_.begin();
+}
+
+void Waveform::follow(Simulator& simulator) {
+    for (std::size_t net = 0; net < net_count_; ++net) {
+        writer_.change(0, static_cast<std::uint32_t>(net),
+                       digit_of(simulator.value(static_cast<NetId>(net))));
+    }
+    simulator.observe([this](Time at, NetId net, Logic value) {
+        writer_.change(at, static_cast<std::uint32_t>(net), digit_of(value));
+    });
+}
+
+std::string Waveform::stop(Simulator& simulator, Time end) {
+    simulator.observe({});
+    return writer_.finish(std::max(end, simulator.now()));
+}
 
 /// Where the columns of the trace after the inputs come from.
 class RowReader {

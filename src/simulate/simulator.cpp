@@ -1,3 +1,6 @@
+// The simulator as its users see it. The kernel behind it (kernel.h) is kept out of their sight:
+// its header is all arrays and templates, and numbers nets where users name them by NetId.
+
 #include "simulate/simulator.h"
 
 #include "simulate/kernel.h"

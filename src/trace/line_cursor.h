@@ -8,8 +8,10 @@
 
 namespace grafwire {
 
-/// A position that moves forwards over one line of a stimuli text (UTF-8) and knows its column. A
-/// comment ends the line.
+/// A position that moves forwards over one line of a text that goes by lines (stimuli, assignments
+/// of addresses; UTF-8) and knows its column. A comment, from `#` on, ends the line. White space is
+/// all that Unicode calls so: where French typography puts a no-break space before a colon, it
+/// separates like any other.
 class LineCursor {
   public:
     LineCursor(std::string_view line, std::uint32_t number) : line_(line), number_(number) {}

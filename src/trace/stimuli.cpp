@@ -1,10 +1,18 @@
-// Reading a `.stim` text. Unlike the GRAFCET language this one goes by lines, so that after an
-// error the reader is sure of its footing again at the next line break; within a line it goes on
-// after the next white space. All errors are reported in one go.
+// Reading and writing a `.stim` text.
+//
+// Unlike the GRAFCET language this one goes by lines, so that after an error the reader knows where
+// it is again at the next line break; within a line it goes on after the next white space. All
+// errors are reported at once:
+//
+//     10ms : a=2 b=1      expected 0 or 1 for 'a', got '2'; b is read all the same
+//     5ms  : a=1          5ms comes before 10ms, the time of an earlier line
 
 #include "trace/stimuli.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 #include "grafcet/lexer.h"
@@ -19,6 +27,8 @@ namespace say = messages::trace;
 
 namespace {
 
+/// Reads line by line. The time of a line, the lines before it and the inputs already set at the
+/// same instant decide what the line means, so the reader remembers them.
 class StimuliReader {
   public:
     StimuliReader(const Grafcet& grafcet, Diagnostics& diagnostics)
@@ -248,10 +258,32 @@ std::optional<Stimuli> parse_stimuli(const SourceFile& source, const Grafcet& gr
     return reader.finish();
 }
 
-std::vector<Logic> known_inputs(const InputValues& values) {
-    std::vector<Logic> inputs(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) inputs[i] = logic_of(values[i] != 0);
-    return inputs;
+namespace {
+
+/// Unquoted where it is a word to the reader of stimuli and cannot be taken for the word `end`.
+void append_name(std::string& out, std::string_view name) {
+    const bool is_word = name != "end" && is_plain_word(name);
+    if (!is_word) out += '"';
+    out += name;
+    if (!is_word) out += '"';
+}
+
+}  // namespace
+
+std::string write_stimuli(const Stimuli& stimuli, const Grafcet& grafcet) {
+    std::string out;
+    for (const Stimuli::Change& change : stimuli.changes) {
+        out += format_duration(change.at);
+        out += " :";
+        for (const Stimuli::Assignment& assignment : change.assignments) {
+            out += ' ';
+            append_name(out, input_name(grafcet, assignment.input));
+            out += assignment.value ? "=1" : "=0";
+        }
+        out += '\n';
+    }
+    fmt::format_to(std::back_inserter(out), "{} : end\n", format_duration(stimuli.end));
+    return out;
 }
 
 }  // namespace grafwire

@@ -12,13 +12,7 @@
 
 namespace grafwire {
 
-/// One value for every input, declared inputs first, then Init, AUdur, AUdoux; 0 or 1 each.
-using InputValues = std::vector<std::uint8_t>;
-
-/// The same in three values, all known.
-std::vector<Logic> known_inputs(const InputValues& values);
-
-/// What is applied to the inputs over time.
+/// What is applied to the inputs over time. An input that is never set is 0.
 struct Stimuli {
     struct Assignment {
         std::uint32_t input = 0;  ///< declared inputs first, then Init, AUdur, AUdoux
@@ -34,18 +28,20 @@ struct Stimuli {
     Time end = 0;                 ///< the last instant, with a row of its own
 };
 
-/// Reads a `.stim` text. Errors go into `diagnostics`, and the result is empty then.
+/// Reads a `.stim` text (UTF-8; a byte order mark at its beginning is skipped):
+///
+///     # time : assignments
+///     0ms   : v0=1 h0=1        before the first scan
+///     +50ms : dcy=0            relative to the line before
+///     +1s   : "a b"=1 Init=1   names other than letters, digits and _ are quoted
+///     10s   : end              optional; without it the last line ends the run
+///
+/// Times have the units us, ms, s, min, h and do not go back; of two assignments to an input at one
+/// instant the last one counts. Errors go into `diagnostics`, and the result is empty then.
 std::optional<Stimuli> parse_stimuli(const SourceFile& source, const Grafcet& grafcet,
                                      Diagnostics& diagnostics);
 
 /// The stimuli as a `.stim` text; reading it back gives the same stimuli.
 std::string write_stimuli(const Stimuli& stimuli, const Grafcet& grafcet);
-
-/// Whether one assumption of the GRAFCET, given by its index, is 1 under these inputs.
-bool assumption_holds(const Grafcet& grafcet, std::size_t assumption, const InputValues& inputs);
-
-/// Whether a declared assumption is 0 under these inputs: the index of the first that is, else
-/// assumptions.size().
-std::size_t broken_assumption(const Grafcet& grafcet, const InputValues& inputs);
 
 }  // namespace grafwire

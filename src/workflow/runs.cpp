@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 #include "workflow/messages.h"
 
 namespace grafwire {

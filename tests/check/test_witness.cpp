@@ -4,6 +4,7 @@
 #include "check/witness.h"
 #include "evolution/run.h"
 #include "support/small_netlists.h"
+#include "trace/input_values.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

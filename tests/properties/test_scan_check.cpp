@@ -7,6 +7,7 @@
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "support/naive_device.h"
+#include "trace/input_values.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

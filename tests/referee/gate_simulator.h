@@ -9,7 +9,7 @@
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "text/time.h"
-#include "trace/stimuli.h"
+#include "trace/input_values.h"
 
 namespace grafwire::testing {
 

@@ -8,6 +8,7 @@
 #include "netlist/netlist.h"
 #include "random/random_source.h"
 #include "text/time.h"
+#include "trace/input_values.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

@@ -7,6 +7,7 @@
 #include "grafcet/grafcet.h"
 #include "random/random_source.h"
 #include "text/time.h"
+#include "trace/input_values.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
-#include "trace/stimuli.h"
+#include "trace/input_values.h"
 
 namespace grafwire::testing {
 

@@ -1,5 +1,5 @@
+#include "trace/input_values.h"
 #include "trace/small_grafcet.h"
-#include "trace/stimuli.h"
 
 namespace grafwire::testing {
 

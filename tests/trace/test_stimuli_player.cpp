@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 using namespace grafwire;
 

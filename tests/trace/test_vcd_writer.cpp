@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "trace/vcd_writer.h"
+#include "trace/trace.h"
 
 namespace grafwire::testing {
 

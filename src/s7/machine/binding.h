@@ -6,7 +6,7 @@
 #include "grafcet/grafcet.h"
 #include "s7/addresses/io_assignment.h"
 #include "s7/machine/machine.h"
-#include "trace/stimuli.h"
+#include "trace/input_values.h"
 
 namespace grafwire::s7 {
 

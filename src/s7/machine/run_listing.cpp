@@ -1,6 +1,6 @@
 #include "s7/machine/run_listing.h"
 
-#include "trace/stimuli_player.h"
+#include "trace/input_values.h"
 
 namespace grafwire::s7 {
 

@@ -1,9 +1,29 @@
+#include "trace/input_values.h"
+
 #include <algorithm>
 #include <cassert>
 
-#include "trace/stimuli.h"
-
 namespace grafwire {
+
+std::vector<Logic> known_inputs(const InputValues& values) {
+    std::vector<Logic> inputs(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) inputs[i] = logic_of(values[i] != 0);
+    return inputs;
+}
+
+bool StimuliPlayer::advance(Time now) {
+    const std::size_t first = next_;
+    for (; next_change() <= now && next_ < stimuli_.changes.size(); ++next_) {
+        for (const Stimuli::Assignment& set : stimuli_.changes[next_].assignments) {
+            inputs_[set.input] = set.value ? 1 : 0;
+        }
+    }
+    return next_ != first;
+}
+
+Time StimuliPlayer::next_change() const {
+    return next_ < stimuli_.changes.size() ? stimuli_.changes[next_].at : never;
+}
 
 namespace {
 

@@ -2,7 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
+
+#include "evolution/evaluate.h"
+#include "evolution/evolution.h"
+#include "evolution/tables.h"
 
 namespace grafwire {
 
@@ -44,5 +49,30 @@ class SmallList {
     std::vector<Item> spilled_;
     std::size_t size_ = 0;
 };
+
+/// What the subroutines of one scan work on.
+struct ScanContext {
+    const Grafcet& grafcet;
+    const EvolutionTables& tables;
+    EvolutionState& state;
+    Evaluator read;  ///< reads `state` as it is at the time
+    Time now;
+};
+
+/// The transitions cleared in a scan.
+using ClearedList = SmallList<TransitionId, 32>;
+
+// The parts of a scan after the clearing of transitions, in the order in which they are called.
+
+/// SBR 5 up to AUdur: forcing, enclosures. `init` is the value of Init, which keeps the activation
+/// links of enclosures from acting.
+void apply_forcing(const ScanContext& scan, bool init);
+
+/// The last part of SBR 5: what the stored actions of the steps that have changed, and of the
+/// transitions that were cleared, write. `cleared` in any order.
+void run_stored_actions(const ScanContext& scan, const ClearedList& cleared);
+
+/// SBR 6: the values of time conditions, and the times at which their running delays end.
+void update_time_conditions(const ScanContext& scan);
 
 }  // namespace grafwire
