@@ -50,7 +50,7 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
     return assignment;
 }
 
-ExitStatus write(const Request& request, const PlcFormat& format) {
+ExitStatus write(const Request& request, const PlcFormat& format, Language language) {
     // Read the GRAFCET and the addresses.
     if (request.path == "-" && request.io == "-") {
         complain(messages::command::assignment_shares_standard_input());
@@ -59,6 +59,7 @@ ExitStatus write(const Request& request, const PlcFormat& format) {
     const auto chart = load_chart(request.path);
     if (!chart) return ExitStatus::bad_request;
     PlcOptions options = options_from(request);
+    options.language = language;
     std::optional<s7::IoAssignment> assignment;
     if (!request.io.empty()) {
         assignment = load_suitable_assignment(request.io, format, options, *chart);
@@ -101,7 +102,7 @@ Task declare_plc(const CommandLine& line) {
         if (format == nullptr) return ExitStatus::bad_request;
         const ChosenFormat chosen = chosen_format(plc_formats(), *format);
         if (refuse_idle_options(line, "plc", fact::none, &chosen)) return ExitStatus::bad_request;
-        return write(*request, *format);
+        return write(*request, *format, line.language());
     };
 }
 

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 
+#include "ladder/messages.h"
 #include "program/bit_names.h"
 #include "text/utf8.h"
 
 namespace grafwire::ladder {
 
+namespace say = messages::ladder;
+
 ChartVariables::ChartVariables(const Grafcet& grafcet, const ScanProgram& program,
-                               const SimplifiedScan& scan, Ladder& ladder)
-    : grafcet_(grafcet), program_(program), scan_(scan), ladder_(ladder) {
+                               const SimplifiedScan& scan, Language language, Ladder& ladder)
+    : grafcet_(grafcet), program_(program), scan_(scan), language_(language), ladder_(ladder) {
     declare_bits(BitKind::input, grafcet.inputs.size(), Role::input);
     if (program.has_modes) declare_bits(BitKind::control, control_input_count, Role::input);
     declare_bits(BitKind::output, grafcet.outputs.size(), Role::output);
@@ -32,7 +35,7 @@ void ChartVariables::declare_steps() {
         const Step& step = grafcet_.steps[StepId{s}];
         const Bit bit{BitKind::step, s};
         bits_[bit] = declare(name_of(bit), Type::bit, Role::memory,
-                             (step.initial ? "initial step " : "step ") + step.name);
+                             step.initial ? say::initial_step(step.name) : say::step(step.name));
     }
 }
 
@@ -46,7 +49,7 @@ void ChartVariables::declare_counters() {
 }
 
 VariableId ChartVariables::declare(std::string_view wish, Type type, Role role,
-                                   std::string comment) {
+                                   const Localized& comment) {
     Variable variable;
     variable.name = wish;
     for (std::size_t n = 2; !names_.insert(variable.name).second; ++n) {
@@ -54,7 +57,7 @@ VariableId ChartVariables::declare(std::string_view wish, Type type, Role role,
     }
     variable.type = type;
     variable.role = role;
-    variable.comment = std::move(comment);
+    variable.comment = comment.in(language_);
     return ladder_.add(std::move(variable));
 }
 

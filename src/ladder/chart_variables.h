@@ -20,7 +20,7 @@ class ChartVariables {
     /// whether used or not, because readers look for them. Everything else is declared when it is
     /// first asked for.
     ChartVariables(const Grafcet& grafcet, const ScanProgram& program, const SimplifiedScan& scan,
-                   Ladder& ladder);
+                   Language language, Ladder& ladder);
 
     VariableId operator[](Bit bit);
     VariableId operator[](IntegerCell cell);
@@ -29,7 +29,7 @@ class ChartVariables {
     VariableId new_integer() { return declare("sum", Type::integer, Role::memory, ""); }
     VariableId new_instance(BlockType type, std::string_view wish);
     /// A variable of that name, or of the name with the next number where that is taken.
-    VariableId declare(std::string_view wish, Type type, Role role, std::string comment);
+    VariableId declare(std::string_view wish, Type type, Role role, const Localized& comment);
 
     /// Makes the integers of the diagram wide enough for these values.
     void widen(std::int64_t low, std::int64_t high);
@@ -43,6 +43,7 @@ class ChartVariables {
     const Grafcet& grafcet_;
     const ScanProgram& program_;
     const SimplifiedScan& scan_;
+    Language language_;
     Ladder& ladder_;
     std::set<std::string> names_;
     std::map<Bit, VariableId> bits_;

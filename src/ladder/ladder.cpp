@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "iec/literals.h"
+#include "program/bit_names.h"
 
 namespace grafwire::ladder {
 
@@ -43,6 +44,10 @@ Power series(std::vector<Power> parts) {
 
 Power parallel(std::vector<Power> parts) {
     return combined(Power::Kind::parallel, std::move(parts));
+}
+
+std::string heading_of(const Ladder& ladder, Language language) {
+    return titled_name(ladder.name, ladder.title, language);
 }
 
 std::string operand_text(const Ladder& ladder, const Operand& operand) {

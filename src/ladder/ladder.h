@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grafcet/expression.h"
+#include "text/language.h"
 #include "text/location.h"
 #include "text/time.h"
 
@@ -192,6 +193,9 @@ struct Ladder {
         return VariableId{static_cast<std::uint32_t>(variables.size() - 1)};
     }
 };
+
+/// What the diagram is headed with: its name and, where it has one, its title.
+std::string heading_of(const Ladder& ladder, Language language);
 
 /// What a comparison or block reads, as text: `c`, `-3`, `T#1.5s`, `C1.CV`.
 std::string operand_text(const Ladder& ladder, const Operand& operand);

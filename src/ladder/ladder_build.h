@@ -13,14 +13,15 @@ namespace grafwire::ladder {
 /// Makes a ladder diagram (see ladder_from.cpp); the members are what its parts share.
 class LadderBuild {
   public:
-    LadderBuild(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics);
+    LadderBuild(const Grafcet& grafcet, const ScanProgram& program, Language language,
+                Diagnostics& diagnostics);
 
     Ladder make();
 
   private:
     /// The rungs that `make_rungs` makes, under a heading.
     template <typename MakeRungs>
-    void section(std::string heading, const MakeRungs& make_rungs);
+    void section(const Message<>& heading, const MakeRungs& make_rungs);
 
     // The scan in its order (ladder_from.cpp).
     void make_start();
@@ -39,6 +40,7 @@ class LadderBuild {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     Ladder ladder_;
     SimplifiedScan scan_;
     ChartVariables variables_;

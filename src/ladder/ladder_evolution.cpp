@@ -1,17 +1,18 @@
 // Transitions, steps and forcing orders as set and reset coils.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
 #include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/ladder_build.h"
+#include "ladder/messages.h"
 
 namespace grafwire::ladder {
 
 namespace {
+
+namespace say = messages::ladder;
 
 /// What sets or resets each step, beside the transitions.
 struct Causes {
@@ -26,7 +27,7 @@ std::vector<std::vector<Condition>> by_step(std::size_t steps) {
 }  // namespace
 
 void LadderBuild::make_transitions() {
-    for (const Statement& statement : scan_.section(SectionKind::receptivities)) {
+    for (const Statement& statement : scan_.section(SectionKind::conditions)) {
         const Bit bit = statement.targets.front();
         if (scan_.is_constant(bit)) continue;
         const Purpose purpose{statement.comment, statement.origin};
@@ -79,13 +80,14 @@ void LadderBuild::make_steps() {
         const Step& step = grafcet_.steps[StepId{s}];
         const std::string name = quoted_where_needed(step.name);
         const std::vector<Bit> bit{{BitKind::step, s}};
-        const auto add_rung = [&](const Condition& cause, CoilKind coil, const char* what) {
+        const auto add_rung = [&](const Condition& cause, CoilKind coil,
+                                  const Message<std::string>& what) {
             if (cause.is_constant(false)) return;
-            const Purpose purpose{fmt::format("step {} is {}", name, what), step.where};
+            const Purpose purpose{what(name), step.where};
             rungs_.add(rungs_.power(cause, purpose), coil, bit, purpose);
         };
-        add_rung(deactivation, CoilKind::reset, "deactivated");
-        add_rung(activation, CoilKind::set, "activated");
+        add_rung(deactivation, CoilKind::reset, say::deactivation);
+        add_rung(activation, CoilKind::set, say::activation);
     }
 }
 
@@ -128,7 +130,7 @@ std::size_t LadderBuild::force(std::size_t first) {
     }
     const std::vector<std::size_t> depths = forcing_depths(grafcet_);
     const auto rungs = [&](const std::vector<std::vector<Bit>>& orders, std::size_t level,
-                           CoilKind kind, const char* comment) {
+                           CoilKind kind, const Message<>& comment) {
         std::map<std::vector<Bit>, std::vector<Bit>> steps_of;
         for (std::uint32_t s = 0; s < orders.size(); ++s) {
             const GraphId graph = grafcet_.steps[StepId{s}].graph;
@@ -138,12 +140,12 @@ std::size_t LadderBuild::force(std::size_t first) {
         for (const auto& [givers, steps] : steps_of) {
             std::vector<Power> contacts;
             for (const Bit giver : givers) contacts.push_back(contact(variables_[giver]));
-            rungs_.add(parallel(std::move(contacts)), kind, steps, {comment, where});
+            rungs_.add(parallel(std::move(contacts)), kind, steps, {comment(), where});
         }
     };
     for (std::size_t level = *std::max_element(depths.begin(), depths.end()); level > 0; --level) {
-        rungs(off, level, CoilKind::reset, "forcing orders: to the empty situation");
-        rungs(on, level, CoilKind::set, "forcing orders: steps that are to be active");
+        rungs(off, level, CoilKind::reset, say::forced_off);
+        rungs(on, level, CoilKind::set, say::forced_on);
     }
     return at;
 }

@@ -14,14 +14,17 @@
 
 #include "grafcet/sum_range.h"
 #include "ladder/ladder_build.h"
+#include "ladder/messages.h"
 
 namespace grafwire::ladder {
+
+namespace say = messages::ladder;
 
 /// SBR 0, under a bit that is 0 in the first scan only. All bits are 0 then, so that an edge memory
 /// need only be set.
 void LadderBuild::make_start() {
     const VariableId started =
-        variables_.declare("started", Type::bit, Role::memory, "0 in the first scan only");
+        variables_.declare("started", Type::bit, Role::memory, say::started());
     const auto first_scan = [&](const Condition& condition, const Purpose& purpose) {
         std::vector<Power> parts;
         parts.push_back(contact(started, ContactKind::negated));
@@ -52,7 +55,7 @@ void LadderBuild::make_start() {
     }
     Rung last;
     last.coils.push_back({CoilKind::set, started});
-    rungs_.add(std::move(last), {"the first scan is over", {}});
+    rungs_.add(std::move(last), {say::first_scan_over(), {}});
 }
 
 /// SBR 1: what is asked of the situation before the scan.
@@ -62,7 +65,7 @@ void LadderBuild::make_previous() {
         if (!scan_.is_read(previous)) continue;
         const Step& step = grafcet_.steps[StepId{s}];
         rungs_.add(contact(variables_[Bit{BitKind::step, s}]), CoilKind::normal, {previous},
-                   {fmt::format("step {} before the scan", step.name), step.where});
+                   {say::step_before(step.name), step.where});
     }
 }
 
@@ -75,7 +78,7 @@ void LadderBuild::pulses() {
         parts.push_back(contact(variables_[Bit{BitKind::step, s}]));
         parts.push_back(contact(variables_[Bit{BitKind::previous, s}], ContactKind::negated));
         rungs_.add(series(std::move(parts)), CoilKind::normal, {pulse},
-                   {fmt::format("step {} has just been activated", step.name), step.where});
+                   {say::just_activated(step.name), step.where});
     }
 }
 
@@ -180,49 +183,45 @@ void LadderBuild::time(const Statement& statement) {
     }
 }
 
-LadderBuild::LadderBuild(const Grafcet& grafcet, const ScanProgram& program,
+LadderBuild::LadderBuild(const Grafcet& grafcet, const ScanProgram& program, Language language,
                          Diagnostics& diagnostics)
     : grafcet_(grafcet),
       program_(program),
+      language_(language),
       scan_(grafcet, program),
-      variables_(grafcet, program, scan_, ladder_),
-      rungs_(grafcet, variables_, ladder_, diagnostics) {
+      variables_(grafcet, program, scan_, language, ladder_),
+      rungs_(grafcet, variables_, language, ladder_, diagnostics) {
     ladder_.declared = ladder_.variables.size();
 }
 
 template <typename MakeRungs>
-void LadderBuild::section(std::string heading, const MakeRungs& make_rungs) {
+void LadderBuild::section(const Message<>& heading, const MakeRungs& make_rungs) {
     const std::size_t first = ladder_.rungs.size();
     make_rungs();
-    if (ladder_.rungs.size() > first) ladder_.rungs[first].heading = std::move(heading);
+    if (ladder_.rungs.size() > first) ladder_.rungs[first].heading = heading.in(language_);
 }
 
 /// The order is that of the table method: each section reads what those before it have written.
 Ladder LadderBuild::make() {
     ladder_.name = grafcet_.name;
     ladder_.title = grafcet_.title;
-    ladder_.remarks.emplace_back(
-        "Executed from top to bottom, once a scan. The transitions (T...) are worked out first; "
-        "then every step (X...) is reset by those out of it and set by those into it.");
-    if (program_.has_modes) {
-        ladder_.remarks.emplace_back(
-            "Inputs of the modes: Init = 1 holds the initial situation, AUdur = 1 deactivates "
-            "every step, AUdoux = 1 switches off every continuous output.");
-    }
-    section("First scan: the initial situation", [&] { make_start(); });
-    section("Situation at the start of the scan", [&] { make_previous(); });
-    section("Edges", [&] { translate(SectionKind::edges); });
-    section("Transitions that are cleared", [&] { make_transitions(); });
-    section("Steps: CDX resets, CAX sets", [&] { make_steps(); });
-    section("Forcing, enclosures, emergency stop", [&] { make_orders(); });
-    section("Stored actions", [&] { translate(SectionKind::stored); });
-    section("Time conditions", [&] { translate(SectionKind::times); });
-    section("Outputs", [&] { translate(SectionKind::outputs); });
+    ladder_.remarks.push_back(say::how_it_runs.in(language_));
+    if (program_.has_modes) ladder_.remarks.push_back(say::modes.in(language_));
+    section(say::first_scan, [&] { make_start(); });
+    section(say::situation_before, [&] { make_previous(); });
+    section(say::edges, [&] { translate(SectionKind::edges); });
+    section(say::transitions, [&] { make_transitions(); });
+    section(say::steps, [&] { make_steps(); });
+    section(say::orders, [&] { make_orders(); });
+    section(say::stored_actions, [&] { translate(SectionKind::stored); });
+    section(say::times, [&] { translate(SectionKind::times); });
+    section(say::outputs, [&] { translate(SectionKind::outputs); });
     return std::move(ladder_);
 }
 
-Ladder ladder_from(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics) {
-    return LadderBuild(grafcet, program, diagnostics).make();
+Ladder ladder_from(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics,
+                   Language language) {
+    return LadderBuild(grafcet, program, language, diagnostics).make();
 }
 
 }  // namespace grafwire::ladder

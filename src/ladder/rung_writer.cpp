@@ -30,14 +30,14 @@ bool is_number(const Sum& sum) {
 }
 
 Purpose part_of(const Purpose& purpose) {
-    return {"part of " + purpose.comment, purpose.origin};
+    return {messages::ladder::part_of(purpose.comment), purpose.origin};
 }
 
 }  // namespace
 
 void RungWriter::add(Rung rung, const Purpose& purpose) {
     rung.number = static_cast<std::uint32_t>(ladder_.rungs.size() + 1);
-    rung.comment = purpose.comment;
+    rung.comment = purpose.comment.in(language_);
     rung.origin = purpose.origin;
     ladder_.rungs.push_back(std::move(rung));
 }

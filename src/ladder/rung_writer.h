@@ -12,7 +12,7 @@ namespace grafwire::ladder {
 
 /// What a rung is for: its comment, and a place in the chart.
 struct Purpose {
-    std::string comment;
+    Localized comment;
     Location origin;
 };
 
@@ -20,9 +20,13 @@ struct Purpose {
 /// rung_writer.cpp).
 class RungWriter {
   public:
-    RungWriter(const Grafcet& grafcet, ChartVariables& variables, Ladder& ladder,
+    RungWriter(const Grafcet& grafcet, ChartVariables& variables, Language language, Ladder& ladder,
                Diagnostics& diagnostics)
-        : grafcet_(grafcet), variables_(variables), ladder_(ladder), diagnostics_(diagnostics) {}
+        : grafcet_(grafcet),
+          variables_(variables),
+          language_(language),
+          ladder_(ladder),
+          diagnostics_(diagnostics) {}
 
     /// The contacts of a condition, or of its negation. What contacts cannot say (comparisons,
     /// exclusive or) is worked out into bits by rungs that are added here, before the one with
@@ -44,6 +48,7 @@ class RungWriter {
 
     const Grafcet& grafcet_;
     ChartVariables& variables_;
+    Language language_;
     Ladder& ladder_;
     Diagnostics& diagnostics_;
 };

@@ -67,9 +67,9 @@ SimplifiedScan::SimplifiedScan(const Grafcet& grafcet, const ScanProgram& progra
     }
 }
 
-std::string SimplifiedScan::comment_of(Bit bit) const {
+Localized SimplifiedScan::comment_of(Bit bit) const {
     const auto found = comments_.find(bit);
-    return found == comments_.end() ? std::string() : found->second;
+    return found == comments_.end() ? Localized() : found->second;
 }
 
 void SimplifiedScan::note_graphs(const Grafcet& grafcet, const ScanProgram& program) {
@@ -83,14 +83,14 @@ void SimplifiedScan::note_graphs(const Grafcet& grafcet, const ScanProgram& prog
     }
 }
 
-/// A transition is cleared where its preceding steps are active and its receptivity is 1: SBR 3 and
-/// the conditions of SBR 4 in one.
+/// A transition is cleared where its preceding steps are active and its transition condition is 1:
+/// SBR 3 and the conditions of SBR 4 in one.
 void SimplifiedScan::note_transitions(const Grafcet& grafcet, const ScanProgram& program) {
-    std::vector<Condition> receptivity(grafcet.transitions.size());
+    std::vector<Condition> conditions(grafcet.transitions.size());
     cleared_.resize(grafcet.transitions.size());
     before_.resize(grafcet.transitions.size());
-    for (const Statement& statement : program.section(SectionKind::receptivities)) {
-        receptivity[statement.targets.front().index] = statement.condition;
+    for (const Statement& statement : program.section(SectionKind::conditions)) {
+        conditions[statement.targets.front().index] = statement.condition;
     }
     for (const Statement& statement : program.section(SectionKind::evolution)) {
         std::vector<Condition> parts;
@@ -99,7 +99,7 @@ void SimplifiedScan::note_transitions(const Grafcet& grafcet, const ScanProgram&
             const bool is_transition =
                 part.kind == Condition::Kind::bit && part.bit.kind == BitKind::transition;
             if (is_transition) transition = part.bit.index;
-            parts.push_back(is_transition ? receptivity[transition] : part);
+            parts.push_back(is_transition ? conditions[transition] : part);
         };
         if (statement.condition.kind == Condition::Kind::conjunction) {
             for (const Condition& part : statement.condition.operands) add(part);

@@ -13,9 +13,9 @@ namespace grafwire {
 
 namespace {
 
-std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                  Diagnostics&) {
-    return write_program_text(grafcet, program);
+    return write_program_text(grafcet, program, options.language);
 }
 
 void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {

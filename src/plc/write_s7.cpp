@@ -10,9 +10,10 @@ namespace {
 
 std::optional<s7::AssignedListing> listing(const Grafcet& grafcet, const ScanProgram& program,
                                            const PlcOptions& options, Diagnostics& diagnostics) {
-    return s7::listing_from(grafcet, program,
-                            {options.io, options.wide_tables, options.cpu, options.mnemonics},
-                            diagnostics);
+    return s7::listing_from(
+        grafcet, program,
+        {options.io, options.wide_tables, options.cpu, options.mnemonics, options.language},
+        diagnostics);
 }
 
 }  // namespace

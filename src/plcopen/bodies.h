@@ -14,7 +14,9 @@ void write_ladder_body(const ladder::Ladder& ladder, const std::vector<std::stri
 
 /// The sequential function chart of a GRAFCET: its interface and its body. What SFC cannot say
 /// stands in comments (sfc/remarks.h).
-void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node pou);
-void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node body);
+void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, Language language,
+                         pugi::xml_node pou);
+void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, Language language,
+                    pugi::xml_node body);
 
 }  // namespace grafwire::plcopen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "text/diagnostics.h"
@@ -111,6 +112,18 @@ inline constexpr Message<> number_as_power{
 inline constexpr Message<std::string_view> no_number{
     "input {} of this block is fed by no number",
     "l'entrée {} de ce bloc n'est alimentée par aucun nombre"};
+
+// What a project that is written says of its variables.
+inline constexpr Message<std::string, std::string> commented_name{"{}: {}", "{} : {}"};
+inline constexpr Message<> changed_names{"Names that had to be changed:",
+                                         "Noms qu'il a fallu changer :"};
+inline constexpr Message<std::string, std::string> changed_name{"{} is \"{}\"", "{} pour « {} »"};
+inline constexpr Message<std::string> when_scan_began{"when the scan began: {}",
+                                                      "en début de scrutation : {}"};
+inline constexpr Message<std::string> before_this_scan{"before this scan: {}",
+                                                       "avant cette scrutation : {}"};
+inline constexpr Message<> started{"0 in the first scan only",
+                                   "0 à la première scrutation seulement"};
 
 }  // namespace messages::plcopen
 

@@ -8,10 +8,13 @@
 
 #include "iec/identifiers.h"
 #include "plcopen/bodies.h"
+#include "plcopen/messages.h"
 
 namespace grafwire::plcopen {
 
 namespace {
+
+namespace say = messages::plcopen;
 
 pugi::xml_node add(pugi::xml_node parent, const char* name) {
     return parent.append_child(name);
@@ -40,7 +43,7 @@ void add_headers(pugi::xml_node project, const ladder::Ladder& ladder) {
 }
 
 void add_variable(pugi::xml_node list, const ladder::Ladder& ladder,
-                  const ladder::Variable& variable, const std::string& name) {
+                  const ladder::Variable& variable, const std::string& name, Language language) {
     pugi::xml_node node = add(list, "variable");
     node.append_attribute("name") = name.c_str();
     pugi::xml_node type = add(node, "type");
@@ -59,13 +62,15 @@ void add_variable(pugi::xml_node list, const ladder::Ladder& ladder,
     }
     std::string text = variable.comment;
     if (name != variable.name) {
-        text = variable.name + (text.empty() || text == variable.name ? "" : ": " + text);
+        text = text.empty() || text == variable.name
+                   ? variable.name
+                   : say::commented_name.in(language, variable.name, text);
     }
     if (!text.empty()) add_text(add(node, "documentation"), text);
 }
 
 void add_interface(pugi::xml_node pou, const ladder::Ladder& ladder,
-                   const std::vector<std::string>& names) {
+                   const std::vector<std::string>& names, Language language) {
     static constexpr std::pair<ladder::Role, const char*> lists[] = {
         {ladder::Role::input, "inputVars"},
         {ladder::Role::output, "outputVars"},
@@ -77,20 +82,21 @@ void add_interface(pugi::xml_node pou, const ladder::Ladder& ladder,
             const ladder::Variable& variable = ladder.variables[v];
             if (variable.role != role) continue;
             if (!list) list = add(interface, list_name);
-            add_variable(list, ladder, variable, names[v]);
+            add_variable(list, ladder, variable, names[v], language);
         }
     }
 }
 
-std::string documentation_of(const ladder::Ladder& ladder, const std::vector<std::string>& names) {
+std::string documentation_of(const ladder::Ladder& ladder, const std::vector<std::string>& names,
+                             Language language) {
     std::string text = ladder.title.empty() ? ladder.name : ladder.title;
     for (const std::string& remark : ladder.remarks) text += "\n" + remark;
     std::string changed;
     for (std::size_t v = 0; v < ladder.declared; ++v) {
         if (names[v] == ladder.variables[v].name) continue;
-        changed += fmt::format("\n  {} is \"{}\"", names[v], ladder.variables[v].name);
+        changed += "\n  " + say::changed_name.in(language, names[v], ladder.variables[v].name);
     }
-    if (!changed.empty()) text += "\nNames that had to be changed:" + changed;
+    if (!changed.empty()) text += "\n" + say::changed_names.in(language) + changed;
     return text;
 }
 
@@ -130,7 +136,7 @@ std::vector<std::string> identifiers_of(const ladder::Ladder& ladder) {
     return names;
 }
 
-std::string write_project(const Grafcet& grafcet, const ladder::Ladder& ladder) {
+std::string write_project(const Grafcet& grafcet, const ladder::Ladder& ladder, Language language) {
     const std::vector<std::string> names = identifiers_of(ladder);
     iec::Identifiers programs;
     const std::string program = programs.add({ladder.name}).front();
@@ -148,15 +154,15 @@ std::string write_project(const Grafcet& grafcet, const ladder::Ladder& ladder) 
     pugi::xml_node pous = add(types, "pous");
 
     pugi::xml_node pou = add_program(pous, program);
-    add_interface(pou, ladder, names);
+    add_interface(pou, ladder, names, language);
     write_ladder_body(ladder, names, add(add(pou, "body"), "LD"));
-    add_text(add(pou, "documentation"), documentation_of(ladder, names));
+    add_text(add(pou, "documentation"), documentation_of(ladder, names, language));
 
     const sfc::Plan plan = sfc::plan_of(grafcet);
     const sfc::Names sfc_name_list = sfc::names_of(plan);
     pugi::xml_node sfc = add_program(pous, chart);
-    write_sfc_interface(plan, sfc_name_list, sfc);
-    write_sfc_body(plan, sfc_name_list, add(add(sfc, "body"), "SFC"));
+    write_sfc_interface(plan, sfc_name_list, language, sfc);
+    write_sfc_body(plan, sfc_name_list, language, add(add(sfc, "body"), "SFC"));
 
     add_instance(project, program);
     std::ostringstream text;

@@ -68,10 +68,11 @@ void write_action_block(const std::vector<sfc::ActionBlockEntry>& actions, const
 
 class SfcBody {
   public:
-    SfcBody(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node body)
+    SfcBody(const sfc::Plan& plan, const sfc::Names& names, Language language, pugi::xml_node body)
         : plan_(plan),
           chart_(plan.chart),
           names_(names),
+          language_(language),
           text_(plan, names),
           layout_(sfc::layout_of(chart_)),
           body_(body) {}
@@ -86,7 +87,7 @@ class SfcBody {
         }
         write_remarks();
         if (plan_.has_observer()) {
-            write_actions(observer_, {{"N", "", "", observer_text(plan_, names_)}});
+            write_actions(observer_, {{"N", "", "", observer_text(plan_, names_, language_)}});
         }
     }
 
@@ -117,6 +118,7 @@ class SfcBody {
     const sfc::Plan& plan_;
     const sfc::Chart& chart_;
     const sfc::Names& names_;
+    Language language_;
     sfc::StructuredText text_;
     sfc::Layout layout_;
     Body body_;
@@ -242,7 +244,8 @@ void SfcBody::connect_step(StepId id) {
     }
     if (!sources.empty()) Body::inlet(cell.node, cell.corner, cell.above(), sources);
     Body::outlet(cell.node, cell.corner, cell.below().at, true);
-    const std::vector<sfc::ActionBlockEntry> actions = sfc::actions_of(plan_, names_, id);
+    const std::vector<sfc::ActionBlockEntry> actions =
+        sfc::actions_of(plan_, names_, id, language_);
     if (!actions.empty()) write_actions(cell, actions);
     const auto selection = selections_.find(id);
     if (selection == selections_.end()) return;
@@ -314,15 +317,16 @@ void SfcBody::write_actions(const Cell& step, const std::vector<sfc::ActionBlock
 void SfcBody::write_remarks() {
     Point at{140 + column_width * layout_.columns, 20};
     for (const sfc::Remark& remark : sfc::remarks_of(plan_, names_)) {
-        body_.comment(at, 500, remark.text);
+        body_.comment(at, 500, remark.text.in(language_));
         at.y += 30;
     }
 }
 
 }  // namespace
 
-void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node body) {
-    SfcBody(plan, names, body).write();
+void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, Language language,
+                    pugi::xml_node body) {
+    SfcBody(plan, names, language, body).write();
 }
 
 }  // namespace grafwire::plcopen

@@ -7,10 +7,13 @@
 #include "grafcet/sum_range.h"
 #include "grafcet/write_grafcet.h"
 #include "plcopen/bodies.h"
+#include "plcopen/messages.h"
 
 namespace grafwire::plcopen {
 
 namespace {
+
+namespace say = messages::plcopen;
 
 class Interface {
   public:
@@ -98,7 +101,7 @@ void add_times(const Grafcet& grafcet, const sfc::Names& names, Interface& inter
 
 /// Copies begin with what they are copies of.
 void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* integer,
-                Interface& interface) {
+                Language language, Interface& interface) {
     const auto any_initial = [&](Range<StepId> steps) {
         for (const StepId step : steps) {
             if (grafcet.steps[step].initial) return true;
@@ -120,19 +123,20 @@ void add_copies(const Grafcet& grafcet, const sfc::Names& names, const char* int
         std::string initial = starts_true(variable) ? "TRUE" : "";
         if (is_counter) initial = initial_text(grafcet.counters[CounterId{variable.index}].low);
         interface.add_local({name, is_counter ? integer : "BOOL", std::move(initial),
-                             "when the scan began: " + variable_name(grafcet, variable)});
+                             say::when_scan_began.in(language, variable_name(grafcet, variable))});
     }
     for (const auto& [time, name] : names.time_copies) {
         const ExprId id = grafcet.expressions.time_conditions()[time];
         interface.add_local({.name = name,
-                             .explanation = "when the scan began: " +
-                                            write_expression(grafcet, grafcet.expressions, id)});
+                             .explanation = say::when_scan_began.in(
+                                 language, write_expression(grafcet, grafcet.expressions, id))});
     }
 }
 
 }  // namespace
 
-void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, pugi::xml_node pou) {
+void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, Language language,
+                         pugi::xml_node pou) {
     const Grafcet& grafcet = *plan.grafcet;
     Interface interface(pou);
     const std::size_t declared = grafcet.inputs.size();
@@ -151,12 +155,12 @@ void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, pugi::x
     for (const auto& [operand, name] : names.before) {
         interface.add_local(
             {.name = name,
-             .explanation =
-                 "before this scan: " + write_expression(grafcet, grafcet.expressions, operand)});
+             .explanation = say::before_this_scan.in(
+                 language, write_expression(grafcet, grafcet.expressions, operand))});
     }
-    add_copies(grafcet, names, integer, interface);
+    add_copies(grafcet, names, integer, language, interface);
     if (!plan.has_start_bit) return;
-    interface.add_local({.name = names.started, .explanation = "0 in the first scan only"});
+    interface.add_local({.name = names.started, .explanation = say::started.in(language)});
 }
 
 }  // namespace grafwire::plcopen

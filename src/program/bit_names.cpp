@@ -1,8 +1,13 @@
 #include "program/bit_names.h"
 
 #include "grafcet/write_grafcet.h"
+#include "program/messages.h"
 
 namespace grafwire {
+
+std::string titled_name(const std::string& name, const std::string& title, Language language) {
+    return title.empty() ? name : messages::program::titled.in(language, name, title);
+}
 
 std::string_view table_name(BitKind kind) {
     switch (kind) {

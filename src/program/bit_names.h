@@ -4,10 +4,14 @@
 #include <string_view>
 
 #include "program/program.h"
+#include "text/language.h"
 
 namespace grafwire {
 
-// What the bits of a program are called, before a language makes names of its own of it.
+// What a program and its bits are called, before a language makes names of its own of it.
+
+/// What a program is headed with: the name of the chart and, where it has one, its title.
+std::string titled_name(const std::string& name, const std::string& title, Language language);
 
 /// The table of the method that holds the bits of a kind (Cordier, section 3.2): `Ts`, `Tp`,
 /// `Tfig`; empty for bits that stand alone.

@@ -1,7 +1,8 @@
 // Conditions: the expressions of the chart with their variables replaced by bits.
 //
 // They are folded a little, because a network `LD SM0.0 . X3` is of no use; beyond that they stay
-// as they were written, so that readers of the program find the receptivity of the chart in it.
+// as they were written, so that readers of the program find the transition condition of the chart
+// in it.
 
 #include <utility>
 

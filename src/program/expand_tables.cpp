@@ -1,7 +1,6 @@
 // Operations on whole tables, step by step, for languages without words of bits.
 
-#include <fmt/format.h>
-
+#include "program/messages.h"
 #include "program/program.h"
 
 namespace grafwire {
@@ -72,7 +71,8 @@ std::vector<Statement> expand_tables(const Grafcet& grafcet, const Statement& st
         assign.kind = Statement::Kind::assign;
         assign.targets = {{target_of(statement.operation), s}};
         assign.condition = condition_for(statement.operation, s);
-        assign.comment = fmt::format("{}, X{}", statement.comment, grafcet.steps[StepId{s}].name);
+        assign.comment =
+            messages::program::for_step(statement.comment, grafcet.steps[StepId{s}].name);
         assign.origin = grafcet.steps[StepId{s}].where;
         expanded.push_back(std::move(assign));
     }

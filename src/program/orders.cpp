@@ -9,11 +9,14 @@
 
 #include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
+#include "program/messages.h"
 #include "program/program_parts.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::program;
 
 std::vector<Bit> graph_bits(BitKind table, const Graph& graph) {
     std::vector<Bit> bits;
@@ -36,7 +39,7 @@ std::map<EnclosureId, Bit> note_ordered_enclosures(const Grafcet& grafcet, ScanP
         const Bit ordered = new_scratch(program);
         noted.emplace(EnclosureId{e}, ordered);
         section.assign(ordered, or_condition(std::move(givers)),
-                       "an order bears on " + quoted_where_needed(grafcet.graphs[graph].name));
+                       say::is_ordered(quoted_where_needed(grafcet.graphs[graph].name)));
     }
     return noted;
 }
@@ -66,7 +69,7 @@ void add_forcing(const Grafcet& grafcet, SectionWriter& section) {
         any = true;
         const Step& step = grafcet.steps[giver];
         section.set(std::move(forced), bit_condition(step_bit(BitKind::step, giver)),
-                    "forcing orders of step " + quoted_where_needed(step.name), step.where);
+                    say::forcing_orders(quoted_where_needed(step.name)), step.where);
     }
     if (any) section.table(TableOperation::force, "Ts = Ts . /Tf0 + Tf1");
 }
@@ -78,10 +81,10 @@ void add_enclosures(const Grafcet& grafcet, const ChartConditions& conditions,
         const Graph& graph = grafcet.graphs[enclosure.graph];
         const std::string name = quoted_where_needed(graph.name);
         const Condition enclosing = bit_condition(step_bit(BitKind::step, enclosure.step));
-        section.reset(graph_bits(BitKind::step, graph), not_condition(enclosing),
-                      name + " is enclosed by step " +
-                          quoted_where_needed(grafcet.steps[enclosure.step].name),
-                      enclosure.where);
+        section.reset(
+            graph_bits(BitKind::step, graph), not_condition(enclosing),
+            say::is_enclosed(name, quoted_where_needed(grafcet.steps[enclosure.step].name)),
+            enclosure.where);
         std::vector<Condition> parts;
         parts.push_back(enclosing);
         parts.push_back(not_condition(bit_condition(step_bit(BitKind::previous, enclosure.step))));
@@ -91,8 +94,8 @@ void add_enclosures(const Grafcet& grafcet, const ChartConditions& conditions,
         }
         std::vector<Bit> links;
         for (const StepId step : enclosure.links) links.push_back(step_bit(BitKind::step, step));
-        section.set(std::move(links), and_condition(std::move(parts)),
-                    "activation links of " + name, enclosure.where);
+        section.set(std::move(links), and_condition(std::move(parts)), say::activation_links(name),
+                    enclosure.where);
     }
 }
 
@@ -105,7 +108,7 @@ void add_orders(const Grafcet& grafcet, const ChartConditions& conditions, ScanP
     add_enclosures(grafcet, conditions, ordered, section);
     std::vector<Bit> all;
     for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) all.push_back({BitKind::step, s});
-    section.reset(std::move(all), conditions.control(ControlInput::au_dur), "AUdur: every step");
+    section.reset(std::move(all), conditions.control(ControlInput::au_dur), say::au_dur_resets());
     section.table(TableOperation::pulse, "Tpulse = Ts . /Tp");
 }
 

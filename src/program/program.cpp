@@ -10,12 +10,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "grafcet/write_grafcet.h"
+#include "program/messages.h"
 #include "program/program_parts.h"
 
 namespace grafwire {
 
-Statement& SectionWriter::add(Statement::Kind kind, std::string comment, Location origin) {
+Statement& SectionWriter::add(Statement::Kind kind, Localized comment, Location origin) {
     Statement statement;
     statement.kind = kind;
     statement.comment = std::move(comment);
@@ -24,33 +27,33 @@ Statement& SectionWriter::add(Statement::Kind kind, std::string comment, Locatio
     return statements_.back();
 }
 
-void SectionWriter::assign(Bit target, Condition condition, std::string comment, Location origin) {
+void SectionWriter::assign(Bit target, Condition condition, Localized comment, Location origin) {
     Statement& statement = add(Statement::Kind::assign, std::move(comment), origin);
     statement.targets = {target};
     statement.condition = std::move(condition);
 }
 
 void SectionWriter::set_or_reset(Statement::Kind kind, std::vector<Bit> targets,
-                                 Condition condition, std::string comment, Location origin) {
+                                 Condition condition, Localized comment, Location origin) {
     if (targets.empty() || condition.is_constant(false)) return;
     Statement& statement = add(kind, std::move(comment), origin);
     statement.targets = std::move(targets);
     statement.condition = std::move(condition);
 }
 
-void SectionWriter::set(std::vector<Bit> targets, Condition condition, std::string comment,
+void SectionWriter::set(std::vector<Bit> targets, Condition condition, Localized comment,
                         Location origin) {
     set_or_reset(Statement::Kind::set, std::move(targets), std::move(condition), std::move(comment),
                  origin);
 }
 
-void SectionWriter::reset(std::vector<Bit> targets, Condition condition, std::string comment,
+void SectionWriter::reset(std::vector<Bit> targets, Condition condition, Localized comment,
                           Location origin) {
     set_or_reset(Statement::Kind::reset, std::move(targets), std::move(condition),
                  std::move(comment), origin);
 }
 
-void SectionWriter::table(TableOperation operation, std::string comment) {
+void SectionWriter::table(TableOperation operation, Localized comment) {
     add(Statement::Kind::table, std::move(comment)).operation = operation;
 }
 
@@ -83,6 +86,8 @@ std::string transition_text(const Grafcet& grafcet, TransitionId id) {
 
 namespace {
 
+namespace say = messages::program;
+
 /// Fills one section after the other; each reads what those before it have written.
 class ProgramBuild {
   public:
@@ -95,7 +100,7 @@ class ProgramBuild {
         make_start();
         make_begin();
         make_edges();
-        make_receptivities();
+        make_conditions();
         make_evolution();
         add_orders(grafcet_, conditions_, program_);
         add_stored_actions(grafcet_, conditions_, program_);
@@ -108,7 +113,7 @@ class ProgramBuild {
     void make_start();
     void make_begin();
     void make_edges();
-    void make_receptivities();
+    void make_conditions();
     void make_evolution();
     void make_times();
     void make_outputs();
@@ -126,13 +131,13 @@ void ProgramBuild::make_start() {
     for (std::uint32_t g = 0; g < grafcet_.graphs.size(); ++g) {
         graphs.push_back({BitKind::may_evolve, g});
     }
-    section.set(std::move(graphs), constant_condition(true), "no graph is frozen");
+    section.set(std::move(graphs), constant_condition(true), say::no_graph_frozen());
     for (std::size_t s = 0; s < grafcet_.steps.size(); ++s) {
         const Step& step = grafcet_.steps[grafcet_.steps.id_at(s)];
         if (!step.initial) continue;
         const StepId id = grafcet_.steps.id_at(s);
         section.set({step_bit(BitKind::previous, id), step_bit(BitKind::step, id)},
-                    constant_condition(true), "initial step " + quoted_where_needed(step.name),
+                    constant_condition(true), say::initial_step(quoted_where_needed(step.name)),
                     step.where);
     }
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
@@ -150,7 +155,7 @@ void ProgramBuild::make_start() {
     for (std::uint32_t i = 0; i < pool.edges().size(); ++i) {
         const ExprId edge = pool.edges()[i];
         section.assign({BitKind::edge_memory, i}, conditions_.of(pool.operands(edge).front()),
-                       "memory of " + write_expression(grafcet_, pool, edge));
+                       say::memory_of_edge(write_expression(grafcet_, pool, edge)));
     }
 }
 
@@ -174,12 +179,12 @@ void ProgramBuild::make_edges() {
         both.push_back(rising ? operand : not_condition(operand));
         both.push_back(rising ? not_condition(memory) : memory);
         section.assign({BitKind::edge, i}, and_condition(std::move(both)), text);
-        section.assign({BitKind::edge_memory, i}, operand, "memory of " + text);
+        section.assign({BitKind::edge_memory, i}, operand, say::memory_of_edge(text));
     }
 }
 
-void ProgramBuild::make_receptivities() {
-    SectionWriter section(program_, SectionKind::receptivities);
+void ProgramBuild::make_conditions() {
+    SectionWriter section(program_, SectionKind::conditions);
     for (std::uint32_t t = 0; t < grafcet_.transitions.size(); ++t) {
         const TransitionId id{t};
         const Transition& transition = grafcet_.transitions[id];
@@ -221,8 +226,8 @@ void ProgramBuild::make_evolution() {
         (grafcet_.steps[StepId{s}].initial ? initial : others).push_back({BitKind::step, s});
     }
     const Condition init = conditions_.control(ControlInput::init);
-    section.set(std::move(initial), init, "Init: initial steps");
-    section.reset(std::move(others), init, "Init: all other steps");
+    section.set(std::move(initial), init, say::init_sets());
+    section.reset(std::move(others), init, say::init_resets());
 }
 
 void ProgramBuild::make_times() {
@@ -269,7 +274,7 @@ void ProgramBuild::make_outputs() {
         }
         if (freezing.empty()) continue;
         section.assign({BitKind::may_evolve, g}, not_condition(or_condition(std::move(freezing))),
-                       quoted_where_needed(grafcet_.graphs[GraphId{g}].name) + " may evolve");
+                       say::may_evolve(quoted_where_needed(grafcet_.graphs[GraphId{g}].name)));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -32,7 +33,7 @@ enum class BitKind : std::uint8_t {
     deactivate,  ///< Td, per step
     forced_on,   ///< Tf1, per step
     forced_off,  ///< Tf0, per step
-    transition,  ///< Tt, per transition: receptivity . Tfig
+    transition,  ///< Tt, per transition: its condition . Tfig
     may_evolve,  ///< Tfig, per graph: 0 frozen
     edge,        ///< per edge (Expressions::edges): 1 in a scan in which it occurs
     edge_memory,  ///< per edge: its operand at the last evaluation
@@ -120,7 +121,7 @@ struct Statement {
     Time on_delay = 0;
     Time off_delay = 0;
     /// What it is for, in words of the GRAFCET: `(0) 0 -> 1`, `X13`, `"H+"`. Never empty.
-    std::string comment;
+    Localized comment;
     Location origin;
 };
 
@@ -130,12 +131,12 @@ enum class SectionKind : std::uint8_t {
     start,  ///< SBR 0, before the first scan only: initial steps, Tfig, edge memories, counters
     begin,  ///< SBR 1: Tp = Ts, work tables cleared
     edges,  ///< SBR 2
-    receptivities,  ///< SBR 3: Tt
-    evolution,      ///< SBR 4: Ta, Td, then Ts; Init
-    orders,         ///< SBR 5: forcing, enclosures, AUdur
-    stored,         ///< SBR 5, end: stored actions and actions on clearing
-    times,          ///< SBR 6: time conditions
-    outputs,        ///< SBR 8: continuous outputs, Tfig for the next scan
+    conditions,  ///< SBR 3: transition conditions, Tt
+    evolution,   ///< SBR 4: Ta, Td, then Ts; Init
+    orders,      ///< SBR 5: forcing, enclosures, AUdur
+    stored,      ///< SBR 5, end: stored actions and actions on clearing
+    times,       ///< SBR 6: time conditions
+    outputs,     ///< SBR 8: continuous outputs, Tfig for the next scan
 };
 inline constexpr std::size_t section_count = 9;
 
@@ -165,8 +166,9 @@ std::vector<Statement> expand_tables(const Grafcet& grafcet, const Statement& st
 /// Whether the program uses a control input, as a mode or in an expression.
 bool reads_control(const ScanProgram& program, ControlInput control);
 
-/// The program as text, one statement a line, for tests and people:
-///   start  : X10 X20 := 1
-std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program);
+/// The program as text, one statement a line, for tests and people; comments are in the language:
+///   start: X10 X20 := 1  # initial step 10
+std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program,
+                               Language language = Language::english);
 
 }  // namespace grafwire

@@ -16,18 +16,18 @@ class SectionWriter {
         : statements_(program.sections[static_cast<std::size_t>(section)]) {}
 
     /// The reference is valid until the next statement.
-    Statement& add(Statement::Kind kind, std::string comment, Location origin = {});
-    void assign(Bit target, Condition condition, std::string comment, Location origin = {});
+    Statement& add(Statement::Kind kind, Localized comment, Location origin = {});
+    void assign(Bit target, Condition condition, Localized comment, Location origin = {});
     /// Nothing where the condition is constantly 0 or there are no targets.
-    void set(std::vector<Bit> targets, Condition condition, std::string comment,
+    void set(std::vector<Bit> targets, Condition condition, Localized comment,
              Location origin = {});
-    void reset(std::vector<Bit> targets, Condition condition, std::string comment,
+    void reset(std::vector<Bit> targets, Condition condition, Localized comment,
                Location origin = {});
-    void table(TableOperation operation, std::string comment);
+    void table(TableOperation operation, Localized comment);
 
   private:
     void set_or_reset(Statement::Kind kind, std::vector<Bit> targets, Condition condition,
-                      std::string comment, Location origin);
+                      Localized comment, Location origin);
 
     std::vector<Statement>& statements_;
 };

@@ -9,11 +9,17 @@
 #include <set>
 
 #include "grafcet/write_grafcet.h"
+#include "program/messages.h"
 #include "program/program_parts.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::program;
+
+/// What an action writes, and the step or transition that it belongs to.
+using WhenWritten = Message<std::string, std::string>;
 
 /// One stored action on its way into the program.
 struct StoredAction {
@@ -22,7 +28,7 @@ struct StoredAction {
     Condition value;           ///< of a bit
     const Sum* sum = nullptr;  ///< of a counter
     IntegerCell source;        ///< of a counter whose sum was worked out beforehand
-    std::string comment;
+    Localized comment;
     Location where;
 };
 
@@ -90,7 +96,7 @@ class StoredActions {
     SectionWriter section_;
 };
 
-/// Cleared: all preceding steps active when the scan began, the receptivity 1, and Init 0.
+/// Cleared: all preceding steps active when the scan began, the transition condition 1, and Init 0.
 Condition StoredActions::clearing_of(TransitionId transition) const {
     std::vector<Condition> parts;
     for (const StepId step : grafcet_.preceding(grafcet_.transitions[transition])) {
@@ -121,8 +127,8 @@ Condition StoredActions::trigger_of(const Action& action) const {
 
 std::vector<StoredAction> StoredActions::in_order() const {
     std::vector<StoredAction> actions;
-    const auto add_write = [&](const Write& write, Condition trigger, std::string comment,
-                               Location where) {
+    const auto add_write = [&](const Write& write, Condition trigger, const WhenWritten& comment,
+                               const std::string& of, Location where) {
         if (trigger.is_constant(false)) return;
         StoredAction action;
         action.target = write.target;
@@ -136,26 +142,24 @@ std::vector<StoredAction> StoredActions::in_order() const {
         } else {
             action.value = constant_condition(write.operation == WriteOperation::set);
         }
-        action.comment =
-            quoted_where_needed(variable_name(grafcet_, write.target)) + std::move(comment);
+        action.comment = comment(quoted_where_needed(variable_name(grafcet_, write.target)), of);
         action.where = where;
         actions.push_back(std::move(action));
     };
-    const auto add_triggered = [&](Trigger trigger, const std::string& comment) {
+    const auto add_triggered = [&](Trigger trigger, const WhenWritten& comment) {
         for (const Action& action : grafcet_.actions) {
             if (action.kind != ActionKind::stored || action.trigger != trigger) continue;
-            add_write(action.write, trigger_of(action),
-                      comment + quoted_where_needed(grafcet_.steps[action.step].name),
-                      action.where);
+            add_write(action.write, trigger_of(action), comment,
+                      quoted_where_needed(grafcet_.steps[action.step].name), action.where);
         }
     };
-    add_triggered(Trigger::deactivation, " on deactivation of step ");
+    add_triggered(Trigger::deactivation, say::on_deactivation);
     for (const ClearingAction& action : grafcet_.clearing_actions) {
-        add_write(action.write, clearing_of(action.transition),
-                  " on clearing of " + transition_text(grafcet_, action.transition), action.where);
+        add_write(action.write, clearing_of(action.transition), say::on_clearing,
+                  transition_text(grafcet_, action.transition), action.where);
     }
-    add_triggered(Trigger::activation, " on activation of step ");
-    add_triggered(Trigger::event, " on an event in step ");
+    add_triggered(Trigger::activation, say::on_activation);
+    add_triggered(Trigger::event, say::on_event);
     return actions;
 }
 
@@ -166,7 +170,7 @@ void StoredActions::read_before_writing(std::vector<StoredAction>& actions) {
     for (StoredAction& action : actions) {
         if (overlap(action.trigger, written)) {
             const Bit scratch = new_scratch(program_);
-            section_.assign(scratch, std::move(action.trigger), "event of " + action.comment,
+            section_.assign(scratch, std::move(action.trigger), say::event_of(action.comment),
                             action.where);
             action.trigger = bit_condition(scratch);
         }
@@ -174,8 +178,8 @@ void StoredActions::read_before_writing(std::vector<StoredAction>& actions) {
             if (overlap(*action.sum, written)) {
                 const Counter& counter = grafcet_.counters[CounterId{action.target.index}];
                 action.source = {true, program_.scratch_integers++};
-                Statement& statement =
-                    section_.add(Statement::Kind::move, "value of " + action.comment, action.where);
+                Statement& statement = section_.add(Statement::Kind::move,
+                                                    say::value_of(action.comment), action.where);
                 statement.condition = constant_condition(true);
                 statement.integer = action.source;
                 statement.sum = *action.sum;
@@ -189,7 +193,7 @@ void StoredActions::read_before_writing(std::vector<StoredAction>& actions) {
         with_itself.insert(action.target);
         if (overlap(action.value, with_itself)) {
             const Bit scratch = new_scratch(program_);
-            section_.assign(scratch, std::move(action.value), "value of " + action.comment,
+            section_.assign(scratch, std::move(action.value), say::value_of(action.comment),
                             action.where);
             action.value = bit_condition(scratch);
         }
@@ -197,7 +201,7 @@ void StoredActions::read_before_writing(std::vector<StoredAction>& actions) {
         if (!action.value.is_constant(true) && !action.value.is_constant(false) &&
             overlap(action.trigger, {action.target})) {
             const Bit scratch = new_scratch(program_);
-            section_.assign(scratch, std::move(action.trigger), "event of " + action.comment,
+            section_.assign(scratch, std::move(action.trigger), say::event_of(action.comment),
                             action.where);
             action.trigger = bit_condition(scratch);
         }

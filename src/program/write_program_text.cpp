@@ -11,18 +11,18 @@ namespace {
 
 class ProgramText {
   public:
-    ProgramText(const Grafcet& grafcet, const ScanProgram& program)
-        : grafcet_(grafcet), program_(program) {}
+    ProgramText(const Grafcet& grafcet, const ScanProgram& program, Language language)
+        : grafcet_(grafcet), program_(program), language_(language) {}
 
     std::string write() {
-        static constexpr const char* names[section_count] = {
-            "start",  "begin",  "edges", "receptivities", "evolution",
-            "orders", "stored", "times", "outputs"};
+        static constexpr const char* names[section_count] = {"start",      "begin",     "edges",
+                                                             "conditions", "evolution", "orders",
+                                                             "stored",     "times",     "outputs"};
         for (std::size_t s = 0; s < section_count; ++s) {
             for (const Statement& statement : program_.sections[s]) {
                 text_ += fmt::format("{}: ", names[s]);
                 write_statement(statement);
-                text_ += fmt::format("  # {}\n", statement.comment);
+                text_ += fmt::format("  # {}\n", statement.comment.in(language_));
             }
         }
         return std::move(text_);
@@ -40,6 +40,7 @@ class ProgramText {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     std::string text_;
 };
 
@@ -134,8 +135,9 @@ void ProgramText::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program) {
-    return ProgramText(grafcet, program).write();
+std::string write_program_text(const Grafcet& grafcet, const ScanProgram& program,
+                               Language language) {
+    return ProgramText(grafcet, program, language).write();
 }
 
 }  // namespace grafwire

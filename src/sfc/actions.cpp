@@ -9,10 +9,13 @@
 #include <fmt/format.h>
 
 #include "iec/literals.h"
+#include "sfc/messages.h"
 
 namespace grafwire::sfc {
 
 namespace {
+
+namespace say = messages::sfc;
 
 std::string between(const std::string& condition, const std::string& statements) {
     std::string text = fmt::format("IF {} THEN\n", condition);
@@ -26,8 +29,13 @@ std::string between(const std::string& condition, const std::string& statements)
 
 class ActionsOfStep {
   public:
-    ActionsOfStep(const Plan& plan, const Names& names, StepId step)
-        : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names), step_(step) {}
+    ActionsOfStep(const Plan& plan, const Names& names, StepId step, Language language)
+        : plan_(plan),
+          grafcet_(*plan.grafcet),
+          names_(names),
+          text_(plan, names),
+          step_(step),
+          language_(language) {}
 
     std::vector<ActionBlockEntry> make() {
         const Step& step = grafcet_.steps[step_];
@@ -54,6 +62,7 @@ class ActionsOfStep {
     const Names& names_;
     StructuredText text_;
     StepId step_;
+    Language language_;
     std::vector<ActionBlockEntry> actions_;
     // Statements, each with its line end.
     std::string deactivation_;
@@ -64,11 +73,12 @@ class ActionsOfStep {
 void ActionsOfStep::add_continuous(const Action& action, Form form) {
     const std::string& output = names_.outputs[index_of(action.output)];
     if (form == Form::observed) {
-        const std::string condition =
-            action.expression == no_expr ? "" : " if " + text_.expression(action.expression);
-        actions_.push_back(
-            {"N", "", "",
-             fmt::format("(* {}{}: assigned by {} *)", output, condition, names_.observer)});
+        const std::string comment =
+            action.expression == no_expr
+                ? say::assigned_elsewhere.in(language_, output, names_.observer)
+                : say::assigned_elsewhere_if.in(
+                      language_, output, text_.expression(action.expression), names_.observer);
+        actions_.push_back({"N", "", "", fmt::format("(* {} *)", comment)});
         return;
     }
     if (form == Form::non_stored) {
@@ -103,9 +113,10 @@ void ActionsOfStep::add(const Action& action) {
 
 }  // namespace
 
-std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step) {
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
+                                         Language language) {
     if (index_of(step) >= plan.grafcet->steps.size()) return {};
-    return ActionsOfStep(plan, names, step).make();
+    return ActionsOfStep(plan, names, step, language).make();
 }
 
 }  // namespace grafwire::sfc

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sfc/structured_text.h"
+#include "text/language.h"
 
 namespace grafwire::sfc {
 
@@ -16,7 +17,9 @@ struct ActionBlockEntry {
     std::string statements;
 };
 
-/// The actions of a step, as far as SFC can express them.
-std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step);
+/// The actions of a step, as far as SFC can express them; comments within statements are in the
+/// language.
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
+                                         Language language);
 
 }  // namespace grafwire::sfc

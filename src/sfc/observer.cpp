@@ -13,24 +13,31 @@
 #include <map>
 
 #include "iec/literals.h"
+#include "sfc/messages.h"
 
 namespace grafwire::sfc {
 
 namespace {
 
+namespace say = messages::sfc;
+
 class Observer {
   public:
-    Observer(const Plan& plan, const Names& names)
-        : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names) {}
+    Observer(const Plan& plan, const Names& names, Language language)
+        : plan_(plan),
+          grafcet_(*plan.grafcet),
+          names_(names),
+          text_(plan, names),
+          language_(language) {}
 
     std::string make() {
-        begin("Time conditions, as the next scan sees them");
+        begin(say::times_for_next_scan);
         for (std::size_t i = 0; i < plan_.times.size(); ++i) {
             if (plan_.times[i]) time_condition(i);
         }
-        begin("Outputs with conditions");
+        begin(say::outputs_with_conditions);
         assign_outputs();
-        begin("What the next scan compares with");
+        begin(say::compared_next);
         for (auto item = names_.before.rbegin(); item != names_.before.rend(); ++item) {
             assign(item->second, text_.expression(item->first, reading_at_start));
         }
@@ -42,7 +49,7 @@ class Observer {
 
   private:
     /// A heading, where anything follows under it.
-    void begin(std::string heading) { heading_ = std::move(heading); }
+    void begin(const Message<>& heading) { heading_ = heading.in(language_); }
     void add(const std::string& line) {
         if (!heading_.empty()) text_so_far_ += "(* " + heading_ + " *)\n";
         heading_.clear();
@@ -58,6 +65,7 @@ class Observer {
     const Grafcet& grafcet_;
     const Names& names_;
     StructuredText text_;
+    Language language_;
     std::string text_so_far_;
     std::string heading_;
 };
@@ -101,8 +109,8 @@ void Observer::assign_outputs() {
 
 }  // namespace
 
-std::string observer_text(const Plan& plan, const Names& names) {
-    return Observer(plan, names).make();
+std::string observer_text(const Plan& plan, const Names& names, Language language) {
+    return Observer(plan, names, language).make();
 }
 
 }  // namespace grafwire::sfc

@@ -1,15 +1,15 @@
 #include "sfc/remarks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
+#include "sfc/messages.h"
 
 namespace grafwire::sfc {
 
 namespace {
 
+namespace say = messages::sfc;
 using Kind = Remark::Kind;
 
 class Remarks {
@@ -25,34 +25,24 @@ class Remarks {
         meetings();
         const bool is_exact = remarks_.empty();
         initial_steps();
-        if (plan_.has_observer()) {
-            const std::string text = fmt::format(
-                "The action of step {} is to be executed after all others of the scan, as it "
-                "stands in this file: it prepares edges and time conditions for the next scan and "
-                "assigns outputs.",
-                names_.observer);
-            add(Kind::observer, text);
-        }
-        std::string scope =
-            "The ladder diagram is the whole GRAFCET. This chart does without Init, AUdur and "
-            "AUdoux; otherwise it is the GRAFCET, scan for scan";
-        scope += is_exact ? "." : ", but for what SFC cannot say:";
-        remarks_.insert(remarks_.begin(), {Kind::scope, std::move(scope)});
+        if (plan_.has_observer()) add(Kind::observer, say::observer_comes_last(names_.observer));
+        remarks_.insert(remarks_.begin(),
+                        {Kind::scope, is_exact ? say::exact() : say::almost_exact()});
         return std::move(remarks_);
     }
 
   private:
-    void add(Kind kind, std::string text) { remarks_.push_back({kind, std::move(text)}); }
-    std::string step_text(StepId step) const {
-        return "step " + quoted_where_needed(grafcet_.steps[step].name);
+    void add(Kind kind, Localized text) { remarks_.push_back({kind, std::move(text)}); }
+    std::string name_of(StepId step) const {
+        return quoted_where_needed(grafcet_.steps[step].name);
     }
-    std::string graph_text(GraphId graph) const {
+    std::string name_of(GraphId graph) const {
         return quoted_where_needed(grafcet_.graphs[graph].name);
     }
     std::string transition_text(const Transition& transition) const {
         return "(" + quoted_where_needed(transition.name) + ")";
     }
-    std::string trigger_text(const Action& action) const;
+    Localized trigger_text(const Action& action) const;
     void orders();
     void enclosures();
     void clearing_actions();
@@ -68,15 +58,13 @@ class Remarks {
 
 void Remarks::orders() {
     for (const Order& order : grafcet_.orders) {
-        add(Kind::order,
-            step_text(order.step) + " gives the order " + write_order(grafcet_, order));
+        add(Kind::order, say::gives_order(name_of(order.step), write_order(grafcet_, order)));
     }
 }
 
 void Remarks::enclosures() {
     for (const Enclosure& enclosure : grafcet_.enclosures) {
-        add(Kind::enclosure,
-            step_text(enclosure.step) + " encloses " + graph_text(enclosure.graph));
+        add(Kind::enclosure, say::encloses(name_of(enclosure.step), name_of(enclosure.graph)));
     }
 }
 
@@ -84,8 +72,7 @@ void Remarks::clearing_actions() {
     for (const ClearingAction& action : grafcet_.clearing_actions) {
         const Transition& transition = grafcet_.transitions[action.transition];
         add(Kind::clearing,
-            fmt::format("transition {}: {} on clearing", transition_text(transition),
-                        write_write(grafcet_, action.write)));
+            say::on_clearing(transition_text(transition), write_write(grafcet_, action.write)));
     }
 }
 
@@ -108,36 +95,33 @@ void Remarks::selections() {
             list += (list.empty() ? "" : ", ") + transition_text(grafcet_.transitions[a]);
         }
         if (list.empty()) continue;
-        add(Kind::selection,
-            fmt::format("{}: where several of the transitions {} can be cleared at once, a GRAFCET "
-                        "clears them all (rule 4), SFC the leftmost",
-                        step_text(StepId{s}), list));
+        add(Kind::selection, say::clears_leftmost(name_of(StepId{s}), list));
     }
 }
 
-std::string Remarks::trigger_text(const Action& action) const {
+Localized Remarks::trigger_text(const Action& action) const {
     switch (action.trigger) {
         case Trigger::activation:
-            return step_text(action.step) + " on activation";
+            return say::on_activation(name_of(action.step));
         case Trigger::deactivation:
-            return step_text(action.step) + " on deactivation";
+            return say::on_deactivation(name_of(action.step));
         case Trigger::event:
             break;
     }
-    return step_text(action.step) + " on " +
-           write_expression(grafcet_, grafcet_.expressions, action.expression);
+    return say::on_event(name_of(action.step),
+                         write_expression(grafcet_, grafcet_.expressions, action.expression));
 }
 
 void Remarks::meetings() {
     for (const Plan::Meeting& meeting : plan_.meetings) {
-        std::string list;
+        Localized triggers;
         for (const std::size_t action : meeting.actions) {
-            list += (list.empty() ? "" : "; ") + trigger_text(grafcet_.actions[action]);
+            const Localized trigger = trigger_text(grafcet_.actions[action]);
+            triggers = triggers.english.empty() ? trigger : say::and_also(triggers, trigger);
         }
         add(Kind::meeting_writes,
-            fmt::format("{} can be written by several actions in one scan ({}): the last one wins, "
-                        "and SFC leaves their order open",
-                        quoted_where_needed(variable_name(grafcet_, meeting.target)), list));
+            say::last_write_wins(quoted_where_needed(variable_name(grafcet_, meeting.target)),
+                                 triggers));
     }
 }
 
@@ -148,8 +132,7 @@ void Remarks::initial_steps() {
                                          [&](StepId step) { return plan_.chart.is_initial(step); });
         if (count == 1) continue;
         add(Kind::initial_steps,
-            fmt::format("graph {} has {} initial steps here; many tools ask for exactly one",
-                        graph_text(GraphId{g}), count));
+            say::initial_step_count(name_of(GraphId{g}), static_cast<std::size_t>(count)));
     }
 }
 

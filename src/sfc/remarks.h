@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "sfc/names.h"
 #include "sfc/plan.h"
+#include "text/message.h"
 
 namespace grafwire::sfc {
 
@@ -22,7 +22,7 @@ struct Remark {
                          ///< tools refuse it
     };
     Kind kind = Kind::scope;
-    std::string text;
+    Localized text;
 };
 
 /// The remarks in the order in which they stand in the file.

@@ -33,10 +33,10 @@ begin: table  # Tp = Ts
 begin: table  # Ta = Td = Tf1 = Tf0 = 0
 edges: edge[0] := dcy . /memory[0]  # ↑dcy
 edges: memory[0] := dcy  # memory of ↑dcy
-receptivities: Tt[0] := edge[0] . /au . Tfig[G0]  # (0) 0 -> 1 : ↑dcy./au
-receptivities: Tt[1] := Tfig[G0]  # (1) 1 -> 2 : 1
-receptivities: Tt[2] := time[0] . Tfig[G0]  # (2) 2 -> 0 : 5s/X2
-receptivities: Tt[3] := au . Tfig[G1]  # (3) 10 -> : au
+conditions: Tt[0] := edge[0] . /au . Tfig[G0]  # (0) 0 -> 1 : ↑dcy./au
+conditions: Tt[1] := Tfig[G0]  # (1) 1 -> 2 : 1
+conditions: Tt[2] := time[0] . Tfig[G0]  # (2) 2 -> 0 : 5s/X2
+conditions: Tt[3] := au . Tfig[G1]  # (3) 10 -> : au
 evolution: set Ta[1] Td[0] if Ts[0] . Tt[0]  # (0) 0 -> 1
 evolution: set Ta[2] Td[1] if Ts[1] . Tt[1]  # (1) 1 -> 2
 evolution: set Ta[0] Td[2] if Ts[2] . Tt[2]  # (2) 2 -> 0

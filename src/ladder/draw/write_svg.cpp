@@ -37,7 +37,7 @@ text { fill: #d7dee6; }
 
 class Picture {
   public:
-    std::string write(const Ladder& ladder);
+    std::string write(const Ladder& ladder, Language language);
 
   private:
     void text(double x, double y, std::string_view kind, std::string_view anchor,
@@ -160,10 +160,9 @@ void Picture::rung(const Ladder& ladder, const Rung& rung) {
     line(right, begin, right, top_, "rail");
 }
 
-std::string Picture::write(const Ladder& ladder) {
+std::string Picture::write(const Ladder& ladder, Language language) {
     top_ = margin;
-    text(margin, top_ + 18, "title", "start",
-         ladder.title.empty() ? ladder.name : ladder.name + ": " + ladder.title);
+    text(margin, top_ + 18, "title", "start", heading_of(ladder, language));
     top_ += 2 * cell_height;
     for (const std::string& remark : ladder.remarks) paragraph(remark, "comment");
     widest_ = x_of(columns);
@@ -180,8 +179,8 @@ std::string Picture::write(const Ladder& ladder) {
 
 }  // namespace
 
-std::string write_svg(const Ladder& ladder) {
-    return Picture().write(ladder);
+std::string write_svg(const Ladder& ladder, Language language) {
+    return Picture().write(ladder, language);
 }
 
 }  // namespace grafwire::ladder

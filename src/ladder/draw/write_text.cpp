@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ladder/draw/layout.h"
+#include "ladder/draw/messages.h"
 #include "ladder/draw/write_drawings.h"
 #include "text/utf8.h"
 
@@ -116,7 +117,7 @@ std::string padded(const std::string& text, int width) {
 }
 
 /// `Inputs   a, b, c`, in as many lines as that takes.
-void write_names(const Ladder& ladder, Role role, Type type, const char* title, int width,
+void write_names(const Ladder& ladder, Role role, Type type, const std::string& title, int width,
                  std::string& text) {
     std::string names;
     for (const Variable& variable : ladder.variables) {
@@ -125,10 +126,10 @@ void write_names(const Ladder& ladder, Role role, Type type, const char* title, 
         names += variable.name;
     }
     if (names.empty()) return;
-    const char* head = title;
+    std::string head = title;
     for (const std::string& line : wrapped_text(names, static_cast<std::size_t>(width - 12))) {
         text += fmt::format("{:<12}{}\n", head, line);
-        head = "";
+        head.clear();
     }
 }
 
@@ -150,9 +151,9 @@ std::string write_rung(const Ladder& ladder, const Rung& rung, int width, std::s
     return text;
 }
 
-std::string write_text(const Ladder& ladder, int width) {
-    std::string text = ladder.name;
-    if (!ladder.title.empty()) text += ": " + ladder.title;
+std::string write_text(const Ladder& ladder, int width, Language language) {
+    namespace say = messages::ladder_draw;
+    std::string text = heading_of(ladder, language);
     text += "\n\n";
     for (const std::string& remark : ladder.remarks) {
         for (const std::string& line : wrapped_text(remark, static_cast<std::size_t>(width))) {
@@ -160,11 +161,11 @@ std::string write_text(const Ladder& ladder, int width) {
         }
     }
     if (!ladder.remarks.empty()) text += "\n";
-    write_names(ladder, Role::input, Type::bit, "Inputs", width, text);
-    write_names(ladder, Role::output, Type::bit, "Outputs", width, text);
-    write_names(ladder, Role::memory, Type::bit, "Bits", width, text);
-    write_names(ladder, Role::memory, Type::integer, "Integers", width, text);
-    write_names(ladder, Role::memory, Type::block, "Blocks", width, text);
+    write_names(ladder, Role::input, Type::bit, say::inputs.in(language), width, text);
+    write_names(ladder, Role::output, Type::bit, say::outputs.in(language), width, text);
+    write_names(ladder, Role::memory, Type::bit, say::bits.in(language), width, text);
+    write_names(ladder, Role::memory, Type::integer, say::integers.in(language), width, text);
+    write_names(ladder, Role::memory, Type::block, say::blocks.in(language), width, text);
     for (const Rung& rung : ladder.rungs) {
         const Drawing drawing = draw(ladder, rung, width);
         if (!rung.heading.empty()) text += "\n" + heading(rung.heading, width) + "\n";

@@ -4,14 +4,15 @@
 
 namespace grafwire::c {
 
-// The parts of a program in C that are the same for every chart.
+// The parts of a program in C that are the same for every chart. An @ stands for a text in the
+// language of the reader (with_texts).
 
 inline constexpr std::string_view time_type = R"(
-// A time condition t1/e/t2: 1 once e has been 1 for t1, 0 once it has been 0 for t2.
+// @time_condition
 typedef struct {
     bool value;
-    bool waits;     // e differs from the value
-    int64_t since;  // while it waits: the moment since which e differs, in us
+    bool waits;     // @e_differs
+    int64_t since;  // @differs_since
 } time_condition;
 )";
 
@@ -75,7 +76,7 @@ inline constexpr std::string_view main_head = R"(
 
 #include <stdio.h>
 
-// Reads a moment in ms, as `0.5`, into us. Whether it is one, and whole in us.
+// @reads_moment
 static bool read_moment(int64_t *now) {
     char text[16];
     int decimals = -1;
@@ -109,7 +110,7 @@ static int skip_line(void) {
     return c;
 }
 
-// The columns of inputs; Init, AUdur and AUdoux are always there.
+// @input_columns
 )";
 
 inline constexpr std::string_view read_scan = R"(

@@ -10,8 +10,9 @@
 
 #include "plc/computer/c_blocks.h"
 #include "plc/computer/language_parts.h"
+#include "plc/computer/messages.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
-#include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
 #include "program/bit_names.h"
 
@@ -35,14 +36,16 @@ ConditionSpelling spelling(bool wide) {
 
 }  // namespace
 
-CCore::CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules)
+CCore::CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules,
+             Language language)
     : grafcet_(grafcet),
       program_(without_idle_tables(program)),
       names_(grafcet, program_, rules),
       wide_(integer_bits(grafcet_, program_).value_or(64) > 32),
       conditions_(
           spelling(wide_), [this](Bit bit) { return name(bit); },
-          [this](IntegerCell cell) { return name(cell); }) {}
+          [this](IntegerCell cell) { return name(cell); }),
+      language_(language) {}
 
 std::string CCore::name(Bit bit) const {
     if (bit.kind == BitKind::scratch) return names_[bit];
@@ -68,11 +71,7 @@ std::string CCore::functions() const {
     std::string text;
     for (const c::Helper& helper : c::helpers) {
         if (!calls(called, helper.name) && !calls(text, helper.name)) continue;
-        std::string written(helper.text);
-        for (std::size_t at; (at = written.find("INTEGER")) != std::string::npos;) {
-            written.replace(at, 7, integer_type());
-        }
-        text.insert(0, written);
+        text.insert(0, with_texts(helper.text, {{"INTEGER", std::string(integer_type())}}));
     }
     return text + called;
 }
@@ -80,7 +79,7 @@ std::string CCore::functions() const {
 void CCore::write_section(SourceText& out, SectionKind section) const {
     if (program_.section(section).empty()) return;
     out.blank();
-    out.comment(section_title(section));
+    out.comment(section_title(section).in(language_));
     out.line(
         fmt::format("static void {}({}_grafcet *g) {{", section_function(section), names_.chart()));
     out.indent();
@@ -92,7 +91,7 @@ void CCore::write_section(SourceText& out, SectionKind section) const {
 void CCore::write_entry_points(SourceText& out) const {
     const std::string& chart = names_.chart();
     out.blank();
-    out.comment(section_title(SectionKind::start));
+    out.comment(section_title(SectionKind::start).in(language_));
     out.line(fmt::format("void {0}_start({0}_grafcet *g, const {0}_inputs *in) {{", chart));
     out.indent();
     out.line("memset(g, 0, sizeof *g);");
@@ -101,7 +100,7 @@ void CCore::write_entry_points(SourceText& out) const {
     out.outdent();
     out.line("}");
     out.blank();
-    out.comment("One scan. The clock, in us, never goes back.");
+    out.comment(messages::plc_computer::one_scan_clocked.in(language_));
     out.line(
         fmt::format("void {0}_scan({0}_grafcet *g, const {0}_inputs *in, int64_t now) {{", chart));
     out.indent();
@@ -117,7 +116,7 @@ void CCore::write_entry_points(SourceText& out) const {
 }
 
 void CCore::write(SourceText& out, const Statement& statement) const {
-    if (says_more(statement)) out.comment(statement.comment);
+    if (says_more(statement)) out.comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             write_assignment(out, statement);

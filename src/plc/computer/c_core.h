@@ -14,7 +14,8 @@ namespace grafwire {
 /// words of 32 bits; everything else is a bool of its own.
 class CCore {
   public:
-    CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules);
+    CCore(const Grafcet& grafcet, const ScanProgram& program, const NameRules& rules,
+          Language language);
 
     const ProgramNames& names() const { return names_; }
     /// `int32_t` where that is wide enough for all counters and sums, else `int64_t`.
@@ -35,7 +36,7 @@ class CCore {
     void write_state(SourceText& out) const;
     /// `struct { bool a, b; } name;`, where the program has any use for it.
     void write_group(SourceText& out, BitKind kind, std::size_t count,
-                     std::string_view comment) const;
+                     const Message<>& comment) const;
     void write_section(SourceText& out, SectionKind section) const;
     void write_entry_points(SourceText& out) const;
     void write(SourceText& out, const Statement& statement) const;
@@ -49,6 +50,7 @@ class CCore {
     ProgramNames names_;
     bool wide_;
     ConditionText conditions_;
+    Language language_;
 };
 
 }  // namespace grafwire

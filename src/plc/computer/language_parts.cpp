@@ -13,6 +13,8 @@
 
 namespace grafwire {
 
+namespace say = messages::plc_computer;
+
 std::string_view section_function(SectionKind section) {
     switch (section) {
         case SectionKind::start:
@@ -21,8 +23,8 @@ std::string_view section_function(SectionKind section) {
             return "begin_scan";
         case SectionKind::edges:
             return "find_edges";
-        case SectionKind::receptivities:
-            return "test_receptivities";
+        case SectionKind::conditions:
+            return "test_conditions";
         case SectionKind::evolution:
             return "evolve";
         case SectionKind::orders:
@@ -65,20 +67,15 @@ bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::str
                     Diagnostics& diagnostics) {
     if (integer_bits(grafcet, program)) return true;
     diagnostics.error(code::beyond_limit, wide_integer(grafcet, program, 64),
-                      messages::plc_computer::sum_too_wide(language));
+                      say::sum_too_wide(language));
     return false;
 }
 
-void write_title(SourceText& out, const Grafcet& grafcet, std::string_view kind) {
-    std::string title = quoted_where_needed(grafcet.name);
-    if (!grafcet.title.empty()) title += fmt::format(": {}", grafcet.title);
-    out.comment(title);
+void write_title(SourceText& out, const Grafcet& grafcet, const Localized& kind,
+                 Language language) {
+    out.comment(titled_name(quoted_where_needed(grafcet.name), grafcet.title, language));
     out.comment({});
-    out.comment(
-        fmt::format("A GRAFCET (IEC 60848) as {}, written by grafwire. A scan is one", kind));
-    out.comment(
-        "of the table method (Cordier, \"Méthode d'implémentation du GRAFCET\", 1998); each of");
-    out.comment("its parts says which subroutine of the method it is, SBR 0 to SBR 8.");
+    out.comment(say::what_it_is.in(language, kind));
 }
 
 bool says_more(const Statement& statement) {
@@ -87,10 +84,10 @@ bool says_more(const Statement& statement) {
             statement.operation != TableOperation::clear);
 }
 
-void write_changed_names(SourceText& out, const ProgramNames& names) {
+void write_changed_names(SourceText& out, const ProgramNames& names, Language language) {
     if (names.changed().empty()) return;
     out.comment({});
-    out.comment("Names that are spelt differently in the GRAFCET:");
+    out.comment(say::changed_names.in(language));
     std::size_t longest = 0;
     for (const auto& [name, original] : names.changed()) {
         longest = std::max(longest, name.size());

@@ -8,12 +8,13 @@
 #include "plc/shared/source_text.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
+#include "text/language.h"
 
 namespace grafwire {
 
 // What the programs in C, Pascal and Python share.
 
-/// The name of the function, procedure or method that does a section: `test_receptivities`.
+/// The name of the function, procedure or method that does a section: `test_conditions`.
 std::string_view section_function(SectionKind section);
 
 /// What holds the bits of a kind, in every language: the table of the method (`Ts`, `Tt`, `Tfig`
@@ -29,9 +30,9 @@ bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::str
                     Diagnostics& diagnostics);
 
 /// The comment at the head of a file: the chart's name and title, then what the file is.
-void write_title(SourceText& out, const Grafcet& grafcet, std::string_view kind);
+void write_title(SourceText& out, const Grafcet& grafcet, const Localized& kind, Language language);
 /// And at its end: the names that differ from those of the chart.
-void write_changed_names(SourceText& out, const ProgramNames& names);
+void write_changed_names(SourceText& out, const ProgramNames& names, Language language);
 
 /// Whether the comment of a statement says more than the statement itself, where that works on
 /// whole tables: `Tp = Ts` does not.

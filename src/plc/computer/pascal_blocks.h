@@ -4,14 +4,15 @@
 
 namespace grafwire::pascal {
 
-// The parts of a program in Pascal that are the same for every chart.
+// The parts of a program in Pascal that are the same for every chart. An @ stands for a text in the
+// language of the reader (with_texts).
 
 inline constexpr std::string_view time_type = R"(
-    // A time condition t1/e/t2: True once e has been True for t1, False once it has been False for t2.
+    // @time_condition
     TTimeCondition = record
         value: Boolean;
-        waits: Boolean;  // e differs from the value
-        since: Int64;    // while it waits: the moment since which e differs, in us
+        waits: Boolean;  // @e_differs
+        since: Int64;    // @differs_since
     end;
 )";
 
@@ -47,13 +48,11 @@ end;
 )";
 
 inline constexpr std::string_view reading_and_writing = R"(
-// From here on: scans read from standard input, a line each, with the moment in ms and the inputs as
-// 0 or 1 (the first line, and further columns, are passed over); the trace goes to standard output in
-// the columns of the reference. In a machine, read its inputs and its clock instead.
+// @reads_scans
 
 var
     line: string;
-    at: SizeInt;  // in the line
+    at: SizeInt;  // @in_the_line
     row: Int64;
     step: TStep;
     i: Integer;
@@ -61,8 +60,7 @@ var
 
 procedure fail;
 begin
-    WriteLn(StdErr, 'line ', row, ': expected a moment in ms, whole in us, and ', INPUT_COLUMNS,
-        ' inputs');
+    WriteLn(StdErr, '@bad_line');
     Halt(1);
 end;
 
@@ -77,7 +75,7 @@ begin
     Inc(at);
 end;
 
-// From ms, as `0.5`, to us.
+// @from_ms
 function moment_of(const text: string): Int64;
 var
     c: Char;

@@ -14,7 +14,7 @@ namespace grafwire {
 /// Writes a program in Free Pascal; the members are what its parts share.
 class PascalProgram {
   public:
-    PascalProgram(const Grafcet& grafcet, const ScanProgram& program);
+    PascalProgram(const Grafcet& grafcet, const ScanProgram& program, Language language);
 
     std::string write();
 
@@ -24,11 +24,12 @@ class PascalProgram {
         return cell.is_scratch ? names_[cell] : "counters." + names_[cell];
     }
     // write_pascal.cpp
+    void write_head();
     void write_types();
     void write_variables();
     /// `name: record a, b: type; end;`, where there is any field.
     void write_record(std::string_view name, const std::vector<std::string>& fields,
-                      std::string_view type, std::string_view comment);
+                      std::string_view type, const Message<>& comment);
     std::vector<std::string> names_of(BitKind kind, std::size_t count) const;
     void write_row();
     void write_main();
@@ -42,6 +43,7 @@ class PascalProgram {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    Language language_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"//"};

@@ -7,9 +7,9 @@
 
 #include "plc/computer/language_parts.h"
 #include "plc/computer/pascal_program.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/reserved_words.h"
-#include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
 #include "program/bit_names.h"
 
@@ -34,9 +34,10 @@ ConditionSpelling pascal_spelling() {
 
 }  // namespace
 
-PascalProgram::PascalProgram(const Grafcet& grafcet, const ScanProgram& program)
+PascalProgram::PascalProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
     : grafcet_(grafcet),
       program_(without_idle_tables(program)),
+      language_(language),
       names_(grafcet, program_, {false, is_pascal_word}),
       conditions_(
           pascal_spelling(), [this](Bit bit) { return name(bit); },
@@ -52,7 +53,7 @@ std::string PascalProgram::name(Bit bit) const {
 void PascalProgram::write_section(SectionKind section) {
     if (section != SectionKind::start && program_.section(section).empty()) return;
     out_.blank();
-    out_.comment(section_title(section));
+    out_.comment(section_title(section).in(language_));
     out_.line(fmt::format("procedure {};", section_function(section)));
     write_scratch(section);
     out_.line("begin");
@@ -81,7 +82,7 @@ void PascalProgram::write_scratch(SectionKind section) {
 }
 
 void PascalProgram::write(const Statement& statement) {
-    if (says_more(statement)) out_.comment(statement.comment);
+    if (says_more(statement)) out_.comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             assert(!is_step_table(statement.targets[0].kind));

@@ -4,7 +4,8 @@
 
 namespace grafwire::python {
 
-// The parts of a program in Python that are the same for every chart.
+// The parts of a program in Python that are the same for every chart. An @ stands for a text in the
+// language of the reader (with_texts).
 
 inline constexpr std::string_view imports = R"(
 import sys
@@ -21,18 +22,18 @@ def is_in(step, table):
 inline constexpr std::string_view through_function = R"(
 
 def through(first, last):
-    """The steps from first to last, both included, as one table."""
+    """@steps_through"""
     return (last << 1) - first
 )";
 
 inline constexpr std::string_view time_class = R"(
 
 class TimeCondition:
-    """t1/e/t2: True once e has been True for t1, False once it has been False for t2."""
+    """@time_condition"""
 
     def __init__(self):
         self.value = False
-        self.since = None  # the moment since which e differs from the value
+        self.since = None  # @differs_since
 
     def observe(self, e, on_delay, off_delay, now):
         if e == self.value:
@@ -48,7 +49,7 @@ class TimeCondition:
 inline constexpr std::string_view reading_and_writing = R"(
 
 def microseconds(text):
-    """A moment in us, from one in ms as `0.5`."""
+    """@from_ms"""
     moment = Decimal(text) * 1000
     if moment < 0 or moment % 1 != 0:
         raise ValueError
@@ -60,8 +61,7 @@ def milliseconds(moment):
 
 
 def run(lines, out):
-    """Reads a line per scan: the moment in ms, the inputs as 0 or 1. The first line, and further
-    columns, are passed over. Writes the trace in the columns of the reference."""
+    """@reads_scans"""
     print(HEADING, file=out)
     chart = None
     next(lines, None)
@@ -73,8 +73,7 @@ def run(lines, out):
             if len(values) != INPUT_COLUMNS:
                 raise ValueError
         except (InvalidOperation, ValueError):
-            sys.exit(f"line {number}: expected a moment in ms, whole in us, and "
-                     f"{INPUT_COLUMNS} inputs")
+            sys.exit(f"@bad_line")
         inputs = inputs_of(values)
         if chart is None:
             chart = Grafcet(inputs)

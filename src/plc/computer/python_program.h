@@ -13,7 +13,7 @@ namespace grafwire {
 /// Writes a program in Python 3; the members are what its parts share.
 class PythonProgram {
   public:
-    PythonProgram(const Grafcet& grafcet, const ScanProgram& program);
+    PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language);
 
     std::string write();
 
@@ -23,13 +23,14 @@ class PythonProgram {
         return cell.is_scratch ? names_[cell] : "self.counters." + names_[cell];
     }
     // write_python.cpp
+    void write_head();
     void write_steps();
     void write_inputs();
     void write_class();
     void write_start();
     /// `self.name = SimpleNamespace(a=value, …)`, where the program has any use for it.
     void write_group(BitKind kind, std::size_t count, std::string_view value,
-                     std::string_view comment);
+                     const Message<>& comment);
     void write_run();
     // python_statements.cpp
     void write_section(SectionKind section);
@@ -42,6 +43,7 @@ class PythonProgram {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    Language language_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"#", SourceText::Breaks::within_parentheses};

@@ -7,10 +7,11 @@
 #include <cassert>
 
 #include "plc/computer/language_parts.h"
+#include "plc/computer/messages.h"
 #include "plc/computer/python_program.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/reserved_words.h"
-#include "plc/shared/section_titles.h"
 #include "plc/shared/step_ranges.h"
 #include "program/bit_names.h"
 
@@ -36,9 +37,10 @@ std::string holder(BitKind kind) {
 
 }  // namespace
 
-PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program)
+PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
     : grafcet_(grafcet),
       program_(without_idle_tables(program)),
+      language_(language),
       names_(grafcet, program_, {true, is_python_word}),
       conditions_(
           python_spelling(), [this](Bit bit) { return name(bit); },
@@ -54,7 +56,7 @@ std::string PythonProgram::name(Bit bit) const {
 void PythonProgram::write_section(SectionKind section) {
     if (program_.section(section).empty()) return;
     out_.blank();
-    out_.comment(section_title(section));
+    out_.comment(section_title(section).in(language_));
     out_.line(fmt::format("def {}(self):", section_function(section)));
     out_.indent();
     for (const Statement& statement : program_.section(section)) write(statement);
@@ -71,7 +73,7 @@ void PythonProgram::write_line(std::string_view before, std::string_view express
 }
 
 void PythonProgram::write(const Statement& statement) {
-    if (says_more(statement)) out_.comment(statement.comment);
+    if (says_more(statement)) out_.comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             assert(!is_step_table(statement.targets[0].kind));
@@ -158,7 +160,7 @@ std::string PythonProgram::table_text(TableOperation operation) const {
 
 void PythonProgram::write_scan() {
     out_.blank();
-    out_.comment("One scan. The clock, in us, never goes back.");
+    out_.comment(messages::plc_computer::one_scan_clocked.in(language_));
     out_.line("def scan(self, inputs, now):");
     out_.indent();
     out_.line("self.inputs = inputs");

@@ -14,13 +14,15 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_computer;
+
 /// 0 and 1 are the serial line.
 constexpr std::size_t first_pin = 2;
 /// Pins of the largest board that counts them from 0 on, an Arduino Mega 2560.
 constexpr std::size_t pin_count = 70;
 
 constexpr std::string_view clock_text = R"(
-// micros() starts again at 0 after 71 minutes; this clock does not, if it is read more often.
+// @unending_clock
 static int64_t clock_now() {
     static uint32_t last = 0;
     static int64_t sum = 0;
@@ -33,8 +35,10 @@ static int64_t clock_now() {
 
 class Sketch {
   public:
-    Sketch(const Grafcet& grafcet, const ScanProgram& program)
-        : grafcet_(grafcet), core_(grafcet, program, {true, is_arduino_word}) {
+    Sketch(const Grafcet& grafcet, const ScanProgram& program, Language language)
+        : grafcet_(grafcet),
+          language_(language),
+          core_(grafcet, program, {true, is_arduino_word}, language) {
         for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
             outputs_.push_back({BitKind::output, o});
         }
@@ -52,14 +56,15 @@ class Sketch {
     }
 
     const Grafcet& grafcet_;
+    Language language_;
     CCore core_;
     std::vector<Bit> outputs_;
     SourceText out_{"//"};
 };
 
 std::string Sketch::write() {
-    write_title(out_, grafcet_, "a sketch for Arduino boards");
-    write_changed_names(out_, core_.names());
+    write_title(out_, grafcet_, say::sketch(), language_);
+    write_changed_names(out_, core_.names(), language_);
     out_.blank();
     out_.block("#include <Arduino.h>\n#include <stdint.h>\n#include <string.h>\n\n");
     write_pins();
@@ -69,13 +74,13 @@ std::string Sketch::write() {
     out_.line(fmt::format("static {}_grafcet chart;", core_.names().chart()));
     out_.line(fmt::format("static {}_inputs inputs;", core_.names().chart()));
     out_.block(core_.functions());
-    out_.block(clock_text);
+    out_.block(with_texts(clock_text, {{"@unending_clock", say::unending_clock.in(language_)}}));
     write_functions();
     return out_.take();
 }
 
 void Sketch::write_pins() {
-    out_.comment("The pins: change them to suit the wiring. An input is 1 where its pin is HIGH.");
+    out_.comment(say::pins.in(language_));
     std::size_t next = first_pin;
     for (const Bit bit : core_.names().inputs()) {
         out_.line(fmt::format("const uint8_t {} = {};", pin(bit), next++));
@@ -114,7 +119,7 @@ void Sketch::write_functions() {
     out_.outdent();
     out_.line("}");
     out_.blank();
-    out_.comment("One scan.");
+    out_.comment(say::one_scan.in(language_));
     out_.line("void loop() {");
     out_.indent();
     out_.line("read_inputs();");
@@ -126,14 +131,14 @@ void Sketch::write_functions() {
 
 }  // namespace
 
-std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
-                          Diagnostics& diagnostics) {
+std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program,
+                          const PlcOptions& options, Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "C", diagnostics)) return {};
-    Sketch sketch(grafcet, program);
+    Sketch sketch(grafcet, program, options.language);
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
-        const auto& message = program.has_modes ? messages::plc_computer::too_many_pins_with_modes
-                                                : messages::plc_computer::too_many_pins;
+        const auto& message =
+            program.has_modes ? say::too_many_pins_with_modes : say::too_many_pins;
         diagnostics.error(code::beyond_limit, {}, message(sketch.pins_needed(), most));
         return {};
     }

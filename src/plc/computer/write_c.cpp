@@ -8,16 +8,21 @@
 #include "plc/computer/c_core.h"
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
+#include "plc/computer/messages.h"
 #include "plc/shared/reserved_words.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_computer;
+
 class CProgram {
   public:
-    CProgram(const Grafcet& grafcet, const ScanProgram& program)
-        : grafcet_(grafcet), core_(grafcet, program, {true, is_c_word}) {}
+    CProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
+        : grafcet_(grafcet),
+          language_(language),
+          core_(grafcet, program, {true, is_c_word}, language) {}
 
     std::string write() {
         write_head();
@@ -25,7 +30,9 @@ class CProgram {
         out_.block("#include <stdbool.h>\n#include <stdint.h>\n#include <string.h>\n\n");
         out_.block(core_.types());
         out_.block(core_.functions());
-        out_.block(c::main_head);
+        out_.block(
+            with_texts(c::main_head, {{"@reads_moment", say::reads_moment.in(language_)},
+                                      {"@input_columns", say::input_columns.in(language_)}}));
         out_.line(fmt::format("enum {{ INPUT_COLUMNS = {} }};", grafcet_.all_input_count()));
         out_.block(c::read_scan);
         write_row_writer();
@@ -40,26 +47,17 @@ class CProgram {
     void write_main();
 
     const Grafcet& grafcet_;
+    Language language_;
     CCore core_;
     SourceText out_{"//"};
 };
 
 void CProgram::write_head() {
-    const std::string& chart = core_.names().chart();
-    write_title(out_, grafcet_, "a program in C99");
+    write_title(out_, grafcet_, say::program_in_c(), language_);
     out_.comment({});
-    out_.comment("Include this file where the scan is called:");
-    out_.comment(fmt::format("  {0}_inputs in;      fill in the inputs", chart));
-    out_.comment(fmt::format("  {0}_grafcet g;", chart));
-    out_.comment(fmt::format("  {0}_start(&g, &in);       once", chart));
-    out_.comment(
-        fmt::format("  {0}_scan(&g, &in, now);   over and over; now: a clock in us", chart));
-    out_.comment("  g.outputs               are the outputs");
-    out_.comment("To try it on scans from a trace of the reference:");
-    out_.comment("  cc -std=c99 -DGRAFWIRE_MAIN THIS_FILE -o program");
-    out_.comment("  grafwire run CHART STIMULI --scan 10ms -o trace.csv");
-    out_.comment("  ./program < trace.csv | diff - trace.csv");
-    write_changed_names(out_, core_.names());
+    out_.comment(say::how_to_use_c.in(language_, core_.names().chart()));
+    out_.comment(say::how_to_try_c.in(language_));
+    write_changed_names(out_, core_.names(), language_);
 }
 
 /// A text in C, between quotation marks. Question marks are escaped for the sake of trigraphs.
@@ -105,10 +103,7 @@ void CProgram::write_row_writer() {
 void CProgram::write_main() {
     const ProgramNames& names = core_.names();
     out_.blank();
-    out_.comment(
-        "Reads a line per scan: the moment in ms, the inputs as 0 or 1. The first line, and");
-    out_.comment(
-        "further columns, are passed over. Writes the trace in the columns of the reference.");
+    out_.comment(say::reads_scans_in_c.in(language_));
     out_.line("int main(void) {");
     out_.indent();
     out_.line(fmt::format("{}_grafcet g;", names.chart()));
@@ -129,7 +124,7 @@ void CProgram::write_main() {
     out_.line("if (!read_scan(&now, values)) {");
     out_.indent();
     out_.whole_line(
-        "fprintf(stderr, \"line %ld: expected a moment in ms, whole in us, and %d inputs\\n\",");
+        fmt::format("fprintf(stderr, \"{}\\n\",", say::bad_line.in(language_, "%ld", "%d")));
     out_.whole_line("        row, INPUT_COLUMNS);");
     out_.line("return 1;");
     out_.outdent();
@@ -150,10 +145,10 @@ void CProgram::write_main() {
 
 }  // namespace
 
-std::string write_c(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+std::string write_c(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                     Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "C", diagnostics)) return {};
-    return CProgram(grafcet, program).write();
+    return CProgram(grafcet, program, options.language).write();
 }
 
 }  // namespace grafwire

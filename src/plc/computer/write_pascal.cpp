@@ -15,6 +15,8 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_computer;
+
 /// What a set of Free Pascal can hold.
 constexpr std::size_t most_steps = 256;
 
@@ -30,14 +32,15 @@ std::string pascal_string(std::string_view text) {
 
 }  // namespace
 
-std::string PascalProgram::write() {
-    write_title(out_, grafcet_, "a program in Free Pascal");
+void PascalProgram::write_head() {
+    write_title(out_, grafcet_, say::program_in_pascal(), language_);
     out_.comment({});
-    out_.comment("To try it on scans from a trace of the reference:");
-    out_.comment("  fpc THIS_FILE -oprogram");
-    out_.comment("  grafwire run CHART STIMULI --scan 10ms -o trace.csv");
-    out_.comment("  ./program < trace.csv | diff - trace.csv");
-    write_changed_names(out_, names_);
+    out_.comment(say::how_to_try_pascal.in(language_));
+    write_changed_names(out_, names_, language_);
+}
+
+std::string PascalProgram::write() {
+    write_head();
     out_.blank();
     out_.line("{$mode objfpc}{$H+}");
     out_.line(fmt::format("program {}_grafcet;", names_.chart()));
@@ -47,7 +50,12 @@ std::string PascalProgram::write() {
     if (has_statements(program_, Statement::Kind::time)) out_.block(pascal::observe_procedure);
     for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
     write_scan();
-    out_.block(pascal::reading_and_writing);
+    out_.block(with_texts(
+        pascal::reading_and_writing,
+        {{"@reads_scans", say::reads_scans_in_pascal.in(language_)},
+         {"@in_the_line", say::in_the_line.in(language_)},
+         {"@from_ms", say::from_ms.in(language_)},
+         {"@bad_line", say::bad_line.in(language_, "', row, '", "', INPUT_COLUMNS,\n    '")}}));
     write_row();
     write_main();
     return out_.take();
@@ -64,8 +72,8 @@ void PascalProgram::write_types() {
     out_.blank();
     out_.line("const");
     out_.indent();
-    out_.line(fmt::format("INPUT_COLUMNS = {};  // Init, AUdur and AUdoux included",
-                          grafcet_.all_input_count()));
+    out_.line(fmt::format("INPUT_COLUMNS = {};  // {}", grafcet_.all_input_count(),
+                          say::all_input_columns.in(language_)));
     out_.outdent();
     out_.blank();
     out_.line("type");
@@ -78,14 +86,19 @@ void PascalProgram::write_types() {
     // An enumeration needs a value, even in a chart without steps.
     out_.line(fmt::format("TStep = ({});", steps.empty() ? "no_step" : steps));
     out_.line("TSteps = set of TStep;");
-    if (has_statements(program_, Statement::Kind::time)) out_.block(pascal::time_type);
+    if (has_statements(program_, Statement::Kind::time)) {
+        out_.block(with_texts(pascal::time_type,
+                              {{"@time_condition", say::time_condition_true.in(language_)},
+                               {"@e_differs", say::e_differs.in(language_)},
+                               {"@differs_since", say::differs_since.in(language_)}}));
+    }
     out_.outdent();
 }
 
 void PascalProgram::write_record(std::string_view name, const std::vector<std::string>& fields,
-                                 std::string_view type, std::string_view comment) {
+                                 std::string_view type, const Message<>& comment) {
     if (fields.empty()) return;
-    out_.comment(comment);
+    out_.comment(comment.in(language_));
     out_.line(fmt::format("{}: record {}: {}; end;", name, fmt::join(fields, ", "), type));
 }
 
@@ -93,38 +106,38 @@ void PascalProgram::write_variables() {
     out_.blank();
     out_.line("var");
     out_.indent();
-    out_.line("now: Int64;  // the moment of the scan, in us");
+    const auto line = [&](std::string_view declaration, const Message<>& comment) {
+        out_.line(fmt::format("{}  // {}", declaration, comment.in(language_)));
+    };
+    line("now: Int64;", say::moment_of_scan);
     std::vector<std::string> inputs;
     for (const Bit bit : names_.inputs()) inputs.push_back(names_[bit]);
-    write_record("inputs", inputs, "Boolean", "Inputs.");
+    write_record("inputs", inputs, "Boolean", say::inputs);
     write_record("outputs", names_of(BitKind::output, grafcet_.outputs.size()), "Boolean",
-                 "Outputs.");
-    out_.line("Ts: TSteps;      // the situation");
-    out_.line("Tp: TSteps;      // the situation that the scan began with");
-    out_.line("Ta, Td: TSteps;  // to activate, to deactivate");
+                 say::outputs);
+    line("Ts: TSteps;    ", say::situation);
+    line("Tp: TSteps;    ", say::situation_before);
+    line("Ta, Td: TSteps;", say::to_activate);
     if (uses(program_, BitKind::forced_off)) {
-        out_.line("Tf1, Tf0: TSteps;  // forced to 1, forced to 0");
+        line("Tf1, Tf0: TSteps;", say::forced);
     }
-    if (uses(program_, BitKind::pulse)) out_.line("Tpulse: TSteps;  // activated in this scan");
+    if (uses(program_, BitKind::pulse)) line("Tpulse: TSteps;", say::just_activated);
     write_record("Tt", names_of(BitKind::transition, grafcet_.transitions.size()), "Boolean",
-                 "The receptivities of the transitions.");
+                 say::transition_conditions);
     write_record("Tfig", names_of(BitKind::may_evolve, grafcet_.graphs.size()), "Boolean",
-                 "Whether a graph may evolve; False: frozen.");
+                 say::graphs_false_frozen);
     const std::size_t edges = grafcet_.expressions.edges().size();
-    write_record("edge", names_of(BitKind::edge, edges), "Boolean",
-                 "Edges, True in the scan in which they occur, and");
-    write_record("memory", names_of(BitKind::edge_memory, edges), "Boolean",
-                 "what their operands were in the scan before.");
+    write_record("edge", names_of(BitKind::edge, edges), "Boolean", say::edges_true);
+    write_record("memory", names_of(BitKind::edge_memory, edges), "Boolean", say::edge_memories);
     const std::size_t times = grafcet_.expressions.time_conditions().size();
     write_record("time", names_of(BitKind::time_value, times), "TTimeCondition",
-                 "Time conditions.");
-    write_record("vars", names_of(BitKind::var, grafcet_.vars.size()), "Boolean",
-                 "Internal variables.");
+                 say::time_conditions);
+    write_record("vars", names_of(BitKind::var, grafcet_.vars.size()), "Boolean", say::vars);
     std::vector<std::string> counters;
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         counters.push_back(names_[IntegerCell{false, c}]);
     }
-    write_record("counters", counters, "Int64", "Counters.");
+    write_record("counters", counters, "Int64", say::counters);
     out_.outdent();
 }
 
@@ -183,17 +196,16 @@ void PascalProgram::write_main() {
     out_.line("end.");
 }
 
-std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
-                         Diagnostics& diagnostics) {
+std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program,
+                         const PlcOptions& options, Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "Free Pascal", diagnostics)) return {};
     if (grafcet.steps.size() > most_steps) {
         diagnostics.error(code::beyond_limit,
                           grafcet.steps[StepId{static_cast<std::uint32_t>(most_steps)}].where,
-                          messages::plc_computer::too_many_steps(most_steps + 1,
-                                                                 grafcet.steps.size(), most_steps));
+                          say::too_many_steps(most_steps + 1, grafcet.steps.size(), most_steps));
         return {};
     }
-    return PascalProgram(grafcet, program).write();
+    return PascalProgram(grafcet, program, options.language).write();
 }
 
 }  // namespace grafwire

@@ -6,14 +6,17 @@
 
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
+#include "plc/computer/messages.h"
 #include "plc/computer/python_blocks.h"
 #include "plc/computer/python_program.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
-#include "plc/shared/section_titles.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::plc_computer;
 
 /// A text in Python, between quotation marks.
 std::string python_string(std::string_view text) {
@@ -27,22 +30,20 @@ std::string python_string(std::string_view text) {
 
 }  // namespace
 
-std::string PythonProgram::write() {
+void PythonProgram::write_head() {
     // Python reads `coding: …` in the first two lines of a file as its encoding, in a comment too
     // (PEP 263): no name of the chart may stand there.
     out_.comment("-*- coding: utf-8 -*-");
     out_.comment({});
-    write_title(out_, grafcet_, "a program in Python 3");
+    write_title(out_, grafcet_, say::program_in_python(), language_);
     out_.comment({});
-    out_.comment("To use it:");
-    out_.comment("  inputs = Inputs(...)       those that are not named are False");
-    out_.comment("  chart = Grafcet(inputs)");
-    out_.comment("  chart.scan(inputs, now)    over and over; now: a clock in us");
-    out_.comment("  chart.outputs");
-    out_.comment("To try it on scans from a trace of the reference:");
-    out_.comment("  grafwire run CHART STIMULI --scan 10ms -o trace.csv");
-    out_.comment("  python3 THIS_FILE < trace.csv | diff - trace.csv");
-    write_changed_names(out_, names_);
+    out_.comment(say::how_to_use_python.in(language_));
+    out_.comment(say::how_to_try_python.in(language_));
+    write_changed_names(out_, names_, language_);
+}
+
+std::string PythonProgram::write() {
+    write_head();
     out_.block(python::imports);
     write_steps();
     const std::string head = out_.take();
@@ -51,14 +52,21 @@ std::string PythonProgram::write() {
     const std::string classes = out_.take();
     write_run();
     std::string text = head + std::string(python::is_in_function);
-    if (calls(classes, "through")) text += python::through_function;
-    if (has_statements(program_, Statement::Kind::time)) text += python::time_class;
+    if (calls(classes, "through")) {
+        text += with_texts(python::through_function,
+                           {{"@steps_through", say::steps_through.in(language_)}});
+    }
+    if (has_statements(program_, Statement::Kind::time)) {
+        text += with_texts(python::time_class,
+                           {{"@time_condition", say::time_class.in(language_)},
+                            {"@differs_since", say::differs_since_alone.in(language_)}});
+    }
     return text + classes + out_.take();
 }
 
 void PythonProgram::write_steps() {
     out_.blank();
-    out_.comment("The steps, as bits of the tables.");
+    out_.comment(say::steps_as_bits.in(language_));
     for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
         out_.line(fmt::format("{} = 1 << {}", names_[Bit{BitKind::step, s}], s));
     }
@@ -83,7 +91,7 @@ void PythonProgram::write_class() {
 }
 
 void PythonProgram::write_group(BitKind kind, std::size_t count, std::string_view value,
-                                std::string_view comment) {
+                                const Message<>& comment) {
     // Variables that nothing uses stand in the trace all the same.
     const bool is_shown = kind == BitKind::var || kind == BitKind::output;
     if (count == 0 || (!is_shown && !uses(program_, kind))) return;
@@ -92,37 +100,38 @@ void PythonProgram::write_group(BitKind kind, std::size_t count, std::string_vie
         if (i != 0) attributes += ", ";
         attributes += fmt::format("{}={}", names_[Bit{kind, i}], value);
     }
-    out_.comment(comment);
+    out_.comment(comment.in(language_));
     out_.line(fmt::format("self.{} = SimpleNamespace({})", holder_name(kind), attributes));
 }
 
 void PythonProgram::write_start() {
-    out_.comment(section_title(SectionKind::start));
+    const auto line = [&](std::string_view assignment, const Message<>& comment) {
+        out_.line(fmt::format("{}  # {}", assignment, comment.in(language_)));
+    };
+    out_.comment(section_title(SectionKind::start).in(language_));
     out_.line("def __init__(self, inputs):");
     out_.indent();
     out_.line("self.inputs = inputs");
-    out_.line("self.now = 0  # the moment of the scan, in us");
-    write_group(BitKind::output, grafcet_.outputs.size(), "False", "Outputs.");
-    out_.line("self.Ts = 0  # the situation");
-    out_.line("self.Tp = 0  # the situation that the scan began with");
-    out_.line("self.Ta = self.Td = 0  # to activate, to deactivate");
+    line("self.now = 0", say::moment_of_scan);
+    write_group(BitKind::output, grafcet_.outputs.size(), "False", say::outputs);
+    line("self.Ts = 0", say::situation);
+    line("self.Tp = 0", say::situation_before);
+    line("self.Ta = self.Td = 0", say::to_activate);
     if (uses(program_, BitKind::forced_off)) {
-        out_.line("self.Tf1 = self.Tf0 = 0  # forced to 1, forced to 0");
+        line("self.Tf1 = self.Tf0 = 0", say::forced);
     }
-    if (uses(program_, BitKind::pulse)) out_.line("self.Tpulse = 0  # activated in this scan");
+    if (uses(program_, BitKind::pulse)) line("self.Tpulse = 0", say::just_activated);
     write_group(BitKind::transition, grafcet_.transitions.size(), "False",
-                "The receptivities of the transitions.");
-    write_group(BitKind::may_evolve, grafcet_.graphs.size(), "False",
-                "Whether a graph may evolve; False: frozen.");
+                say::transition_conditions);
+    write_group(BitKind::may_evolve, grafcet_.graphs.size(), "False", say::graphs_false_frozen);
     const std::size_t edges = grafcet_.expressions.edges().size();
-    write_group(BitKind::edge, edges, "False", "Edges, True in the scan in which they occur, and");
-    write_group(BitKind::edge_memory, edges, "False",
-                "what their operands were in the scan before.");
+    write_group(BitKind::edge, edges, "False", say::edges_true);
+    write_group(BitKind::edge_memory, edges, "False", say::edge_memories);
     write_group(BitKind::time_value, grafcet_.expressions.time_conditions().size(),
-                "TimeCondition()", "Time conditions.");
-    write_group(BitKind::var, grafcet_.vars.size(), "False", "Internal variables.");
+                "TimeCondition()", say::time_conditions);
+    write_group(BitKind::var, grafcet_.vars.size(), "False", say::vars);
     if (!grafcet_.counters.empty()) {
-        out_.comment("Counters.");
+        out_.comment(say::counters.in(language_));
         out_.line("self.counters = SimpleNamespace()");
     }
     for (const Statement& statement : program_.section(SectionKind::start)) write(statement);
@@ -136,8 +145,8 @@ void PythonProgram::write_run() {
     for (const std::string& part : trace_heading(grafcet_)) out_.whole_line(python_string(part));
     out_.outdent();
     out_.line(")");
-    out_.line(fmt::format("INPUT_COLUMNS = {}  # Init, AUdur and AUdoux included",
-                          grafcet_.all_input_count()));
+    out_.line(fmt::format("INPUT_COLUMNS = {}  # {}", grafcet_.all_input_count(),
+                          say::all_input_columns.in(language_)));
     out_.block("\n\ndef inputs_of(values):\n");
     out_.indent();
     out_.line("return Inputs(");
@@ -176,12 +185,16 @@ void PythonProgram::write_run() {
     out_.outdent();
     out_.line("]");
     out_.outdent();
-    out_.block(python::reading_and_writing);
+    out_.block(
+        with_texts(python::reading_and_writing,
+                   {{"@from_ms", say::moment_from_ms.in(language_)},
+                    {"@reads_scans", say::reads_scans_in_python.in(language_)},
+                    {"@bad_line", say::bad_line.in(language_, "{number}", "\n{INPUT_COLUMNS}")}}));
 }
 
-std::string write_python(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
-                         Diagnostics&) {
-    return PythonProgram(grafcet, program).write();
+std::string write_python(const Grafcet& grafcet, const ScanProgram& program,
+                         const PlcOptions& options, Diagnostics&) {
+    return PythonProgram(grafcet, program, options.language).write();
 }
 
 }  // namespace grafwire

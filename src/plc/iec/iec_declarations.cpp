@@ -7,28 +7,31 @@
 #include "grafcet/write_grafcet.h"
 #include "plc/iec/messages.h"
 #include "plc/shared/program_needs.h"
+#include "program/bit_names.h"
 #include "program/messages.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_iec;
+
 class IecDeclarations {
   public:
     IecDeclarations(const Grafcet& grafcet, const ScanProgram& program, const IecNames& names,
-                    unsigned bits)
+                    unsigned bits, Language language)
         : grafcet_(grafcet),
           program_(program),
           names_(names),
           integer_(bits == 16   ? "INT"
                    : bits == 32 ? "DINT"
                                 : "LINT"),
-          index_(std::max(grafcet_.steps.size(), grafcet_.transitions.size()) < INT16_MAX
-                     ? "INT"
-                     : "DINT") {}
+          index_(std::max(grafcet_.steps.size(), grafcet_.transitions.size()) < INT16_MAX ? "INT"
+                                                                                          : "DINT"),
+          language_(language) {}
 
-    std::string write(std::string_view language) {
-        write_head(language);
+    std::string write(const Localized& textual_language) {
+        write_head(textual_language);
         text_ += fmt::format("FUNCTION_BLOCK {}\n", names_.block);
         write_interface();
         write_chart_variables();
@@ -39,7 +42,7 @@ class IecDeclarations {
     }
 
   private:
-    void write_head(std::string_view language);
+    void write_head(const Localized& textual_language);
     void write_interface();
     void write_chart_variables();
     void write_indices();
@@ -48,17 +51,23 @@ class IecDeclarations {
 
     /// A block of declarations is written when it has any.
     void begin(std::string_view kind) { block_ = fmt::format("{}\n", kind); }
+    void begin(std::string_view kind, const Message<>& comment) {
+        block_ = fmt::format("{}  {}\n", kind, iec_comment(comment.in(language_)));
+    }
     void declare(std::string_view name, std::string_view type, std::string_view comment = {}) {
         block_ += fmt::format("    {} : {};", name, type);
         if (!comment.empty()) block_ += "  " + iec_comment(comment);
         block_ += '\n';
         declared_ = true;
     }
+    void declare(std::string_view name, std::string_view type, const Message<>& comment) {
+        declare(name, type, comment.in(language_));
+    }
     void end() {
         if (declared_) text_ += block_ + "END_VAR\n";
         declared_ = false;
     }
-    void declare_table(BitKind kind, std::size_t size, std::string_view comment) {
+    void declare_table(BitKind kind, std::size_t size, const Message<>& comment) {
         if (size == 0) return;
         declare(names_.table(kind), fmt::format("ARRAY[0..{}] OF BOOL", size - 1), comment);
     }
@@ -68,29 +77,21 @@ class IecDeclarations {
     const IecNames& names_;
     std::string integer_;  ///< the type of counters
     std::string index_;    ///< the type of places in tables
+    Language language_;
     std::string text_;
     std::string block_;
     bool declared_ = false;
 };
 
-void IecDeclarations::write_head(std::string_view language) {
-    std::string head = grafcet_.name;
-    if (!grafcet_.title.empty()) head += ": " + grafcet_.title;
-    text_ += iec_comment(head) + "\n";
-    text_ += iec_comment(fmt::format(
-                 "A GRAFCET (IEC 60848) in {} (IEC 61131-3), by the table method.", language)) +
-             "\n";
-    text_ +=
-        "(* Call the block once in every cycle of a task, its inputs and outputs connected. *)\n";
-    if (program_.has_modes) {
-        text_ +=
-            "(* Init: initial situation; AUdur: no step active; AUdoux: outputs off, the "
-            "situation stays. *)\n";
-    }
-    if (!names_.changed().empty())
-        text_ += "(* Names of the chart that the language does not have: *)\n";
+void IecDeclarations::write_head(const Localized& textual_language) {
+    const auto comment = [&](const std::string& text) { text_ += iec_comment(text) + "\n"; };
+    comment(titled_name(grafcet_.name, grafcet_.title, language_));
+    comment(say::what_it_is.in(language_, textual_language));
+    comment(say::how_to_call.in(language_));
+    if (program_.has_modes) comment(say::modes.in(language_));
+    if (!names_.changed().empty()) comment(say::changed_names.in(language_));
     for (const auto& [name, original] : names_.changed()) {
-        text_ += iec_comment(fmt::format("  {} is {}", name, original)) + "\n";
+        comment(say::changed_name.in(language_, name, original));
     }
     text_ += '\n';
 }
@@ -130,7 +131,7 @@ void IecDeclarations::write_indices() {
             declare(names_.index_of({kind, i}), fmt::format("{} := {}", index_, i));
         }
     };
-    begin("VAR CONSTANT  (* the places of steps, transitions and graphs in the tables *)");
+    begin("VAR CONSTANT", say::places_in_tables);
     declare_indices(BitKind::step, grafcet_.steps.size());
     declare_indices(BitKind::transition, grafcet_.transitions.size());
     if (uses(program_, BitKind::may_evolve)) {
@@ -141,31 +142,31 @@ void IecDeclarations::write_indices() {
 
 void IecDeclarations::write_tables() {
     const std::size_t steps = grafcet_.steps.size();
-    begin("VAR  (* the tables *)");
-    declare_table(BitKind::step, steps, "the steps: 1 while active");
-    declare_table(BitKind::previous, steps, "Tp, the steps as the scan began");
-    declare_table(BitKind::activate, steps, "to be activated");
-    declare_table(BitKind::deactivate, steps, "to be deactivated");
+    begin("VAR", say::tables);
+    declare_table(BitKind::step, steps, say::steps);
+    declare_table(BitKind::previous, steps, say::steps_before);
+    declare_table(BitKind::activate, steps, say::to_activate);
+    declare_table(BitKind::deactivate, steps, say::to_deactivate);
     if (uses(program_, BitKind::pulse)) {
-        declare_table(BitKind::pulse, steps, "activated in this scan");
+        declare_table(BitKind::pulse, steps, say::just_activated);
     }
     if (has_forcing(program_)) {
-        declare_table(BitKind::forced_on, steps, "to be forced to 1");
-        declare_table(BitKind::forced_off, steps, "to be forced to 0");
+        declare_table(BitKind::forced_on, steps, say::forced_on);
+        declare_table(BitKind::forced_off, steps, say::forced_off);
     }
-    declare_table(BitKind::transition, grafcet_.transitions.size(), "receptivities");
+    declare_table(BitKind::transition, grafcet_.transitions.size(), say::transition_conditions);
     if (uses(program_, BitKind::may_evolve)) {
-        declare_table(BitKind::may_evolve, grafcet_.graphs.size(), "the graphs: 0 while frozen");
+        declare_table(BitKind::may_evolve, grafcet_.graphs.size(), say::graphs);
     }
-    declare(names_.started, "BOOL", "1 after the first scan");
-    if (steps != 0) declare(names_.any, index_, "runs through the tables");
+    declare(names_.started, "BOOL", say::started);
+    if (steps != 0) declare(names_.any, index_, say::runs_through);
     end();
 }
 
 void IecDeclarations::write_edges_and_times() {
     const Expressions& pool = grafcet_.expressions;
     const auto written = [&](ExprId id) { return write_expression(grafcet_, pool, id); };
-    begin("VAR  (* edges, time conditions, values held within a scan *)");
+    begin("VAR", say::held_values);
     for (std::uint32_t i = 0; i < pool.edges().size(); ++i) {
         declare(names_.of({BitKind::edge, i}), "BOOL", written(pool.edges()[i]));
         declare(names_.of({BitKind::edge_memory, i}), "BOOL");
@@ -196,15 +197,15 @@ void IecDeclarations::write_edges_and_times() {
 }  // namespace
 
 std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
-                             const IecNames& names, std::string_view language,
-                             Diagnostics& diagnostics) {
+                             const IecNames& names, const Localized& textual_language,
+                             Language language, Diagnostics& diagnostics) {
     const std::optional<unsigned> bits = integer_bits(grafcet, program);
     if (!bits) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, program, 64),
-                          messages::plc_iec::sum_too_wide());
+                          say::sum_too_wide());
         return {};
     }
-    return IecDeclarations(grafcet, program, names, *bits).write(language);
+    return IecDeclarations(grafcet, program, names, *bits, language).write(textual_language);
 }
 
 }  // namespace grafwire

@@ -6,6 +6,7 @@
 #include "plc/iec/iec_names.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
+#include "text/language.h"
 
 namespace grafwire {
 
@@ -13,11 +14,12 @@ namespace grafwire {
 /// and which names had to be changed, then `FUNCTION_BLOCK …` and its variables. The inputs and
 /// outputs of the block are those of the chart, in its order, with Init, AUdur and AUdoux after the
 /// declared inputs; the first block of internal variables holds the vars and counters of the chart.
-/// `language` names the language in the comment.
+/// `textual_language` is what the comment calls the language of IEC 61131-3, in the language of all
+/// comments.
 ///
 /// An error where an integer needs more than the 64 bits of LINT; empty then.
 std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
-                             const IecNames& names, std::string_view language,
-                             Diagnostics& diagnostics);
+                             const IecNames& names, const Localized& textual_language,
+                             Language language, Diagnostics& diagnostics);
 
 }  // namespace grafwire

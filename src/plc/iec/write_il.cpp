@@ -14,8 +14,9 @@
 #include "iec/literals.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
+#include "plc/iec/messages.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
-#include "plc/shared/section_titles.h"
 
 namespace grafwire {
 
@@ -23,11 +24,12 @@ namespace {
 
 class IlWriter {
   public:
-    IlWriter(const Grafcet& grafcet, const ScanProgram& program)
-        : grafcet_(grafcet), program_(program), names_(grafcet, program) {}
+    IlWriter(const Grafcet& grafcet, const ScanProgram& program, Language language)
+        : grafcet_(grafcet), program_(program), language_(language), names_(grafcet, program) {}
 
     std::string write(Diagnostics& diagnostics) {
-        text_ = iec_declarations(grafcet_, program_, names_, "Instruction List", diagnostics);
+        text_ = iec_declarations(grafcet_, program_, names_, messages::plc_iec::instruction_list(),
+                                 language_, diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         text_ += "\nEND_FUNCTION_BLOCK\n";
@@ -62,6 +64,7 @@ class IlWriter {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    Language language_;
     IecNames names_;
     std::string text_;
     std::size_t depth_ = 0;  ///< of parentheses
@@ -147,7 +150,7 @@ void IlWriter::write_section(SectionKind kind) {
     const std::vector<Statement>& statements = program_.section(kind);
     if (statements.empty() && kind != SectionKind::start) return;
     text_ += '\n';
-    comment(section_title(kind));
+    comment(section_title(kind).in(language_));
     std::string after_start;
     if (kind == SectionKind::start) {
         after_start = names_.new_label("after_start");
@@ -174,7 +177,7 @@ void IlWriter::write_table_loop(std::span<const Statement> statements) {
     const std::size_t steps = grafcet_.steps.size();
     if (steps == 0) return;
     const std::string loop = names_.new_label("each_step");
-    for (const Statement& statement : statements) comment(statement.comment);
+    for (const Statement& statement : statements) comment(statement.comment.in(language_));
     op("LD", "0");
     op("ST", names_.any);
     label(loop);
@@ -274,7 +277,7 @@ void IlWriter::write_time(const Statement& statement) {
 }
 
 void IlWriter::write_statement(const Statement& statement) {
-    comment(statement.comment);
+    comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             load(statement.condition);
@@ -300,9 +303,9 @@ void IlWriter::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_il(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+std::string write_il(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics) {
-    return IlWriter(grafcet, without_idle_tables(program)).write(diagnostics);
+    return IlWriter(grafcet, without_idle_tables(program), options.language).write(diagnostics);
 }
 
 }  // namespace grafwire

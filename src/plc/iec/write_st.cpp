@@ -16,9 +16,10 @@
 #include "iec/operators.h"
 #include "plc/iec/iec_declarations.h"
 #include "plc/iec/iec_names.h"
+#include "plc/iec/messages.h"
 #include "plc/shared/condition_text.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
-#include "plc/shared/section_titles.h"
 #include "plc/shared/source_text.h"
 #include "plc/shared/step_ranges.h"
 
@@ -39,9 +40,10 @@ constexpr ConditionSpelling spelling = {iec::word_of(iec::Precedence::negation),
 
 class StWriter {
   public:
-    StWriter(const Grafcet& grafcet, const ScanProgram& program)
+    StWriter(const Grafcet& grafcet, const ScanProgram& program, Language language)
         : grafcet_(grafcet),
           program_(program),
+          language_(language),
           names_(grafcet, program),
           conditions_(
               spelling, [this](Bit bit) { return names_.of(bit); },
@@ -49,7 +51,8 @@ class StWriter {
 
     std::string write(Diagnostics& diagnostics) {
         const std::string declarations =
-            iec_declarations(grafcet_, program_, names_, "Structured Text", diagnostics);
+            iec_declarations(grafcet_, program_, names_, messages::plc_iec::structured_text(),
+                             language_, diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         return declarations + out_.take() + "\nEND_FUNCTION_BLOCK\n";
@@ -75,6 +78,7 @@ class StWriter {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    Language language_;
     IecNames names_;
     ConditionText conditions_;
     SourceText out_{"(*"};
@@ -84,7 +88,7 @@ void StWriter::write_section(SectionKind kind) {
     const std::vector<Statement>& statements = program_.section(kind);
     if (statements.empty() && kind != SectionKind::start) return;
     out_.blank();
-    comment(section_title(kind));
+    comment(section_title(kind).in(language_));
     const bool first_scan = kind == SectionKind::start;
     if (first_scan) {
         line(fmt::format("IF NOT {} THEN", names_.started));
@@ -110,7 +114,7 @@ void StWriter::write_section(SectionKind kind) {
 void StWriter::write_table_loop(std::span<const Statement> statements) {
     const std::size_t steps = grafcet_.steps.size();
     if (steps == 0) return;
-    for (const Statement& statement : statements) comment(statement.comment);
+    for (const Statement& statement : statements) comment(statement.comment.in(language_));
     line(fmt::format("FOR {} := 0 TO {} DO", names_.any, steps - 1));
     out_.indent();
     for (const Statement& statement : statements) write_table_formula(statement.operation);
@@ -232,7 +236,7 @@ void StWriter::write_time(const Statement& statement) {
 }
 
 void StWriter::write_statement(const Statement& statement) {
-    comment(statement.comment);
+    comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             line(fmt::format("{} := {};", names_.of(statement.targets.front()),
@@ -257,9 +261,9 @@ void StWriter::write_statement(const Statement& statement) {
 
 }  // namespace
 
-std::string write_st(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+std::string write_st(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics) {
-    return StWriter(grafcet, without_idle_tables(program)).write(diagnostics);
+    return StWriter(grafcet, without_idle_tables(program), options.language).write(diagnostics);
 }
 
 }  // namespace grafwire

@@ -14,17 +14,18 @@
 
 #include "plc/pl7/pl7_situation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
+#include "plc/pl7/messages.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::plc_pl7;
 
 /// The bit that says whether a step is active once the scan is over: what is Ta of the method, the
 /// steps to be activated, is all the steps that are to be active here.
@@ -64,15 +65,19 @@ std::vector<GraphId> graphs_upwards(const Grafcet& grafcet) {
 
 class Situation {
   public:
-    Situation(const Grafcet& grafcet, const ScanProgram& program, Pl7Objects& objects,
-              Pl7Rungs& rungs)
-        : grafcet_(grafcet), program_(program), objects_(objects), rungs_(rungs) {}
+    Situation(const Grafcet& grafcet, const ScanProgram& program, Language language,
+              Pl7Objects& objects, Pl7Rungs& rungs)
+        : grafcet_(grafcet),
+          program_(program),
+          language_(language),
+          objects_(objects),
+          rungs_(rungs) {}
 
-    void evolve(const std::vector<Condition>& receptivities);
+    void evolve(const std::vector<Condition>& conditions);
     void obey_orders();
 
   private:
-    Condition cleared(const Transition& transition, const Condition& receptivity,
+    Condition cleared(const Transition& transition, const Condition& condition,
                       const StepId* but_step) const;
     Condition with_init(std::uint32_t step, Condition evolved) const;
     void obey(const Statement& statement);
@@ -82,6 +87,7 @@ class Situation {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     Pl7Objects& objects_;
     Pl7Rungs& rungs_;
     /// Per step: where one of these is 1, Tf1 or Tf0 is.
@@ -89,30 +95,30 @@ class Situation {
     bool has_noted_ = false;
 };
 
-/// Its preceding steps, perhaps all but one, are active and its receptivity is 1.
-Condition Situation::cleared(const Transition& transition, const Condition& receptivity,
+/// Its preceding steps, perhaps all but one, are active and its transition condition is 1.
+Condition Situation::cleared(const Transition& transition, const Condition& condition,
                              const StepId* but_step) const {
     std::vector<Condition> parts;
     for (const StepId step : grafcet_.preceding(transition)) {
         if (but_step != nullptr && step == *but_step) continue;
         parts.push_back(bit_condition({BitKind::step, static_cast<std::uint32_t>(index_of(step))}));
     }
-    parts.push_back(receptivity);
+    parts.push_back(condition);
     return and_condition(std::move(parts));
 }
 
 /// SBR 4: X . /Td + Ta, and Init.
-void Situation::evolve(const std::vector<Condition>& receptivities) {
+void Situation::evolve(const std::vector<Condition>& conditions) {
     const std::size_t steps = grafcet_.steps.size();
     std::vector<std::vector<Condition>> out_of(steps);
     std::vector<std::vector<Condition>> into(steps);
-    for (std::size_t t = 0; t < receptivities.size(); ++t) {
+    for (std::size_t t = 0; t < conditions.size(); ++t) {
         const Transition& transition = grafcet_.transitions[grafcet_.transitions.id_at(t)];
         for (const StepId step : grafcet_.preceding(transition)) {
-            out_of[index_of(step)].push_back(cleared(transition, receptivities[t], &step));
+            out_of[index_of(step)].push_back(cleared(transition, conditions[t], &step));
         }
         for (const StepId step : grafcet_.following(transition)) {
-            into[index_of(step)].push_back(cleared(transition, receptivities[t], nullptr));
+            into[index_of(step)].push_back(cleared(transition, conditions[t], nullptr));
         }
     }
     for (std::uint32_t s = 0; s < steps; ++s) {
@@ -121,8 +127,8 @@ void Situation::evolve(const std::vector<Condition>& receptivities) {
         stays.push_back(not_condition(or_condition(std::move(out_of[s]))));
         std::vector<Condition>& causes = into[s];
         causes.insert(causes.begin(), and_condition(std::move(stays)));
-        rungs_.label(fmt::format("step {} is to be active, before any order",
-                                 quoted_where_needed(grafcet_.steps[StepId{s}].name)));
+        rungs_.label(say::step_to_be_active.in(
+            language_, quoted_where_needed(grafcet_.steps[StepId{s}].name)));
         rungs_.rung(with_init(s, or_condition(std::move(causes))),
                     "( ) " + objects_.of(to_be_active(s)));
     }
@@ -161,7 +167,7 @@ void Situation::obey(const Statement& statement) {
         }
         return;
     }
-    rungs_.label(statement.comment);
+    rungs_.label(statement.comment.in(language_));
     if (kind != BitKind::step) {
         return rungs_.rung(condition, "( ) " + objects_.of(statement.targets.front()));
     }
@@ -196,7 +202,7 @@ void Situation::force(const Graph& graph) {
         changes.push_back(and_condition({on, not_condition(step_is_to_be_active(s))}));
     }
     changes.insert(changes.begin(), and_condition({forced, or_condition(std::move(deactivated))}));
-    rungs_.label("forcing orders on " + quoted_where_needed(graph.name));
+    rungs_.label(say::forcing_orders.in(language_, quoted_where_needed(graph.name)));
     note_change(or_condition(std::move(changes)));
     for (std::uint32_t s = graph.steps.first; s < graph.steps.first + graph.steps.count; ++s) {
         const Condition stays = and_condition({step_is_to_be_active(s), not_condition(forced)});
@@ -220,18 +226,20 @@ bool has_orders(const Grafcet& grafcet) {
 }
 
 void write_situation(const Grafcet& grafcet, const ScanProgram& program,
-                     const std::vector<Condition>& receptivities, Pl7Objects& objects,
-                     Pl7Rungs& rungs) {
-    Situation situation(grafcet, program, objects, rungs);
-    situation.evolve(receptivities);
+                     const std::vector<Condition>& conditions, Language language,
+                     Pl7Objects& objects, Pl7Rungs& rungs) {
+    Situation situation(grafcet, program, language, objects, rungs);
+    situation.evolve(conditions);
     situation.obey_orders();
 }
 
-void write_presets(const Grafcet& grafcet, Pl7Objects& objects, Pl7Rungs& rungs) {
+void write_presets(const Grafcet& grafcet, Language language, Pl7Objects& objects,
+                   Pl7Rungs& rungs) {
     for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) {
         const std::string bit = objects.of(to_be_active(s));
         const std::string step = objects.of(Bit{BitKind::step, s});
-        rungs.label("presetting of step " + quoted_where_needed(grafcet.steps[StepId{s}].name));
+        rungs.label(
+            say::presetting_of.in(language, quoted_where_needed(grafcet.steps[StepId{s}].name)));
         rungs.line("SY23 . " + bit, "(S) " + step);
         rungs.line("SY23 . /" + bit, "(R) " + step);
     }

@@ -29,7 +29,7 @@ void Pl7Statements::name_timers() {
 }
 
 void Pl7Statements::write(const Statement& statement) {
-    rungs_.label(statement.comment);
+    rungs_.label(statement.comment.in(language_));
     const char* coil = "( ) ";
     switch (statement.kind) {
         case Statement::Kind::move:

@@ -6,6 +6,7 @@
 #include "plc/pl7/pl7_rungs.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
+#include "text/language.h"
 
 namespace grafwire {
 
@@ -14,11 +15,12 @@ namespace grafwire {
 class Pl7Statements {
   public:
     Pl7Statements(const Grafcet& grafcet, const ScanProgram& program, Pl7Objects& objects,
-                  Pl7Rungs& rungs, Diagnostics& diagnostics)
+                  Pl7Rungs& rungs, Language language, Diagnostics& diagnostics)
         : grafcet_(grafcet),
           program_(program),
           objects_(objects),
           rungs_(rungs),
+          language_(language),
           diagnostics_(diagnostics) {}
 
     /// Names the time conditions that are the end of a timer; before anything reads them.
@@ -36,6 +38,7 @@ class Pl7Statements {
     const ScanProgram& program_;
     Pl7Objects& objects_;
     Pl7Rungs& rungs_;
+    Language language_;
     Diagnostics& diagnostics_;
 };
 

@@ -34,6 +34,8 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_pl7;
+
 /// Whether the condition is written as one contact, or as a wire.
 bool is_contact(const Condition& condition) {
     const Condition& inner =
@@ -43,14 +45,16 @@ bool is_contact(const Condition& condition) {
 
 class Pl7Writer {
   public:
-    Pl7Writer(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
+    Pl7Writer(const Grafcet& grafcet, const ScanProgram& program, Language language,
+              Diagnostics& diagnostics)
         : grafcet_(grafcet),
           program_(program),
+          language_(language),
           diagnostics_(diagnostics),
           objects_(grafcet, program_),
           preliminary_(objects_),
           posterior_(objects_),
-          statements_(grafcet, program_, objects_, posterior_, diagnostics),
+          statements_(grafcet, program_, objects_, posterior_, language, diagnostics),
           has_orders_(has_orders(grafcet_)) {}
 
     std::string write();
@@ -62,7 +66,7 @@ class Pl7Writer {
     void write_previous();
     void write_edges();
     void write_transitions();
-    Condition write_receptivity(const Statement& statement);
+    Condition write_condition(const Statement& statement);
     void write_modes();
     void write_posterior();
     std::string steps(std::span<const StepId> ids, const std::string& otherwise);
@@ -72,6 +76,7 @@ class Pl7Writer {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     Diagnostics& diagnostics_;
     Pl7Objects objects_;
     Pl7Rungs preliminary_;
@@ -79,9 +84,9 @@ class Pl7Writer {
     Pl7Statements statements_;
     bool has_orders_ = false;
     std::string transitions_;
-    std::vector<Condition> receptivities_;  ///< per transition, as the chart has them
-    std::set<std::uint32_t> previous_;      ///< steps whose Tp is read
-    std::set<std::uint32_t> tested_;        ///< transitions whose Tt is read after the evolution
+    std::vector<Condition> conditions_;  ///< per transition, as the chart has them
+    std::set<std::uint32_t> previous_;   ///< steps whose Tp is read
+    std::set<std::uint32_t> tested_;     ///< transitions whose Tt is read after the evolution
 };
 
 /// What of the tables is read outside the evolution, which is the controller's own.
@@ -106,7 +111,7 @@ void Pl7Writer::write_start() {
     for (const Statement& statement : program_.section(SectionKind::start)) {
         const Bit target = statement.targets.empty() ? Bit{} : statement.targets.front();
         if (target.kind == BitKind::step || target.kind == BitKind::previous) continue;
-        preliminary_.label("cold start: " + statement.comment);
+        preliminary_.label(say::cold_start.in(language_, statement.comment));
         if (statement.kind == Statement::Kind::move) {
             const std::string value = preliminary_.value(statement.sum);
             preliminary_.line("SY0",
@@ -124,8 +129,7 @@ void Pl7Writer::write_start() {
 
 void Pl7Writer::write_previous() {
     for (const std::uint32_t step : previous_) {
-        preliminary_.label(
-            fmt::format("X{} as the scan begins", grafcet_.steps[StepId{step}].name));
+        preliminary_.label(say::step_before.in(language_, grafcet_.steps[StepId{step}].name));
         preliminary_.rung(bit_condition({BitKind::step, step}),
                           "( ) " + objects_.of(Bit{BitKind::previous, step}));
     }
@@ -133,22 +137,22 @@ void Pl7Writer::write_previous() {
 
 void Pl7Writer::write_edges() {
     for (const Statement& statement : program_.section(SectionKind::edges)) {
-        preliminary_.label(statement.comment);
+        preliminary_.label(statement.comment.in(language_));
         preliminary_.rung(statement.condition, "( ) " + objects_.of(statement.targets.front()));
     }
 }
 
-/// A receptivity that is read again, by a stored action or for the situation to be reached, has a
-/// bit of its own, or is one contact.
-Condition Pl7Writer::write_receptivity(const Statement& statement) {
+/// A transition condition that is read again, by a stored action or for the situation to be
+/// reached, has a bit of its own, or is one contact.
+Condition Pl7Writer::write_condition(const Statement& statement) {
     const Bit bit = statement.targets.front();
     if (tested_.count(bit.index) != 0 || (has_orders_ && !is_contact(statement.condition))) {
-        preliminary_.label("receptivity of " + statement.comment);
+        preliminary_.label(say::transition_condition.in(language_, statement.comment));
         preliminary_.rung(statement.condition, "( ) " + objects_.of(bit));
         return bit_condition(bit);
     }
     if (Pl7Rungs::has_sums(statement.condition)) {
-        preliminary_.label("sums of " + statement.comment);
+        preliminary_.label(say::sums.in(language_, statement.comment));
     }
     return statement.condition;
 }
@@ -156,16 +160,16 @@ Condition Pl7Writer::write_receptivity(const Statement& statement) {
 void Pl7Writer::write_transitions() {
     const std::string source = objects_.source_step();
     const std::string sink = objects_.sink_step();
-    for (const Statement& statement : program_.section(SectionKind::receptivities)) {
+    for (const Statement& statement : program_.section(SectionKind::conditions)) {
         const Transition& transition =
             grafcet_.transitions[TransitionId{statement.targets.front().index}];
         std::string after = steps(grafcet_.following(transition), sink);
         if (transition.preceding.count == 0) after = source + " " + after;
         transitions_ +=
             fmt::format("\n** {} --> {}   {}\n", steps(grafcet_.preceding(transition), source),
-                        after, statement.comment);
-        receptivities_.push_back(write_receptivity(statement));
-        transitions_ += fmt::format("   {} --(#)\n", preliminary_.contacts(receptivities_.back()));
+                        after, statement.comment.in(language_));
+        conditions_.push_back(write_condition(statement));
+        transitions_ += fmt::format("   {} --(#)\n", preliminary_.contacts(conditions_.back()));
     }
 }
 
@@ -186,17 +190,17 @@ void Pl7Writer::write_modes() {
     if (program_.has_modes) {
         const std::string au_dur = control(ControlInput::au_dur);
         if (!has_orders_) {
-            preliminary_.label("AUdur: no step active");
+            preliminary_.label(say::au_dur.in(language_));
             preliminary_.line(au_dur, presets_au_dur ? "( ) SY23" : "( ) SY22");
         }
-        preliminary_.label("Init: initial situation");
+        preliminary_.label(say::init.in(language_));
         preliminary_.line(control(ControlInput::init) + (presets_au_dur ? " . /SY23" : " . /SY22"),
                           "( ) SY21");
     }
     if (has_orders_) {
-        write_presets(grafcet_, objects_, preliminary_);
+        write_presets(grafcet_, language_, objects_, preliminary_);
     } else if (program_.has_modes && presets_au_dur) {
-        preliminary_.label("SY23: no step active");
+        preliminary_.label(say::presetting.in(language_));
         for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
             preliminary_.line("SY23", "(R) " + objects_.of(Bit{BitKind::step, s}));
         }
@@ -216,27 +220,30 @@ std::string Pl7Writer::write() {
     write_previous();
     write_edges();
     write_transitions();
-    if (has_orders_) write_situation(grafcet_, program_, receptivities_, objects_, preliminary_);
+    if (has_orders_) {
+        write_situation(grafcet_, program_, conditions_, language_, objects_, preliminary_);
+    }
     write_modes();
     write_posterior();
     objects_.check_limits(diagnostics_);
     if (diagnostics_.has_errors()) return {};
-    return pl7_head(grafcet_, objects_) + "\nPRELIMINARY PROCESSING\n" + preliminary_.text() +
-           "\nSEQUENTIAL PROCESSING\n\n" + pl7_steps(grafcet_, objects_) + transitions_ +
-           "\nPOSTERIOR PROCESSING\n" + posterior_.text();
+    return fmt::format("{}\n{}\n{}\n{}\n\n{}{}\n{}\n{}", pl7_head(grafcet_, objects_, language_),
+                       say::preliminary.in(language_), preliminary_.text(),
+                       say::sequential.in(language_), pl7_steps(grafcet_, objects_, language_),
+                       transitions_, say::posterior.in(language_), posterior_.text());
 }
 
 }  // namespace
 
-std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions&,
+std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                       Diagnostics& diagnostics) {
     const ScanProgram needed = without_idle_tables(program);
     if (integer_bits(grafcet, needed) != 16U) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 16),
-                          messages::plc_pl7::integer_too_wide());
+                          say::integer_too_wide());
     }
     if (diagnostics.has_errors()) return {};
-    return Pl7Writer(grafcet, needed, diagnostics).write();
+    return Pl7Writer(grafcet, needed, options.language, diagnostics).write();
 }
 
 }  // namespace grafwire

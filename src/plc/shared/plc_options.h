@@ -4,10 +4,11 @@
 
 #include "s7/addresses/cpu.h"
 #include "s7/addresses/io_assignment.h"
+#include "text/language.h"
 
 namespace grafwire {
 
-/// Each format uses some of them; see PlcFormat::options.
+/// Each format uses some of them (see PlcFormat::options); all use the language.
 struct PlcOptions {
     /// Addresses for inputs, outputs and steps; without, they are assigned in order.
     const s7::IoAssignment* io = nullptr;
@@ -15,6 +16,9 @@ struct PlcOptions {
     bool offsets = true;                               ///< byte offsets before instructions
     bool wide_tables = false;                          ///< tables beyond the 80 steps of the method
     std::optional<s7::Cpu> cpu;  ///< the controller that the program has to fit
+    /// Of comments, headings and what a program says to its users. Names and addresses do not
+    /// depend on it.
+    Language language = Language::english;
 };
 
 }  // namespace grafwire

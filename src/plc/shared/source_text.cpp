@@ -51,8 +51,14 @@ void SourceText::whole_line(std::string_view text) {
 }
 
 void SourceText::comment(std::string_view text) {
-    whole_line(text.empty() ? comment_sign_
-                            : fmt::format("{} {}", comment_sign_, comment_text(text)));
+    for (bool goes_on = true; goes_on;) {
+        const std::size_t end = text.find('\n');
+        const std::string_view one = text.substr(0, end);
+        whole_line(one.empty() ? comment_sign_
+                               : fmt::format("{} {}", comment_sign_, comment_text(one)));
+        goes_on = end != std::string_view::npos;
+        if (goes_on) text.remove_prefix(end + 1);
+    }
 }
 
 std::string comment_text(std::string_view text) {
@@ -71,6 +77,39 @@ std::string comment_text(std::string_view text) {
     }
     // A backslash, or the trigraph of one, would join the next line to the comment.
     if (!result.empty() && (result.back() == '\\' || result.back() == '/')) result += " .";
+    return result;
+}
+
+namespace {
+
+/// What the next line of a text begins with, after a line that begins so.
+std::string continuation_of(std::string_view line) {
+    const std::string blanks(line.find_first_not_of(' ') == std::string_view::npos
+                                 ? line.size()
+                                 : line.find_first_not_of(' '),
+                             ' ');
+    if (line.ends_with("f\"")) return fmt::format("\"\n{}f\"", std::string(line.size() - 2, ' '));
+    for (const std::string_view sign : {"// ", "# "}) {
+        if (line.ends_with(sign)) return fmt::format("\n{}{}", blanks, sign);
+    }
+    return "\n" + blanks;
+}
+
+}  // namespace
+
+std::string with_texts(std::string_view block, std::initializer_list<MarkedText> texts) {
+    std::string result(block);
+    for (const MarkedText& marked : texts) {
+        for (std::size_t at = 0; (at = result.find(marked.mark, at)) != std::string::npos;) {
+            const std::size_t line = result.rfind('\n', at) + 1;  // 0 where it is the first
+            const std::string next =
+                continuation_of(std::string_view(result).substr(line, at - line));
+            std::string text;
+            for (const char c : marked.text) text += c == '\n' ? next : std::string(1, c);
+            result.replace(at, marked.mark.size(), text);
+            at += text.size();
+        }
+    }
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,7 @@ class SourceText {
     /// As it is, whatever its length; for lines with texts between quotation marks.
     void whole_line(std::string_view text);
     void blank() { text_ += '\n'; }
+    /// A comment of as many lines as the text has.
     void comment(std::string_view text);
     /// Lines that are the same in every program; their indentation is kept.
     void block(std::string_view text) { text_ += text; }
@@ -46,6 +48,16 @@ class SourceText {
 /// the direction of writing are written as names, and no compiler takes the end for a continuation
 /// of the line.
 std::string comment_text(std::string_view text);
+
+/// A part of a program that is the same for every chart, with each of its marks replaced by a text:
+/// `@moment` by what a moment is in the language of the reader. Where a text has several lines, the
+/// next ones begin as the line of the mark does: with its indentation and, in a comment, the sign
+/// of comments; within a text of Python (`f"@mark"`), that text is ended and another begun.
+struct MarkedText {
+    std::string_view mark;
+    std::string text;
+};
+std::string with_texts(std::string_view block, std::initializer_list<MarkedText> texts);
 
 /// Whether a program calls a function: its name, no part of a longer one, before a parenthesis.
 bool calls(std::string_view program, std::string_view function);

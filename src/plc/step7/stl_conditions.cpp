@@ -153,9 +153,9 @@ void StlConditions::compare(const Comparison& comparison) {
     } else {
         const std::string aside = StlText::word(memory_.auxiliary_integer(), integer_bytes_);
         load(right);
-        text_.op("T", aside, "auxiliary");
+        text_.op("T", aside, memory_.auxiliary_name());
         load(comparison.left);
-        text_.op("L", aside, "auxiliary");
+        text_.op("L", aside, memory_.auxiliary_name());
     }
     text_.op(integer_op(relations[static_cast<std::size_t>(comparison.relation)]));
 }

@@ -14,6 +14,8 @@ namespace grafwire {
 
 namespace {
 
+namespace say = messages::plc_step7;
+
 /// The tables with a bit per step that the program uses.
 std::vector<BitKind> step_tables(const ScanProgram& program) {
     std::vector<BitKind> kinds = {BitKind::step, BitKind::previous, BitKind::activate,
@@ -30,7 +32,7 @@ std::vector<BitKind> step_tables(const ScanProgram& program) {
 
 StlMemory::StlMemory(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      bool wide_integers, Diagnostics& diagnostics)
-    : grafcet_(grafcet), program_(program) {
+    : grafcet_(grafcet), program_(program), language_(options.language) {
     place_interface(options.io, diagnostics);
     place_tables();
     place_integers(wide_integers);
@@ -41,7 +43,7 @@ StlMemory::StlMemory(const Grafcet& grafcet, const ScanProgram& program, const P
 void StlMemory::check_size(Diagnostics& diagnostics) const {
     if (end_ <= last_byte + 1) return;
     diagnostics.error(code::unsupported_by_language, {},
-                      messages::plc_step7::too_much_bit_memory(end_ - 1, last_byte));
+                      say::too_much_bit_memory(end_ - 1, last_byte));
 }
 
 /// Inputs without an assignment come after those with one, in order.
@@ -65,9 +67,8 @@ void StlMemory::place_interface(const s7::IoAssignment* io, Diagnostics& diagnos
         const s7::Area wanted = area_of(bit) == 'A' ? s7::Area::output : s7::Area::input;
         if (operand->area != wanted || operand->width != s7::Width::bit) {
             diagnostics.error(code::unsupported_by_language, {},
-                              wanted == s7::Area::output
-                                  ? messages::plc_step7::output_elsewhere(name)
-                                  : messages::plc_step7::input_elsewhere(name));
+                              wanted == s7::Area::output ? say::output_elsewhere(name)
+                                                         : say::input_elsewhere(name));
             continue;
         }
         const StlAddress address{area_of(bit), static_cast<std::uint32_t>(operand->address),
@@ -169,11 +170,11 @@ std::string StlMemory::symbol(Bit bit) const {
         case BitKind::transition:
             return fmt::format("({})", name);
         case BitKind::edge_memory:
-            return "memory of " + name;
+            return say::edge_memory.in(language_, name);
         case BitKind::scratch:
-            return "held " + name;
+            return say::held_bit.in(language_, name);
         case BitKind::auxiliary:
-            return "auxiliary";
+            return auxiliary_name();
         default:
             break;
     }
@@ -181,8 +182,12 @@ std::string StlMemory::symbol(Bit bit) const {
     return table.empty() ? name : fmt::format("{}[{}]", table, name);
 }
 
+std::string StlMemory::auxiliary_name() const {
+    return say::auxiliary.in(language_);
+}
+
 std::string StlMemory::symbol(IntegerCell cell) const {
-    if (cell.is_scratch) return fmt::format("held value {}", cell.index);
+    if (cell.is_scratch) return say::held_integer.in(language_, cell.index);
     return grafcet_.counters[CounterId{cell.index}].name;
 }
 

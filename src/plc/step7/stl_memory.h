@@ -56,9 +56,11 @@ class StlMemory {
     /// An error where more memory is in use than there is.
     void check_size(Diagnostics& diagnostics) const;
 
-    /// What a bit is called in comments: `start`, `X10`, `Ta[10]`, `↑start`.
+    /// What a bit is called in comments: `start`, `X10`, `Ta[10]`, `↑start`, `memory of ↑start`.
     std::string symbol(Bit bit) const;
     std::string symbol(IntegerCell cell) const;
+    /// The same of auxiliary bits and integers.
+    std::string auxiliary_name() const;
 
   private:
     void place_interface(const s7::IoAssignment* io, Diagnostics& diagnostics);
@@ -70,6 +72,7 @@ class StlMemory {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     std::array<std::uint32_t, bit_kind_count> tables_{};
     std::uint32_t table_bytes_ = 0;
     std::map<Bit, StlAddress> bits_;

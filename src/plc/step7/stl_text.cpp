@@ -30,12 +30,17 @@ std::string_view StlText::mnemonic(std::string_view simatic) const {
 }
 
 void StlText::comment(std::string_view text) {
-    text_ += fmt::format("// {}\n", comment_text(text));
+    for (bool goes_on = true; goes_on;) {
+        const std::size_t end = text.find('\n');
+        const std::string_view one = text.substr(0, end);
+        text_ += one.empty() ? "//\n" : fmt::format("// {}\n", comment_text(one));
+        goes_on = end != std::string_view::npos;
+        if (goes_on) text.remove_prefix(end + 1);
+    }
 }
 
-/// A title may have 64 characters.
 void StlText::network(std::string_view title) {
-    text_ += fmt::format("\nNETWORK\nTITLE = {}\n", title.substr(0, 64));
+    text_ += fmt::format("\nNETWORK\nTITLE = {}\n", title);
 }
 
 void StlText::op(std::string_view operation, std::string_view operand, std::string_view comment) {

@@ -16,8 +16,9 @@ class StlText {
 
     /// A line as it stands.
     void line(std::string_view text) { text_ += std::string(text) + "\n"; }
+    /// A comment of as many lines as the text has.
     void comment(std::string_view text);
-    /// `NETWORK`, with its title.
+    /// `NETWORK`, with its title, of 64 characters at most.
     void network(std::string_view title);
     void op(std::string_view operation, std::string_view operand = {},
             std::string_view comment = {});

@@ -85,7 +85,8 @@ void StlTimers::call(const Timer& timer, std::string_view time) {
 void StlTimers::write_start() {
     if (!timers_.empty()) text_.op("SET");
     for (const Timer& timer : timers_) {
-        text_.op("R", timer.s5_number ? status(timer) : text_.operand(timer.in), "stopped");
+        text_.op("R", timer.s5_number ? status(timer) : text_.operand(timer.in),
+                 messages::plc_step7::timer_stopped.in(language_));
     }
     for (const Timer& timer : timers_) {
         if (!timer.s5_number) call(timer, "T#0MS");  // a time of 0 makes Q 0 whatever it was

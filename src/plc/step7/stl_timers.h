@@ -26,8 +26,8 @@ std::optional<std::string> iec_time_constant(Time duration);
 /// on-delays set and reset the value.
 class StlTimers {
   public:
-    StlTimers(StlMemory& memory, StlText& text, StlConditions& conditions)
-        : memory_(memory), text_(text), conditions_(conditions) {}
+    StlTimers(StlMemory& memory, StlText& text, StlConditions& conditions, Language language)
+        : memory_(memory), text_(text), conditions_(conditions), language_(language) {}
 
     static constexpr std::uint32_t s5_timer_count = 256;  ///< of most CPUs
 
@@ -56,6 +56,7 @@ class StlTimers {
     StlMemory& memory_;
     StlText& text_;
     StlConditions& conditions_;
+    Language language_;
     std::vector<Timer> timers_;
     std::map<std::uint32_t, std::size_t> first_;  ///< of a time condition
     std::uint32_t s5_used_ = 0;

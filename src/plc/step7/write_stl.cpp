@@ -10,18 +10,21 @@
 #include <fmt/format.h>
 
 #include "grafcet/sum_range.h"
+#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
-#include "plc/shared/section_titles.h"
 #include "plc/step7/messages.h"
 #include "plc/step7/stl_conditions.h"
 #include "plc/step7/stl_memory.h"
 #include "plc/step7/stl_text.h"
 #include "plc/step7/stl_timers.h"
+#include "program/bit_names.h"
 #include "program/messages.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::plc_step7;
 
 class StlWriter {
   public:
@@ -29,11 +32,12 @@ class StlWriter {
               unsigned integer_bits, Diagnostics& diagnostics)
         : grafcet_(grafcet),
           program_(program),
+          language_(options.language),
           integer_bytes_(integer_bits / 8),
           memory_(grafcet, program_, options, integer_bits == 32, diagnostics),
           text_(options.mnemonics),
           conditions_(memory_, text_, integer_bytes_),
-          timers_(memory_, text_, conditions_),
+          timers_(memory_, text_, conditions_, options.language),
           started_(memory_.new_bit()) {
         timers_.prepare(program_, diagnostics);
     }
@@ -68,6 +72,7 @@ class StlWriter {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    Language language_;
     std::uint32_t integer_bytes_;
     StlMemory memory_;
     StlText text_;
@@ -100,29 +105,22 @@ std::string StlWriter::symbols() const {
 }
 
 std::string StlWriter::head() const {
-    std::string text = fmt::format("// {}{}{}\n", grafcet_.name, grafcet_.title.empty() ? "" : ": ",
-                                   grafcet_.title);
-    text +=
-        "// A GRAFCET (IEC 60848) in Statement List for STEP 7 (S7-300, S7-400), by the table\n"
-        "// method. FC 1 is one scan; OB 1 calls it; OB 100 has the first scan after a restart\n"
-        "// begin in the initial situation.\n";
-    if (program_.has_modes) {
-        text +=
-            "// Init: initial situation; AUdur: no step active; AUdoux: outputs off, the "
-            "situation\n"
-            "// stays.\n";
-    }
-    text += fmt::format("// Uses MB {} to MB {}.\n//\n// Assignment:\n", StlMemory::first_byte,
-                        memory_.end() - 1);
-    return text + symbols() + "\n";
+    StlText text(s7::Mnemonics::simatic);
+    text.comment(titled_name(grafcet_.name, grafcet_.title, language_));
+    text.comment(say::what_it_is.in(language_));
+    if (program_.has_modes) text.comment(say::modes.in(language_));
+    text.comment(say::memory_used.in(language_, StlMemory::first_byte, memory_.end() - 1));
+    text.comment({});
+    text.comment(say::assignment.in(language_));
+    return text.take() + symbols() + "\n";
 }
 
 /// Everything is 0 before the first scan, timers included.
 void StlWriter::write_start() {
     const std::string after = new_label();
-    text_.op("UN", text_.operand(started_), "not the first scan after a restart");
+    text_.op("UN", text_.operand(started_), say::not_first_scan.in(language_));
     text_.op("SPBN", after);
-    text_.comment("everything is 0, no timer runs");
+    text_.comment(say::everything_is_0.in(language_));
     text_.op("L", "0");
     for (std::uint32_t at = StlMemory::first_byte; at < memory_.program_end();) {
         const std::uint32_t left = memory_.program_end() - at;
@@ -151,11 +149,11 @@ void StlWriter::write_start() {
 
 void StlWriter::write_section(SectionKind kind) {
     if (kind == SectionKind::start) {
-        text_.network(section_title(kind));
+        text_.network(section_title(kind).in(language_));
         return write_start();
     }
     if (program_.section(kind).empty()) return;
-    text_.network(section_title(kind));
+    text_.network(section_title(kind).in(language_));
     for (const Statement& statement : program_.section(kind)) write_statement(statement);
 }
 
@@ -239,7 +237,7 @@ void StlWriter::write_move(const Statement& statement) {
 }
 
 void StlWriter::write_statement(const Statement& statement) {
-    text_.comment(statement.comment);
+    text_.comment(statement.comment.in(language_));
     switch (statement.kind) {
         case Statement::Kind::assign:
             conditions_.load(statement.condition);
@@ -267,26 +265,28 @@ void StlWriter::write_statement(const Statement& statement) {
 /// What calls the scan.
 void StlWriter::write_blocks() {
     text_.line("END_FUNCTION\n");
-    text_.line("ORGANIZATION_BLOCK OB 1\nTITLE = every cycle\nVERSION : 0.1\n");
+    text_.line(fmt::format("ORGANIZATION_BLOCK OB 1\nTITLE = {}\nVERSION : 0.1\n",
+                           say::every_cycle.in(language_)));
     text_.line("VAR_TEMP\n      info : ARRAY[0..19] OF BYTE;\nEND_VAR\n\nBEGIN\nNETWORK");
     text_.op("UC", "FC 1");
     text_.line("END_ORGANIZATION_BLOCK\n");
-    text_.line("ORGANIZATION_BLOCK OB 100\nTITLE = restart\nVERSION : 0.1\n");
+    text_.line(fmt::format("ORGANIZATION_BLOCK OB 100\nTITLE = {}\nVERSION : 0.1\n",
+                           say::restart.in(language_)));
     text_.line("VAR_TEMP\n      info : ARRAY[0..19] OF BYTE;\nEND_VAR\n\nBEGIN\nNETWORK");
     text_.op("CLR");
-    text_.op("=", text_.operand(started_), "the next scan is the first");
+    text_.op("=", text_.operand(started_), say::next_scan_is_first.in(language_));
     text_.line("END_ORGANIZATION_BLOCK");
 }
 
 std::string StlWriter::write(Diagnostics& diagnostics) {
     timers_.write_data_blocks();
-    text_.line("FUNCTION FC 1 : VOID\nTITLE = one scan\nVERSION : 0.1\n\nBEGIN");
+    text_.line(fmt::format("FUNCTION FC 1 : VOID\nTITLE = {}\nVERSION : 0.1\n\nBEGIN",
+                           say::one_scan.in(language_)));
     for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
     write_blocks();
     memory_.check_size(diagnostics);
     if (labels_ > 1000) {
-        diagnostics.error(code::unsupported_by_language, {},
-                          messages::plc_step7::too_many_labels());
+        diagnostics.error(code::unsupported_by_language, {}, say::too_many_labels());
     }
     if (diagnostics.has_errors()) return {};
     return head() + text_.take();
@@ -300,7 +300,7 @@ std::string write_stl(const Grafcet& grafcet, const ScanProgram& program, const 
     const std::optional<unsigned> bits = integer_bits(grafcet, needed);
     if (!bits || *bits > 32) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, needed, 32),
-                          messages::plc_step7::integer_too_wide());
+                          say::integer_too_wide());
         return {};
     }
     return StlWriter(grafcet, needed, options, *bits, diagnostics).write(diagnostics);

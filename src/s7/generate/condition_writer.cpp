@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "s7/generate/messages.h"
 #include "s7/generate/relations.h"
 #include "s7/make_instruction.h"
 
@@ -79,11 +80,13 @@ bool is_operand(const Sum& sum) {
 
 namespace {
 
+namespace say = messages::s7_generate;
+
 /// Brings one condition into a form that load() can write.
 class Lowering {
   public:
     Lowering(const ConditionWriter& writer, Addresses& addresses, NetworkList& networks,
-             const std::string& comment)
+             const Localized& comment)
         : writer_(writer), addresses_(addresses), networks_(networks), comment_(comment) {}
 
     Condition lower(const Condition& condition);
@@ -98,7 +101,7 @@ class Lowering {
     const ConditionWriter& writer_;
     Addresses& addresses_;
     NetworkList& networks_;
-    const std::string& comment_;
+    const Localized& comment_;
     std::uint32_t working_bits_ = 0;
 };
 
@@ -184,11 +187,11 @@ Condition Lowering::lower_comparison(const Comparison& comparison) {
             sums.push_back(std::move(part));
         operands.push_back(accumulator);
     }
-    networks_.add(Part::chart, comment_ + ": the sums", std::move(sums));
+    networks_.add(Part::chart, say::sums_of(comment_), std::move(sums));
     const bool opposite = is_complement(sides.relation);
     const Relation relation = opposite ? complement(sides.relation) : sides.relation;
     Condition bit = new_working_bit();
-    networks_.add(Part::chart, "a part of " + comment_,
+    networks_.add(Part::chart, say::part_of(comment_),
                   {make_compare(Operation::load_compare, addresses_.width(), compare_of(relation),
                                 operands[0], operands[1]),
                    make(Operation::assign, {addresses_[bit.bit]})});
@@ -203,13 +206,13 @@ Condition Lowering::keep(const Condition& condition) {
     std::vector<Instruction> instructions = writer_.load(condition);
     Condition bit = new_working_bit();
     instructions.push_back(make(Operation::assign, {addresses_[bit.bit]}));
-    networks_.add(Part::chart, "a part of " + comment_, std::move(instructions));
+    networks_.add(Part::chart, say::part_of(comment_), std::move(instructions));
     return bit;
 }
 
 }  // namespace
 
-Condition ConditionWriter::prepare(const Condition& condition, const std::string& comment) {
+Condition ConditionWriter::prepare(const Condition& condition, const Localized& comment) {
     return Lowering(*this, addresses_, networks_, comment).lower(condition);
 }
 

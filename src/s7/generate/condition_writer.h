@@ -20,7 +20,7 @@ class ConditionWriter {
     /// The condition in a form that load() can write: whatever takes networks of its own (exclusive
     /// or, sums, a stack too deep) goes into networks before, which leave it in a working bit.
     /// `comment` says what the condition is for. Working bits of earlier calls are reused.
-    Condition prepare(const Condition& condition, const std::string& comment);
+    Condition prepare(const Condition& condition, const Localized& comment);
 
     /// The instructions that load a prepared condition.
     std::vector<Instruction> load(const Condition& condition) const;

@@ -58,13 +58,13 @@ class SumSurvey {
         }
     }
 
-    void note(const IntegerRange& range, const Message<std::string_view>& message,
-              std::string_view what, Location where) {
+    void note(const IntegerRange& range, const Message<Localized>& message, const Localized& what,
+              Location where) {
         if (!fits<std::int16_t>(range)) wide_ = true;
         if (!fits<std::int32_t>(range)) report(message, what, where);
     }
 
-    void report(const Message<std::string_view>& message, std::string_view what, Location where) {
+    void report(const Message<Localized>& message, const Localized& what, Location where) {
         diagnostics_.error(code::beyond_limit, where, message(what));
     }
 

@@ -16,11 +16,12 @@ namespace grafwire::s7 {
 class ListingBuild {
   public:
     ListingBuild(const Grafcet& grafcet, const ScanProgram& program, Addresses& addresses,
-                 const std::vector<TimeConditionTimers>& timers)
+                 const std::vector<TimeConditionTimers>& timers, Language language)
         : grafcet_(grafcet),
           program_(program),
           addresses_(addresses),
           timers_(timers),
+          networks_(language),
           conditions_(addresses, networks_) {}
 
     NetworkList make_networks();
@@ -28,14 +29,14 @@ class ListingBuild {
   private:
     // listing_sections.cpp
     void main_program();
-    void subroutine(int number, std::string comment);
-    void call(int number, std::string comment);
+    void subroutine(int number, const Message<>& comment);
+    void call(int number, const Localized& comment);
     void end_subroutine();
     /// `NOP K0` where the chart has nothing to put.
-    void nothing(std::string comment);
+    void nothing(const Message<>& comment);
     void clear_tables();
     /// target = before . /off + on over whole tables; `on` is left out where equal to `off`.
-    void formula(std::string comment, BitKind before, BitKind off, BitKind on, BitKind target);
+    void formula(const Localized& comment, BitKind before, BitKind off, BitKind on, BitKind target);
     void make_begin();
     void make_pulse();
     void fill(std::int64_t value, std::uint32_t first, std::uint32_t bytes,
@@ -59,7 +60,7 @@ class ListingBuild {
     void write_move(const Statement& statement);
     void hold_within(const IntegerRange& range, const Statement& statement);
     void write_time(const Statement& statement);
-    void add(const std::string& comment, const Condition& condition, std::vector<Instruction> work);
+    void add(const Localized& comment, const Condition& condition, std::vector<Instruction> work);
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;

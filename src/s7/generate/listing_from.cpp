@@ -131,13 +131,14 @@ std::optional<AssignedListing> listing_from(const Grafcet& grafcet, const ScanPr
         InterfaceCheck(addresses, cpu, is_assigned ? &assignment : nullptr, diagnostics));
 
     // The networks, and what they take.
-    NetworkList networks = ListingBuild(grafcet, program, addresses, timers).make_networks();
+    NetworkList networks =
+        ListingBuild(grafcet, program, addresses, timers, options.language).make_networks();
     check_memory(addresses, networks, options.cpu, program.has_modes, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     AssignedListing result;
     result.assignment = assignment_of(grafcet, program, addresses);
-    result.listing.head =
-        head_of(grafcet, addresses, result.assignment, networks, options.mnemonics);
+    result.listing.head = head_of(grafcet, addresses, result.assignment, networks,
+                                  options.mnemonics, options.language);
     result.listing.networks = networks.take();
     return result;
 }

@@ -7,6 +7,7 @@
 #include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
+#include "text/language.h"
 
 namespace grafwire::s7 {
 
@@ -21,6 +22,7 @@ struct ListingOptions {
     /// timers of a CPU 214.
     std::optional<Cpu> cpu;
     Mnemonics mnemonics = Mnemonics::simatic;  ///< of the addresses at the head
+    Language language = Language::english;     ///< of the head and of comments
 };
 
 /// A listing, and where everything in it lives: inputs, outputs, vars, counters, steps, transitions

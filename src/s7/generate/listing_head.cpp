@@ -4,14 +4,25 @@
 
 #include <set>
 
+#include "program/bit_names.h"
 #include "s7/addresses/cpu.h"
+#include "s7/generate/messages.h"
 
 namespace grafwire::s7 {
 
 namespace {
 
+namespace say = messages::s7_generate;
+
 /// What a step adds to a program on the average (Cordier, chapter VI).
 constexpr std::uint32_t usual_step_bytes = 45;
+
+/// With one decimal, after a comma in French.
+std::string decimal(double number, Language language) {
+    std::string text = fmt::format("{:.1f}", number);
+    if (language == Language::french) text[text.find('.')] = ',';
+    return text;
+}
 
 std::string range_text(std::uint32_t first, std::uint32_t bytes) {
     return fmt::format("VB{} … VB{}", first, first + bytes - 1);
@@ -30,51 +41,49 @@ bool has_timers(const CpuRow& cpu, const NetworkList& networks) {
 }
 
 void tell_memory(const Grafcet& grafcet, const Addresses& addresses, const NetworkList& networks,
-                 std::vector<std::string>& head) {
+                 Language language, std::vector<std::string>& head) {
     const std::uint32_t skeleton = networks.size_of_part(Part::skeleton);
     const std::uint32_t chart = networks.size_of_part(Part::chart);
-    head.push_back(
-        fmt::format("Program memory: {} bytes; {} of them are the skeleton of the method.",
-                    skeleton + chart, skeleton));
+    head.push_back(say::program_memory.in(language, skeleton + chart, skeleton));
     if (const std::size_t steps = grafcet.steps.size(); steps != 0) {
-        head.push_back(fmt::format("The chart takes {} bytes, {:.1f} a step (usual: {}).", chart,
-                                   static_cast<double>(chart) / static_cast<double>(steps),
-                                   usual_step_bytes));
+        const double average = static_cast<double>(chart) / static_cast<double>(steps);
+        head.push_back(
+            say::bytes_of_chart.in(language, chart, decimal(average, language), usual_step_bytes));
     }
     for (const CpuRow& cpu : cpu_table) {
         const bool fits =
             skeleton + chart <= cpu.program_bytes &&
             addresses.variable_bytes() <= static_cast<std::uint32_t>(cpu.variable_bytes) &&
             has_timers(cpu, networks);
-        head.push_back(fmt::format("{}, {} bytes of program, {} of V memory: {}.", cpu.name,
-                                   cpu.program_bytes, cpu.variable_bytes,
-                                   fits ? "fits" : "does not fit"));
+        head.push_back((fits ? say::fits : say::does_not_fit)
+                           .in(language, cpu.name, cpu.program_bytes, cpu.variable_bytes));
     }
 }
 
-void tell_tables(const Addresses& addresses, std::vector<std::string>& head) {
+void tell_tables(const Addresses& addresses, Language language, std::vector<std::string>& head) {
     const TableLayout& layout = addresses.layout();
     const auto tell = [&](std::string_view name, std::uint32_t first, std::uint32_t bytes,
-                          std::string_view meaning) {
-        head.push_back(fmt::format("{:<6} {:<16} {}", name, range_text(first, bytes), meaning));
+                          const Message<>& meaning) {
+        head.push_back(
+            fmt::format("{:<6} {:<16} {}", name, range_text(first, bytes), meaning.in(language)));
     };
-    const auto tell_steps = [&](std::string_view name, BitKind kind, std::string_view meaning) {
+    const auto tell_steps = [&](std::string_view name, BitKind kind, const Message<>& meaning) {
         tell(name, layout.first_byte(kind), layout.step_bytes, meaning);
     };
-    head.push_back("Tables:");
-    tell("Tfig", layout.graphs, layout.graph_bytes, "0: the graph is frozen");
-    tell("", 2, 4, "accumulator");
-    tell("", 6, 4, "free bits");
-    tell_steps("Tp", BitKind::previous, "steps, the scan before");
-    tell_steps("Ts", BitKind::step, "steps");
-    tell_steps("Tpulse", BitKind::pulse, "steps that have become active");
-    tell_steps("Ta", BitKind::activate, "steps to activate");
-    tell_steps("Td", BitKind::deactivate, "steps to deactivate");
-    tell_steps("Tf1", BitKind::forced_on, "steps forced to 1");
-    tell_steps("Tf0", BitKind::forced_off, "steps forced to 0");
-    tell("Tt", layout.transitions, layout.transition_bytes, "transitions: receptivity and Tfig");
+    head.push_back(say::tables.in(language));
+    tell("Tfig", layout.graphs, layout.graph_bytes, say::table_of_graphs);
+    tell("", 2, 4, say::accumulator);
+    tell("", 6, 4, say::free_bits);
+    tell_steps("Tp", BitKind::previous, say::steps_before);
+    tell_steps("Ts", BitKind::step, say::steps);
+    tell_steps("Tpulse", BitKind::pulse, say::steps_just_activated);
+    tell_steps("Ta", BitKind::activate, say::steps_to_activate);
+    tell_steps("Td", BitKind::deactivate, say::steps_to_deactivate);
+    tell_steps("Tf1", BitKind::forced_on, say::steps_forced_on);
+    tell_steps("Tf0", BitKind::forced_off, say::steps_forced_off);
+    tell("Tt", layout.transitions, layout.transition_bytes, say::table_of_transitions);
     if (addresses.variable_bytes() > layout.end()) {
-        tell("", layout.end(), addresses.variable_bytes() - layout.end(), "more bits, words");
+        tell("", layout.end(), addresses.variable_bytes() - layout.end(), say::more_memory);
     }
 }
 
@@ -119,16 +128,16 @@ IoAssignment assignment_of(const Grafcet& grafcet, const ScanProgram& program,
 
 std::vector<std::string> head_of(const Grafcet& grafcet, const Addresses& addresses,
                                  const IoAssignment& assignment, const NetworkList& networks,
-                                 Mnemonics mnemonics) {
+                                 Mnemonics mnemonics, Language language) {
     std::vector<std::string> head;
-    head.push_back(grafcet.title.empty() ? grafcet.name : grafcet.name + ": " + grafcet.title);
-    head.push_back("A GRAFCET by the table method of Cordier (1998) for Siemens S7-200.");
+    head.push_back(titled_name(grafcet.name, grafcet.title, language));
+    head.push_back(say::what_it_is.in(language));
     head.push_back("");
-    tell_memory(grafcet, addresses, networks, head);
+    tell_memory(grafcet, addresses, networks, language, head);
     head.push_back("");
-    tell_tables(addresses, head);
+    tell_tables(addresses, language, head);
     head.push_back("");
-    head.push_back("Addresses:");
+    head.push_back(say::addresses.in(language));
     const std::string text = write_io_assignment(assignment, mnemonics);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());

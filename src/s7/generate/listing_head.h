@@ -19,6 +19,6 @@ IoAssignment assignment_of(const Grafcet& grafcet, const ScanProgram& program,
 /// assignment, one line a name as parse_io_assignment reads them.
 std::vector<std::string> head_of(const Grafcet& grafcet, const Addresses& addresses,
                                  const IoAssignment& assignment, const NetworkList& networks,
-                                 Mnemonics mnemonics);
+                                 Mnemonics mnemonics, Language language);
 
 }  // namespace grafwire::s7

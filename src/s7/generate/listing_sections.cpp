@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "s7/generate/listing_build.h"
+#include "s7/generate/messages.h"
 #include "s7/make_instruction.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+namespace say = messages::s7_generate;
 
 /// The largest count of FILL and BMW.
 constexpr std::uint32_t longest_count = 255;
@@ -36,17 +39,17 @@ NetworkList ListingBuild::make_networks() {
     main_program();
     make_start();
     make_begin();
-    subroutine(2, "SBR 2: preliminary calculations, edges");
+    subroutine(2, say::subroutine_2);
     make_plain(SectionKind::edges);
-    subroutine(3, "SBR 3: receptivities of the transitions, Tt = receptivity and Tfig");
-    make_plain(SectionKind::receptivities);
-    subroutine(4, "SBR 4: evolution of the graphs");
+    subroutine(3, say::subroutine_3);
+    make_plain(SectionKind::conditions);
+    subroutine(4, say::subroutine_4);
     make_evolution();
-    subroutine(5, "SBR 5: forcing");
+    subroutine(5, say::subroutine_5);
     make_orders();
-    subroutine(6, "SBR 6: timers and counters");
+    subroutine(6, say::subroutine_6);
     make_plain(SectionKind::times);
-    subroutine(8, "SBR 8: outputs, freezing");
+    subroutine(8, say::subroutine_8);
     make_plain(SectionKind::outputs);
     make_pulse();
     return std::move(networks_);
@@ -54,26 +57,26 @@ NetworkList ListingBuild::make_networks() {
 
 void ListingBuild::main_program() {
     networks_.add(
-        Part::skeleton, "First scan only: SBR 0, initialisation",
+        Part::skeleton, say::first_scan_only(),
         {make(Operation::load, {first_scan()}), make(Operation::call, {constant_operand(0)})});
-    call(1, "Tables of the scan before");
-    call(2, "Preliminary calculations");
-    call(3, "Receptivities of the transitions");
-    call(4, "Evolution");
-    call(5, "Forcing");
-    call(6, "Timers and counters");
-    call(8, "Outputs");
+    call(1, say::call_1());
+    call(2, say::call_2());
+    call(3, say::call_3());
+    call(4, say::call_4());
+    call(5, say::call_5());
+    call(6, say::call_6());
+    call(8, say::call_8());
     networks_.add(Part::skeleton, "", {make(Operation::main_end)});
 }
 
-void ListingBuild::subroutine(int number, std::string comment) {
-    networks_.add(Part::skeleton, std::move(comment),
+void ListingBuild::subroutine(int number, const Message<>& comment) {
+    networks_.add(Part::skeleton, comment(),
                   {make(Operation::subroutine, {constant_operand(number)})});
 }
 
-void ListingBuild::call(int number, std::string comment) {
+void ListingBuild::call(int number, const Localized& comment) {
     networks_.add(
-        Part::skeleton, std::move(comment),
+        Part::skeleton, comment,
         {make(Operation::load, {always_on()}), make(Operation::call, {constant_operand(number)})});
 }
 
@@ -81,8 +84,8 @@ void ListingBuild::end_subroutine() {
     networks_.add(Part::skeleton, "", {make(Operation::return_)});
 }
 
-void ListingBuild::nothing(std::string comment) {
-    networks_.add(Part::skeleton, std::move(comment),
+void ListingBuild::nothing(const Message<>& comment) {
+    networks_.add(Part::skeleton, comment(),
                   {make(Operation::no_operation, {constant_operand(0)})});
 }
 
@@ -103,13 +106,13 @@ void ListingBuild::clear_tables() {
     std::vector<Instruction> freezing{make(Operation::load, {always_on()})};
     // The document has one word of graphs; FILL does for any number.
     fill(all_ones, layout.graphs, layout.graph_bytes, freezing);
-    networks_.add(Part::skeleton, "Tfig = 1: no graph is frozen", std::move(freezing));
+    networks_.add(Part::skeleton, say::no_graph_frozen(), std::move(freezing));
     std::vector<Instruction> clearing{make(Operation::load, {always_on()})};
     fill(0, layout.steps, layout.transitions + layout.transition_bytes - layout.steps, clearing);
-    networks_.add(Part::skeleton, "All other tables = 0", std::move(clearing));
+    networks_.add(Part::skeleton, say::other_tables_cleared(), std::move(clearing));
 }
 
-void ListingBuild::formula(std::string comment, BitKind before, BitKind off, BitKind on,
+void ListingBuild::formula(const Localized& comment, BitKind before, BitKind off, BitKind on,
                            BitKind target) {
     const TableLayout& layout = addresses_.layout();
     std::vector<Instruction> work{make(Operation::load, {always_on()})};
@@ -126,7 +129,7 @@ void ListingBuild::formula(std::string comment, BitKind before, BitKind off, Bit
         work.push_back(make(Operation::move, width, {accumulator, part_of(target)}));
         done += width == Width::dword ? 4 : 2;
     }
-    networks_.add(Part::skeleton, std::move(comment), std::move(work));
+    networks_.add(Part::skeleton, comment, std::move(work));
 }
 
 /// SBR 0: what the first scan begins with. The method keeps its bits in the V memory, which
@@ -134,7 +137,7 @@ void ListingBuild::formula(std::string comment, BitKind before, BitKind off, Bit
 /// Memories of edges are filled last, from inputs as they are: "le système est réputé stable depuis
 /// longtemps" (Cordier, example 3).
 void ListingBuild::make_start() {
-    subroutine(0, "SBR 0: initialisation");
+    subroutine(0, say::subroutine_0);
     clear_tables();
     make_initial_steps();
     make_initialisation();
@@ -151,9 +154,9 @@ void ListingBuild::make_initial_steps() {
         }
     }
     if (activation.size() == 1) {
-        nothing("There are no initial steps");
+        nothing(say::no_initial_steps);
     } else {
-        networks_.add(Part::chart, "Initial steps", std::move(activation));
+        networks_.add(Part::chart, say::initial_steps(), std::move(activation));
     }
 }
 
@@ -196,7 +199,7 @@ void ListingBuild::make_initialisation() {
         clearing.push_back(make(Operation::reset, {run.first, constant_operand(run.count)}));
     }
     if (clearing.size() > 1) {
-        networks_.add(Part::chart, "Memories of the chart = 0", std::move(clearing));
+        networks_.add(Part::chart, say::memories_cleared(), std::move(clearing));
     }
     const std::vector<Statement>& start = program_.section(SectionKind::start);
     for (const Statement& statement : start) {
@@ -210,7 +213,7 @@ void ListingBuild::make_initialisation() {
     }
     if (!timers_first) reset_timers();
     if (networks_.networks().size() == networks_before) {
-        nothing("There are no memories, counters and timers");
+        nothing(say::no_memories);
     }
 }
 
@@ -226,12 +229,12 @@ void ListingBuild::reset_timers() {
     for (const BitRun& run : runs_of(std::move(used))) {
         resets.push_back(make(Operation::reset, {run.first, constant_operand(run.count)}));
     }
-    networks_.add(Part::chart, "Timers", std::move(resets));
+    networks_.add(Part::chart, say::timers(), std::move(resets));
 }
 
 void ListingBuild::make_begin() {
     const TableLayout& layout = addresses_.layout();
-    subroutine(1, "SBR 1: tables of the scan before");
+    subroutine(1, say::subroutine_1);
     call(10, "Tpulse");
     std::vector<Instruction> copying{make(Operation::load, {always_on()})};
     std::uint32_t done = 0;
@@ -259,10 +262,10 @@ void ListingBuild::make_plain(SectionKind section) {
 /// The transitions, Ts, then Init.
 void ListingBuild::make_evolution() {
     const std::vector<Statement>& statements = program_.section(SectionKind::evolution);
-    if (is_table(statements.front(), TableOperation::evolve)) nothing("There are no transitions");
+    if (is_table(statements.front(), TableOperation::evolve)) nothing(say::no_transitions);
     for (const Statement& statement : statements) {
         if (is_table(statement, TableOperation::evolve)) {
-            formula("Ts = (Tp and not Td) or Ta", BitKind::previous, BitKind::deactivate,
+            formula(say::formula_of_evolution(), BitKind::previous, BitKind::deactivate,
                     BitKind::activate, BitKind::step);
         } else {
             write(statement);
@@ -277,15 +280,15 @@ void ListingBuild::make_orders() {
     call(10, "Tpulse");
     const std::vector<Statement>& statements = program_.section(SectionKind::orders);
     const auto force = [&] {
-        formula("Ts = (Ts and not Tf0) or Tf1", BitKind::step, BitKind::forced_off,
-                BitKind::forced_on, BitKind::step);
+        formula(say::formula_of_forcing(), BitKind::step, BitKind::forced_off, BitKind::forced_on,
+                BitKind::step);
     };
     bool forces = false;
     for (const Statement& statement : statements) {
         forces = forces || is_table(statement, TableOperation::force);
     }
     if (!forces) {
-        nothing("There are no forcing orders");
+        nothing(say::no_forcing_orders);
         force();
     }
     for (const Statement& statement : statements) {
@@ -301,8 +304,8 @@ void ListingBuild::make_orders() {
 }
 
 void ListingBuild::make_pulse() {
-    subroutine(10, "SBR 10: Tpulse, the steps that have become active");
-    formula("Tpulse = Ts and not Tp", BitKind::step, BitKind::previous, BitKind::previous,
+    subroutine(10, say::subroutine_10);
+    formula(say::formula_of_pulse(), BitKind::step, BitKind::previous, BitKind::previous,
             BitKind::pulse);
     end_subroutine();
 }

@@ -6,9 +6,12 @@
 
 #include "s7/generate/integer_width.h"
 #include "s7/generate/listing_build.h"
+#include "s7/generate/messages.h"
 #include "s7/make_instruction.h"
 
 namespace grafwire::s7 {
+
+namespace say = messages::s7_generate;
 
 void ListingBuild::write(const Statement& statement) {
     switch (statement.kind) {
@@ -31,7 +34,7 @@ void ListingBuild::write(const Statement& statement) {
 }
 
 /// A network: what is done where a prepared condition is 1.
-void ListingBuild::add(const std::string& comment, const Condition& condition,
+void ListingBuild::add(const Localized& comment, const Condition& condition,
                        std::vector<Instruction> work) {
     std::vector<Instruction> instructions = conditions_.load(condition);
     for (Instruction& instruction : work) instructions.push_back(std::move(instruction));
@@ -41,7 +44,8 @@ void ListingBuild::add(const std::string& comment, const Condition& condition,
 void ListingBuild::write_assign(const Statement& statement) {
     const Bit target = statement.targets[0];
     const Condition condition = conditions_.prepare(statement.condition, statement.comment);
-    // A receptivity that is always 1 is written down, as the document does: LD SM0.0, U Tfig.
+    // A transition condition that is always 1 is written down, as the document does: LD SM0.0, U
+    // Tfig.
     if (target.kind == BitKind::transition && condition.kind == Condition::Kind::bit &&
         condition.bit.kind == BitKind::may_evolve) {
         networks_.add(Part::chart, statement.comment,
@@ -101,7 +105,7 @@ void ListingBuild::write_move(const Statement& statement) {
     for (Instruction& part : conditions_.work_out(statement.sum, accumulator)) {
         sum.push_back(std::move(part));
     }
-    networks_.add(Part::chart, statement.comment + ": the sum", std::move(sum));
+    networks_.add(Part::chart, say::sum_of(statement.comment), std::move(sum));
     hold_within(range, statement);
     take(accumulator);
 }
@@ -109,17 +113,17 @@ void ListingBuild::write_move(const Statement& statement) {
 void ListingBuild::hold_within(const IntegerRange& range, const Statement& statement) {
     const Width width = addresses_.width();
     const Operand accumulator = addresses_.accumulator(0);
-    const auto hold = [&](Compare compare, std::int64_t bound, std::string comment) {
-        networks_.add(Part::chart, std::move(comment),
+    const auto hold = [&](Compare compare, std::int64_t bound, const Localized& comment) {
+        networks_.add(Part::chart, comment,
                       {make_compare(Operation::load_compare, width, compare, accumulator,
                                     constant_operand(bound)),
                        make(Operation::move, width, {constant_operand(bound), accumulator})});
     };
     if (range.high > statement.high) {
-        hold(Compare::greater_equal, statement.high, "not above " + std::to_string(statement.high));
+        hold(Compare::greater_equal, statement.high, say::not_above(statement.high));
     }
     if (range.low < statement.low) {
-        hold(Compare::less_equal, statement.low, "not below " + std::to_string(statement.low));
+        hold(Compare::less_equal, statement.low, say::not_below(statement.low));
     }
 }
 
@@ -131,7 +135,8 @@ void ListingBuild::write_time(const Statement& statement) {
     const Bit value = statement.targets[0];
     const TimeConditionTimers& timers = timers_[value.index];
     const Condition operand = conditions_.prepare(statement.condition, statement.comment);
-    const auto count = [&](const Delay& delay, const Condition& condition, std::string comment) {
+    const auto count = [&](const Delay& delay, const Condition& condition,
+                           const Localized& comment) {
         const Operand timer = timer_operand(static_cast<std::uint32_t>(delay.number));
         add(comment, condition,
             {make(Operation::on_delay, {timer, constant_operand(delay.preset)})});
@@ -148,13 +153,13 @@ void ListingBuild::write_time(const Statement& statement) {
     const Operand held = addresses_[value];
     if (timers.off) {
         const Operand off =
-            count(*timers.off, not_condition(operand), "off-delay of " + statement.comment);
+            count(*timers.off, not_condition(operand), say::off_delay_of(statement.comment));
         result.push_back(make(Operation::load, {held}));
         result.push_back(make(Operation::and_not, {off}));
         result.push_back(make(Operation::or_load));
     }
     result.push_back(make(Operation::assign, {held}));
-    networks_.add(Part::chart, "value of " + statement.comment, std::move(result));
+    networks_.add(Part::chart, say::value_of(statement.comment), std::move(result));
 }
 
 }  // namespace grafwire::s7

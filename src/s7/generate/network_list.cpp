@@ -6,17 +6,17 @@
 
 namespace grafwire::s7 {
 
-Network& NetworkList::add(Part part, std::string comment) {
+Network& NetworkList::add(Part part, const Localized& comment) {
     Network network;
     network.number = static_cast<std::uint32_t>(networks_.size() + 1);
-    network.comment = std::move(comment);
+    network.comment = comment.in(language_);
     parts_.push_back(part);
     networks_.push_back(std::move(network));
     return networks_.back();
 }
 
-void NetworkList::add(Part part, std::string comment, std::vector<Instruction> instructions) {
-    add(part, std::move(comment)).instructions = std::move(instructions);
+void NetworkList::add(Part part, const Localized& comment, std::vector<Instruction> instructions) {
+    add(part, comment).instructions = std::move(instructions);
 }
 
 std::uint32_t NetworkList::size_of_part(Part part) const {
