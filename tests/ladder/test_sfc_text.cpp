@@ -41,7 +41,7 @@ struct Read {
     std::vector<std::string> remarks(Kind kind) const {
         std::vector<std::string> texts;
         for (const auto& remark : sfc::remarks_of(grafcet)) {
-            if (remark.kind == kind) texts.push_back(remark.text);
+            if (remark.kind == kind) texts.push_back(remark.text.english);
         }
         return texts;
     }

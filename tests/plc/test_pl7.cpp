@@ -120,7 +120,7 @@ graph G3 { initial 30 step 31 30 -> 31 : b }
     REQUIRE(grafcet);
     const std::string text = listing(*grafcet);
     check_has(text, R"(
-** LABEL 4    receptivity of (1) 2 -> 1 : /a.b
+** LABEL 4    transition condition of (1) 2 -> 1 : /a.b
    /I0,0 . I0,1 --( ) B2
 
 ** LABEL 5    step 1 is to be active, before any order

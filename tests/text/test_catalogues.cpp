@@ -1,87 +1,19 @@
-// Every row of every catalogue: src/**/messages.h are read as text, so that a row is looked at even
-// where no test makes the program say it.
+// Every row of every catalogue.
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "support/catalogues.h"
 #include "support/french.h"
 
 using namespace grafwire::testing;
 
 namespace {
-
-struct Row {
-    std::string name;
-    std::vector<std::string> texts;  ///< English, French; twice that where the row counts
-    bool counts = false;
-    bool is_same_on_purpose = false;
-};
-
-/// Reads the literal that begins at `at`, which ends behind it.
-std::string read_literal(std::string_view text, std::size_t& at) {
-    std::string result;
-    for (++at; at < text.size() && text[at] != '"'; ++at) {
-        if (text[at] != '\\') {
-            result += text[at];
-            continue;
-        }
-        ++at;
-        result += text[at] == 'n' ? '\n' : text[at] == 't' ? '\t' : text[at];
-    }
-    ++at;
-    return result;
-}
-
-/// Literals that stand side by side are one text, as for the compiler.
-Row read_row(std::string_view text, std::size_t& at) {
-    Row row;
-    const std::size_t arguments = at;
-    at = text.find('{', at);
-    const std::size_t name = text.rfind('>', at) + 2;
-    row.name = std::string(text.substr(name, at - name));
-    row.counts = text.substr(arguments).starts_with("CountedMessage<");
-    bool goes_on = false;
-    while (at < text.size() && text[at] != ';') {
-        if (text[at] == '"') {
-            if (!goes_on) row.texts.emplace_back();
-            row.texts.back() += read_literal(text, at);
-            goes_on = true;
-            continue;
-        }
-        if (text[at] == ',' || text[at] == '{' || text[at] == '}') goes_on = false;
-        ++at;
-    }
-    return row;
-}
-
-std::vector<Row> rows_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), {});
-    constexpr std::string_view beginning = "inline constexpr ";
-    std::vector<Row> rows;
-    for (std::size_t at = text.find(beginning); at != text.npos; at = text.find(beginning, at)) {
-        const std::size_t comment = text.rfind("\n/// ", at);
-        const bool is_commented = comment != text.npos && text.find('\n', comment + 1) + 1 == at;
-        at += beginning.size();
-        const std::string_view rest = std::string_view(text).substr(at);
-        if (!rest.starts_with("Message<") && !rest.starts_with("CountedMessage<")) continue;
-        Row row = read_row(text, at);
-        row.is_same_on_purpose =
-            is_commented &&
-            text.substr(comment, text.find('\n', comment + 1) - comment).find("same in both") !=
-                text.npos;
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
 
 /// Which arguments a text shows: {} {} counts as {0} {1}.
 std::set<std::size_t> arguments_of(std::string_view text) {
@@ -121,7 +53,7 @@ bool is_plainly_set(std::string_view folder) {
     return is_one_of(folder, {"check", "explain", "laddercheck", "s7check"});
 }
 
-void check_pair(const Row& row, std::string_view folder, const std::string& english,
+void check_pair(const CatalogueRow& row, std::string_view folder, const std::string& english,
                 const std::string& french) {
     CHECK_FALSE(english.empty());
     CHECK_FALSE(french.empty());
@@ -147,7 +79,7 @@ TEST_CASE("every row of every catalogue is whole, in English and in French") {
         if (entry.path().filename() != "messages.h") continue;
         ++catalogues;
         const std::string folder = entry.path().parent_path().filename().string();
-        for (const Row& row : rows_of(entry.path())) {
+        for (const CatalogueRow& row : rows_of(entry.path())) {
             ++rows;
             CAPTURE(entry.path().string());
             CAPTURE(row.name);

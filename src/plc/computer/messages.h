@@ -44,20 +44,14 @@ inline constexpr Message<Localized> what_it_is{
     "chaque partie dit de quel sous-programme de la méthode il s'agit, SBR 0 à SBR 8."};
 inline constexpr Message<> changed_names{"Names that are spelt differently in the GRAFCET:",
                                          "Noms écrits autrement dans le GRAFCET :"};
-/// The chart, as it is called in the lines of C that use it.
-inline constexpr Message<std::string> how_to_use_c{
-    "Include this file where the scan is called:\n"
-    "  {0}_inputs in;      fill in the inputs\n"
-    "  {0}_grafcet g;\n"
-    "  {0}_start(&g, &in);       once\n"
-    "  {0}_scan(&g, &in, now);   over and over; now: a clock in us\n"
-    "  g.outputs               are the outputs",
-    "Inclure ce fichier là où la scrutation est appelée :\n"
-    "  {0}_inputs in;      y mettre les entrées\n"
-    "  {0}_grafcet g;\n"
-    "  {0}_start(&g, &in);       une fois\n"
-    "  {0}_scan(&g, &in, now);   en boucle ; now : une horloge en us\n"
-    "  g.outputs               sont les sorties"};
+inline constexpr Message<> include_where_called{
+    "Include this file where the scan is called:",
+    "Inclure ce fichier là où la scrutation est appelée :"};
+inline constexpr Message<> fill_in_inputs{"fill in the inputs", "y mettre les entrées"};
+inline constexpr Message<> once{"once", "une fois"};
+inline constexpr Message<> over_and_over{"over and over; now: a clock in us",
+                                         "en boucle ; now : une horloge en us"};
+inline constexpr Message<> are_outputs{"are the outputs", "sont les sorties"};
 inline constexpr Message<> how_to_use_python{
     "To use it:\n"
     "  inputs = Inputs(...)       those that are not named are False\n"
@@ -205,6 +199,6 @@ inline constexpr Message<> reads_scans_in_pascal{
 /// them into a text.
 inline constexpr Message<std::string, std::string> bad_line{
     "line {}: expected a moment in ms, whole in us, and {} inputs",
-    "ligne {} : attendu un instant en ms, entier en us, et {} entrées"};
+    "ligne {} : instant en ms attendu (entier en us), puis {} entrées"};
 
 }  // namespace grafwire::messages::plc_computer

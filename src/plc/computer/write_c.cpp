@@ -55,7 +55,16 @@ class CProgram {
 void CProgram::write_head() {
     write_title(out_, grafcet_, say::program_in_c(), language_);
     out_.comment({});
-    out_.comment(say::how_to_use_c.in(language_, core_.names().chart()));
+    const std::string& chart = core_.names().chart();
+    const auto line_of_use = [&](std::string_view code, const Message<>& comment) {
+        out_.comment(fmt::format("  {}{}{}", chart, code, comment.in(language_)));
+    };
+    out_.comment(say::include_where_called.in(language_));
+    line_of_use("_inputs in;      ", say::fill_in_inputs);
+    out_.comment(fmt::format("  {}_grafcet g;", chart));
+    line_of_use("_start(&g, &in);       ", say::once);
+    line_of_use("_scan(&g, &in, now);   ", say::over_and_over);
+    out_.comment(fmt::format("  g.outputs               {}", say::are_outputs.in(language_)));
     out_.comment(say::how_to_try_c.in(language_));
     write_changed_names(out_, core_.names(), language_);
 }

@@ -11,8 +11,8 @@ inline constexpr Message<> sum_too_wide{
     "une somme demande plus que les 64 bits de LINT ; réduisez les plages de ses compteurs"};
 
 // The head of a function block.
-inline constexpr Message<> structured_text{"Structured Text", "texte structuré (ST)"};
-inline constexpr Message<> instruction_list{"Instruction List", "liste d'instructions (IL)"};
+inline constexpr Message<> structured_text{"Structured Text", "texte structuré ST"};
+inline constexpr Message<> instruction_list{"Instruction List", "liste d'instructions IL"};
 inline constexpr Message<Localized> what_it_is{
     "A GRAFCET (IEC 60848) in {} (IEC 61131-3), by the table method.",
     "GRAFCET (CEI 60848) en {} (CEI 61131-3), par la méthode des tables."};

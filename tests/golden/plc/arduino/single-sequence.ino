@@ -41,7 +41,7 @@ typedef struct {
     uint32_t Ts[STEP_WORDS];  // the situation
     uint32_t Tp[STEP_WORDS];  // the situation that the scan began with
     uint32_t Ta[STEP_WORDS], Td[STEP_WORDS];  // to activate, to deactivate
-    // The receptivities of the transitions.
+    // The conditions of the transitions.
     struct { bool t_0, t_1, t_2; } Tt;
 } single_sequence_grafcet;
 
@@ -70,8 +70,8 @@ static void begin_scan(single_sequence_grafcet *g) {
     for (int w = 0; w < STEP_WORDS; ++w) g->Ta[w] = g->Td[w] = 0;
 }
 
-// SBR 3: receptivities
-static void test_receptivities(single_sequence_grafcet *g) {
+// SBR 3: transition conditions
+static void test_conditions(single_sequence_grafcet *g) {
     // (0) 0 -> 1 : m
     g->Tt.t_0 = g->inputs.m;
     // (1) 1 -> 2 : a
@@ -132,7 +132,7 @@ void single_sequence_scan(single_sequence_grafcet *g, const single_sequence_inpu
     g->inputs = *in;
     g->now = now;
     begin_scan(g);
-    test_receptivities(g);
+    test_conditions(g);
     evolve(g);
     obey_orders(g);
 }

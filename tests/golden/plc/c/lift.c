@@ -60,11 +60,11 @@ typedef struct {
     uint32_t Ta[STEP_WORDS], Td[STEP_WORDS];  // to activate, to deactivate
     uint32_t Tf1[STEP_WORDS], Tf0[STEP_WORDS];  // forced to 1, forced to 0
     uint32_t Tpulse[STEP_WORDS];  // activated in this scan
-    // The receptivities of the transitions.
+    // The conditions of the transitions.
     struct { bool t0, t1, t2, t_go, t4, t5; } Tt;
-    // Edges, 1 in the scan in which they occur, and
+    // Edges, 1 in the scan in which they occur.
     struct { bool rise_top, rise_crate; } edge;
-    // what their operands were in the scan before.
+    // What the operands of edges were in the scan before.
     struct { bool rise_top, rise_crate; } memory;
     // Time conditions.
     struct { time_condition t1_5s_top_20ms; } time;
@@ -130,8 +130,8 @@ static void find_edges(lift_grafcet *g) {
     g->memory.rise_crate = g->inputs.crate;
 }
 
-// SBR 3: receptivities
-static void test_receptivities(lift_grafcet *g) {
+// SBR 3: transition conditions
+static void test_conditions(lift_grafcet *g) {
     // (0) 0 -> 1 : arrêt
     g->Tt.t0 = g->inputs.arret;
     // (1) 1 -> 2 : /arrêt ⊕ int
@@ -269,7 +269,7 @@ void lift_scan(lift_grafcet *g, const lift_inputs *in, int64_t now) {
     g->now = now;
     begin_scan(g);
     find_edges(g);
-    test_receptivities(g);
+    test_conditions(g);
     evolve(g);
     obey_orders(g);
     run_stored_actions(g);

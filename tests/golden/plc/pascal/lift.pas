@@ -40,11 +40,11 @@ var
     Ta, Td: TSteps;  // to activate, to deactivate
     Tf1, Tf0: TSteps;  // forced to 1, forced to 0
     Tpulse: TSteps;  // activated in this scan
-    // The receptivities of the transitions.
+    // The conditions of the transitions.
     Tt: record t0, t1, t2, t_go, t4, t5: Boolean; end;
-    // Edges, True in the scan in which they occur, and
+    // Edges, True in the scan in which they occur.
     edge: record rise_top, rise_crate: Boolean; end;
-    // what their operands were in the scan before.
+    // What the operands of edges were in the scan before.
     memory: record rise_top, rise_crate: Boolean; end;
     // Time conditions.
     time: record t1_5s_top_20ms: TTimeCondition; end;
@@ -120,8 +120,8 @@ begin
     memory.rise_crate := inputs.crate;
 end;
 
-// SBR 3: receptivities
-procedure test_receptivities;
+// SBR 3: transition conditions
+procedure test_conditions;
 begin
     // (0) 0 -> 1 : arrêt
     Tt.t0 := inputs.arret;
@@ -243,7 +243,7 @@ procedure scan;
 begin
     begin_scan;
     find_edges;
-    test_receptivities;
+    test_conditions;
     evolve;
     obey_orders;
     run_stored_actions;

@@ -26,7 +26,7 @@ var
     Ts: TSteps;      // the situation
     Tp: TSteps;      // the situation that the scan began with
     Ta, Td: TSteps;  // to activate, to deactivate
-    // The receptivities of the transitions.
+    // The conditions of the transitions.
     Tt: record t_0, t_1, t_2: Boolean; end;
 
 // SBR 0: before the first scan, the initial situation
@@ -45,8 +45,8 @@ begin
     Td := [];
 end;
 
-// SBR 3: receptivities
-procedure test_receptivities;
+// SBR 3: transition conditions
+procedure test_conditions;
 begin
     // (0) 0 -> 1 : m
     Tt.t_0 := inputs.m;
@@ -98,7 +98,7 @@ end;
 procedure scan;
 begin
     begin_scan;
-    test_receptivities;
+    test_conditions;
     evolve;
     obey_orders;
 end;

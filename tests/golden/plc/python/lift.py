@@ -81,11 +81,11 @@ class Grafcet:
         self.Ta = self.Td = 0  # to activate, to deactivate
         self.Tf1 = self.Tf0 = 0  # forced to 1, forced to 0
         self.Tpulse = 0  # activated in this scan
-        # The receptivities of the transitions.
+        # The conditions of the transitions.
         self.Tt = SimpleNamespace(t0=False, t1=False, t2=False, t_go=False, t4=False, t5=False)
-        # Edges, True in the scan in which they occur, and
+        # Edges, True in the scan in which they occur.
         self.edge = SimpleNamespace(rise_top=False, rise_crate=False)
-        # what their operands were in the scan before.
+        # What the operands of edges were in the scan before.
         self.memory = SimpleNamespace(rise_top=False, rise_crate=False)
         # Time conditions.
         self.time = SimpleNamespace(t1_5s_top_20ms=TimeCondition())
@@ -122,8 +122,8 @@ class Grafcet:
         # memory of ↑crate
         self.memory.rise_crate = self.inputs.crate
 
-    # SBR 3: receptivities
-    def test_receptivities(self):
+    # SBR 3: transition conditions
+    def test_conditions(self):
         # (0) 0 -> 1 : arrêt
         self.Tt.t0 = self.inputs.arret
         # (1) 1 -> 2 : /arrêt ⊕ int
@@ -221,7 +221,7 @@ class Grafcet:
         self.now = now
         self.begin_scan()
         self.find_edges()
-        self.test_receptivities()
+        self.test_conditions()
         self.evolve()
         self.obey_orders()
         self.run_stored_actions()

@@ -52,7 +52,7 @@ class Grafcet:
         self.Ts = 0  # the situation
         self.Tp = 0  # the situation that the scan began with
         self.Ta = self.Td = 0  # to activate, to deactivate
-        # The receptivities of the transitions.
+        # The conditions of the transitions.
         self.Tt = SimpleNamespace(t_0=False, t_1=False, t_2=False)
         # initial step 0
         self.Ts |= X0
@@ -63,8 +63,8 @@ class Grafcet:
         self.Tp = self.Ts
         self.Ta = self.Td = 0
 
-    # SBR 3: receptivities
-    def test_receptivities(self):
+    # SBR 3: transition conditions
+    def test_conditions(self):
         # (0) 0 -> 1 : m
         self.Tt.t_0 = self.inputs.m
         # (1) 1 -> 2 : a
@@ -106,7 +106,7 @@ class Grafcet:
         self.inputs = inputs
         self.now = now
         self.begin_scan()
-        self.test_receptivities()
+        self.test_conditions()
         self.evolve()
         self.obey_orders()
 

@@ -1,0 +1,331 @@
+// lift : Monte-charge
+//
+// GRAFCET (CEI 60848), croquis pour cartes Arduino, écrit par grafwire. Une scrutation est
+// celle de la méthode des tables (Cordier, « Méthode d'implémentation du GRAFCET », 1998) ;
+// chaque partie dit de quel sous-programme de la méthode il s'agit, SBR 0 à SBR 8.
+//
+// Noms écrits autrement dans le GRAFCET :
+//   arret  arrêt
+//   int_2  int
+//   UP_2   UP
+
+#include <Arduino.h>
+#include <stdint.h>
+#include <string.h>
+
+// Les broches : à adapter au câblage. Une entrée vaut 1 quand sa broche est HIGH.
+const uint8_t in_crate = 2;
+const uint8_t in_top = 3;
+const uint8_t in_arret = 4;
+const uint8_t in_int_2 = 5;
+const uint8_t in_Init = 6;
+const uint8_t in_AUdur = 7;
+const uint8_t in_AUdoux = 8;
+const uint8_t out_UP_2 = 9;
+const uint8_t out_blow = 10;
+const uint8_t out_lamp = 11;
+
+// Les étapes, dans l'ordre des tables.
+enum { X0, X1, X2, X10, X11, X12, STEPS, STEP_WORDS = STEPS / 32 + 1 };
+
+// Temporisation t1/e/t2 : 1 quand e vaut 1 depuis t1, 0 quand e vaut 0 depuis t2.
+typedef struct {
+    bool value;
+    bool waits;     // e diffère de la valeur
+    int64_t since;  // pendant l'attente : l'instant depuis lequel e diffère, en us
+} time_condition;
+
+typedef struct {
+    bool crate;
+    bool top;
+    bool arret;
+    bool int_2;
+    bool Init;  // 1 : situation initiale
+    bool AUdur;  // 1 : aucune étape active
+    bool AUdoux;  // 1 : actions continues à 0, étapes conservées
+} lift_inputs;
+
+typedef struct {
+    bool UP_2;
+    bool blow;
+    bool lamp;
+} lift_outputs;
+
+// Tout ce qu'une scrutation transmet à la suivante.
+typedef struct {
+    lift_inputs inputs;
+    lift_outputs outputs;
+    int64_t now;  // instant de la scrutation, en us
+    // Tables des étapes, un bit par étape.
+    uint32_t Ts[STEP_WORDS];  // situation
+    uint32_t Tp[STEP_WORDS];  // situation en début de scrutation
+    uint32_t Ta[STEP_WORDS], Td[STEP_WORDS];  // à activer, à désactiver
+    uint32_t Tf1[STEP_WORDS], Tf0[STEP_WORDS];  // forcées à 1, forcées à 0
+    uint32_t Tpulse[STEP_WORDS];  // activées dans cette scrutation
+    // Réceptivités des transitions.
+    struct { bool t0, t1, t2, t_go, t4, t5; } Tt;
+    // Fronts, à 1 dans la scrutation où ils se produisent.
+    struct { bool rise_top, rise_crate; } edge;
+    // Valeurs des opérandes des fronts à la scrutation précédente.
+    struct { bool rise_top, rise_crate; } memory;
+    // Temporisations.
+    struct { time_condition t1_5s_top_20ms; } time;
+    // Variables internes.
+    struct { bool full; } vars;
+    // Compteurs.
+    struct { int32_t n; } counters;
+} lift_grafcet;
+
+static lift_grafcet chart;
+static lift_inputs inputs;
+
+static void observe(time_condition *c, bool e, int64_t on_delay, int64_t off_delay, int64_t now) {
+    if (e == c->value) {
+        c->waits = false;
+        return;
+    }
+    if (!c->waits) {
+        c->waits = true;
+        c->since = now;
+    }
+    if (now - c->since < (e ? on_delay : off_delay)) return;
+    c->value = e;
+    c->waits = false;
+}
+
+static inline int32_t within(int32_t low, int32_t value, int32_t high) {
+    return value < low ? low : value > high ? high : value;
+}
+
+static inline void reset(uint32_t *table, int step) {
+    table[step / 32] &= ~((uint32_t)1 << (step % 32));
+}
+
+static inline void set(uint32_t *table, int step) {
+    table[step / 32] |= (uint32_t)1 << (step % 32);
+}
+
+static inline bool is(const uint32_t *table, int step) {
+    return ((table[step / 32] >> (step % 32)) & 1u) != 0;
+}
+
+static inline void reset_all(uint32_t *table, int first, int last) {
+    for (int step = first; step <= last; ++step) reset(table, step);
+}
+
+static inline void set_all(uint32_t *table, int first, int last) {
+    for (int step = first; step <= last; ++step) set(table, step);
+}
+
+// SBR 1 : situation en début de scrutation ; tables de travail à 0
+static void begin_scan(lift_grafcet *g) {
+    for (int w = 0; w < STEP_WORDS; ++w) g->Tp[w] = g->Ts[w];
+    for (int w = 0; w < STEP_WORDS; ++w) g->Ta[w] = g->Td[w] = g->Tf1[w] = g->Tf0[w] = 0;
+}
+
+// SBR 2 : fronts
+static void find_edges(lift_grafcet *g) {
+    // ↑top
+    g->edge.rise_top = g->inputs.top && !g->memory.rise_top;
+    // mémoire de ↑top
+    g->memory.rise_top = g->inputs.top;
+    // ↑crate
+    g->edge.rise_crate = g->inputs.crate && !g->memory.rise_crate;
+    // mémoire de ↑crate
+    g->memory.rise_crate = g->inputs.crate;
+}
+
+// SBR 3 : réceptivités
+static void test_conditions(lift_grafcet *g) {
+    // (0) 0 -> 1 : arrêt
+    g->Tt.t0 = g->inputs.arret;
+    // (1) 1 -> 2 : /arrêt ⊕ int
+    g->Tt.t1 = (!g->inputs.arret) ^ g->inputs.int_2;
+    // (2) 2 -> 0 : 1
+    g->Tt.t2 = true;
+    // (go) 10 -> 11 : ↑crate.[n < 3]
+    g->Tt.t_go = g->edge.rise_crate && g->counters.n < 3;
+    // (4) 11 -> 12 : 1.5s/top/20ms
+    g->Tt.t4 = g->time.t1_5s_top_20ms.value;
+    // (5) 12 -> 10 : 1
+    g->Tt.t5 = true;
+}
+
+// SBR 4 : évolution, règles 2 à 5
+static void evolve(lift_grafcet *g) {
+    // (0) 0 -> 1
+    if (is(g->Ts, X0) && g->Tt.t0) {
+        set(g->Ta, X1);
+        set(g->Td, X0);
+    }
+    // (1) 1 -> 2
+    if (is(g->Ts, X1) && g->Tt.t1) {
+        set(g->Ta, X2);
+        set(g->Td, X1);
+    }
+    // (2) 2 -> 0
+    if (is(g->Ts, X2) && g->Tt.t2) {
+        set(g->Ta, X0);
+        set(g->Td, X2);
+    }
+    // (go) 10 -> 11
+    if (is(g->Ts, X10) && g->Tt.t_go) {
+        set(g->Ta, X11);
+        set(g->Td, X10);
+    }
+    // (4) 11 -> 12
+    if (is(g->Ts, X11) && g->Tt.t4) {
+        set(g->Ta, X12);
+        set(g->Td, X11);
+    }
+    // (5) 12 -> 10
+    if (is(g->Ts, X12) && g->Tt.t5) {
+        set(g->Ta, X10);
+        set(g->Td, X12);
+    }
+    // Ts = Tp . /Td + Ta
+    for (int w = 0; w < STEP_WORDS; ++w) g->Ts[w] = (g->Tp[w] & ~g->Td[w]) | g->Ta[w];
+    // Init : étapes initiales
+    if (g->inputs.Init) {
+        set(g->Ts, X0);
+        set(g->Ts, X10);
+    }
+    // Init : toutes les autres étapes
+    if (g->inputs.Init) {
+        reset_all(g->Ts, X1, X2);
+        reset_all(g->Ts, X11, X12);
+    }
+}
+
+// SBR 5 : forçages et encapsulations
+static void obey_orders(lift_grafcet *g) {
+    // ordres de forçage de l'étape 1
+    if (is(g->Ts, X1)) {
+        set_all(g->Tf0, X10, X12);
+    }
+    // ordres de forçage de l'étape 2
+    if (is(g->Ts, X2)) {
+        set(g->Tf1, X10);
+        set_all(g->Tf0, X10, X12);
+    }
+    // Ts = Ts . /Tf0 + Tf1
+    for (int w = 0; w < STEP_WORDS; ++w) g->Ts[w] = (g->Ts[w] & ~g->Tf0[w]) | g->Tf1[w];
+    // AUdur : toutes les étapes
+    if (g->inputs.AUdur) {
+        reset_all(g->Ts, X0, X12);
+    }
+    // Tpulse = Ts . /Tp
+    for (int w = 0; w < STEP_WORDS; ++w) g->Tpulse[w] = g->Ts[w] & ~g->Tp[w];
+}
+
+// SBR 5, fin : actions mémorisées
+static void run_stored_actions(lift_grafcet *g) {
+    // full au franchissement de (5) 12 -> 10
+    if (is(g->Tp, X12) && g->Tt.t5 && !g->inputs.Init) {
+        g->vars.full = false;
+    }
+    // n à l'activation de l'étape 11
+    if (is(g->Tpulse, X11)) {
+        g->counters.n = within(0, g->counters.n + 1, 3);
+    }
+    // full sur événement à l'étape 12
+    if (is(g->Ts, X12) && g->edge.rise_top) {
+        g->vars.full = true;
+    }
+}
+
+// SBR 6 : temporisations
+static void observe_times(lift_grafcet *g) {
+    // 1.5s/top/20ms
+    observe(&g->time.t1_5s_top_20ms, g->inputs.top, 1500000, 20000, g->now);
+}
+
+// SBR 8 : sorties
+static void drive_outputs(lift_grafcet *g) {
+    // UP
+    g->outputs.UP_2 = is(g->Ts, X11) && !g->inputs.top && !g->inputs.AUdoux;
+    // blow
+    g->outputs.blow = is(g->Ts, X12) && !g->inputs.AUdoux;
+    // lamp
+    g->outputs.lamp = is(g->Ts, X1) && !g->inputs.AUdoux;
+}
+
+// SBR 0 : avant la première scrutation, situation initiale
+void lift_start(lift_grafcet *g, const lift_inputs *in) {
+    memset(g, 0, sizeof *g);
+    g->inputs = *in;
+    // étape initiale 0
+    set(g->Ts, X0);
+    set(g->Tp, X0);
+    // étape initiale 10
+    set(g->Ts, X10);
+    set(g->Tp, X10);
+    // n
+    g->counters.n = 0;
+    // mémoire de ↑top
+    g->memory.rise_top = g->inputs.top;
+    // mémoire de ↑crate
+    g->memory.rise_crate = g->inputs.crate;
+}
+
+// Une scrutation. L'horloge, en us, ne recule jamais.
+void lift_scan(lift_grafcet *g, const lift_inputs *in, int64_t now) {
+    g->inputs = *in;
+    g->now = now;
+    begin_scan(g);
+    find_edges(g);
+    test_conditions(g);
+    evolve(g);
+    obey_orders(g);
+    run_stored_actions(g);
+    observe_times(g);
+    drive_outputs(g);
+}
+
+// micros() repart de 0 après 71 minutes ; cette horloge non, si elle est lue plus souvent.
+static int64_t clock_now() {
+    static uint32_t last = 0;
+    static int64_t sum = 0;
+    const uint32_t now = micros();
+    sum += (uint32_t)(now - last);
+    last = now;
+    return sum;
+}
+
+static void read_inputs() {
+    inputs.crate = digitalRead(in_crate) == HIGH;
+    inputs.top = digitalRead(in_top) == HIGH;
+    inputs.arret = digitalRead(in_arret) == HIGH;
+    inputs.int_2 = digitalRead(in_int_2) == HIGH;
+    inputs.Init = digitalRead(in_Init) == HIGH;
+    inputs.AUdur = digitalRead(in_AUdur) == HIGH;
+    inputs.AUdoux = digitalRead(in_AUdoux) == HIGH;
+}
+
+static void write_outputs() {
+    digitalWrite(out_UP_2, chart.outputs.UP_2 ? HIGH : LOW);
+    digitalWrite(out_blow, chart.outputs.blow ? HIGH : LOW);
+    digitalWrite(out_lamp, chart.outputs.lamp ? HIGH : LOW);
+}
+
+void setup() {
+    pinMode(in_crate, INPUT);
+    pinMode(in_top, INPUT);
+    pinMode(in_arret, INPUT);
+    pinMode(in_int_2, INPUT);
+    pinMode(in_Init, INPUT);
+    pinMode(in_AUdur, INPUT);
+    pinMode(in_AUdoux, INPUT);
+    pinMode(out_UP_2, OUTPUT);
+    pinMode(out_blow, OUTPUT);
+    pinMode(out_lamp, OUTPUT);
+    read_inputs();
+    lift_start(&chart, &inputs);
+}
+
+// Une scrutation.
+void loop() {
+    read_inputs();
+    lift_scan(&chart, &inputs, clock_now());
+    write_outputs();
+}
