@@ -48,10 +48,13 @@ inline constexpr Message<std::string> on_activation{"step {} on activation",
 inline constexpr Message<std::string> on_deactivation{"step {} on deactivation",
                                                       "étape {} à la désactivation"};
 inline constexpr Message<std::string, std::string> on_event{"step {} on {}", "étape {} sur {}"};
-inline constexpr Message<std::string, std::size_t> initial_step_count{
-    "graph {} has {} initial steps here; many tools ask for exactly one",
-    "le Grafcet partiel {} a ici {} étapes initiales ; beaucoup d'outils en demandent exactement "
-    "une"};
+inline constexpr CountedMessage<std::string> initial_step_count{
+    {"graph {1} has {0} initial step here; many tools ask for exactly one",
+     "le Grafcet partiel {1} a ici {0} étape initiale ; beaucoup d'outils en demandent exactement "
+     "une"},
+    {"graph {1} has {0} initial steps here; many tools ask for exactly one",
+     "le Grafcet partiel {1} a ici {0} étapes initiales ; beaucoup d'outils en demandent "
+     "exactement une"}};
 
 // Comments within actions.
 inline constexpr Message<std::string, std::string> assigned_elsewhere{"{}: assigned by {}",

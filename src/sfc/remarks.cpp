@@ -132,7 +132,7 @@ void Remarks::initial_steps() {
                                          [&](StepId step) { return plan_.chart.is_initial(step); });
         if (count == 1) continue;
         add(Kind::initial_steps,
-            say::initial_step_count(name_of(GraphId{g}), static_cast<std::size_t>(count)));
+            say::initial_step_count(static_cast<std::size_t>(count), name_of(GraphId{g})));
     }
 }
 

@@ -74,7 +74,9 @@ std::string comments_of(const std::string& language, const std::string& text) {
     if (language == "python") return between(text, "#", "\n") + between(text, "\"\"\"", "\"\"\"");
     if (language == "text") return between(text, "  # ", "\n");
     if (language == "ladder-svg") {
-        return between(text, "\"comment\"", "</text>") + between(text, "\"heading\"", "</text>");
+        const std::string texts =
+            between(text, "\"comment\"", "</text>") + between(text, "\"heading\"", "</text>");
+        return between(texts, ">", "\n");
     }
     if (language == "ladder") return between(text, "── ", " ──");
     if (language == "plcopen") return between(text, "<xhtml:p>", "</xhtml:p>");
