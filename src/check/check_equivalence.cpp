@@ -3,9 +3,9 @@
 // The cheapest question comes first. Lengths of delays count only where ignoring them leads to a
 // difference that they exclude; single scan periods are tried only where none is found for all;
 // values at power-up are gone through only where three values do not tell. Where one change at a
-// time is asked for and makes no difference, many at once are looked at as well (many_changes.cpp),
-// since nothing on a bench keeps two contacts from closing within a few nanoseconds. Last comes
-// what no X and no output depends on (unobserved_oscillation.cpp).
+// time is asked for and makes no difference, many at once are looked at as well
+// (check_many_changes), since nothing on a bench keeps two contacts from closing within a few
+// nanoseconds. Last comes what no X and no output depends on (find_unobserved_oscillation).
 
 #include "check/check_equivalence.h"
 
@@ -14,6 +14,13 @@
 #include "check/exploration.h"
 #include "check/netlist_case.h"
 #include "check/netlist_witness.h"
+#include "check/path.h"
+#include "evolution/evolution.h"
+#include "evolution/run.h"
+#include "grafcet/plant_conditions.h"
+#include "grafcet/write_grafcet.h"
+#include "netlist/netlist.h"
+#include "simulate/simulate.h"
 
 namespace grafwire {
 
@@ -145,6 +152,198 @@ CheckResult check_changes(const Grafcet& grafcet, const Netlist& netlist,
     }
     return std::move(result);
 }
+
+namespace {
+
+// Many inputs at once, where one at a time makes no difference: what becomes of the verdict, and
+// what keeps it.
+//
+// The witness of a difference under Changes::many has been made as small as it can be, so every
+// change in it is needed, and the last instant at which several things happen says what must not
+// happen together. Whether the GRAFCET can say that the plant never does so is tried: with the
+// assumption that the inputs never are what they all become there, the check has to come out
+// equivalent under both kinds of change, with nothing unexercised that was exercised before.
+
+/// The last line of the stimuli that changes several inputs, else the last that changes any.
+const Stimuli::Change* decisive_line(const Stimuli& stimuli) {
+    const Stimuli::Change* decisive = nullptr;
+    for (const Stimuli::Change& change : stimuli.changes) {
+        if (change.at == 0) continue;  // what the inputs are at the start is no change
+        const std::size_t least = decisive != nullptr && decisive->assignments.size() > 1 ? 2 : 1;
+        if (change.assignments.size() >= least) decisive = &change;
+    }
+    return decisive;
+}
+
+ExprId variable_of(Grafcet& grafcet, std::uint32_t input) {
+    const auto declared = static_cast<std::uint32_t>(grafcet.inputs.size());
+    return grafcet.expressions.variable(input < declared
+                                            ? Variable{VariableKind::input, input}
+                                            : Variable{VariableKind::control, input - declared});
+}
+
+/// "Not all of these together", as an expression of the GRAFCET: `/(a . /b)`, or `a + b` where all
+/// become 0.
+ExprId never_together(Grafcet& grafcet, const std::vector<Stimuli::Assignment>& assignments) {
+    const bool all_fall = std::none_of(assignments.begin(), assignments.end(),
+                                       [](const auto& set) { return set.value; });
+    std::vector<ExprId> literals;
+    for (const Stimuli::Assignment& set : assignments) {
+        const ExprId variable = variable_of(grafcet, set.input);
+        const bool as_it_is = set.value || all_fall;
+        literals.push_back(as_it_is ? variable : grafcet.expressions.negation(variable));
+    }
+    if (all_fall) return grafcet.expressions.disjunction(literals);
+    return grafcet.expressions.negation(grafcet.expressions.conjunction(literals));
+}
+
+/// The assumption that keeps the inputs apart, if it does and costs nothing.
+std::string assumption_against(const Grafcet& grafcet, const Netlist& netlist,
+                               const CheckOptions& options, const NeverExercised& unexercised,
+                               const std::vector<Stimuli::Assignment>& assignments) {
+    Grafcet assuming = grafcet;
+    const ExprId expression = never_together(assuming, assignments);
+    assuming.assumptions.push_back({expression, {}});
+    if (!contradicting_assumptions(assuming).empty()) return {};
+    for (const Changes changes : {Changes::one, Changes::many}) {
+        CheckOptions some = options;
+        some.changes = changes;
+        const CheckResult result = check_changes(assuming, netlist, some);
+        if (result.verdict != Verdict::equivalent) return {};
+        if (changes == Changes::one && result.never != unexercised) return {};
+    }
+    return write_expression(assuming, assuming.expressions, expression);
+}
+
+/// What becomes of an asynchronous netlist that is equivalent under Changes::one where many inputs
+/// change at once. `unexercised`: what Changes::one did not exercise.
+Together check_many_changes(const Grafcet& grafcet, const Netlist& netlist,
+                            const CheckOptions& options, const NeverExercised& unexercised) {
+    CheckOptions at_once = options;
+    at_once.changes = Changes::many;
+    CheckResult result = check_changes(grafcet, netlist, at_once);
+    Together together;
+    together.verdict = result.verdict;
+    if (!result.witness) return together;
+    together.witness = std::move(result.witness);
+    const Stimuli::Change* line = decisive_line(together.witness->stimuli);
+    if (line == nullptr) return together;
+    for (const Stimuli::Assignment& set : line->assignments) together.inputs.push_back(set.input);
+    std::sort(together.inputs.begin(), together.inputs.end());
+    together.with_delay = line->assignments.size() == 1;
+    const bool is_of_the_plant = std::all_of(
+        line->assignments.begin(), line->assignments.end(),
+        [&](const Stimuli::Assignment& set) { return set.input < grafcet.inputs.size(); });
+    if (line->assignments.size() > 1 && is_of_the_plant) {
+        together.assumption =
+            assumption_against(grafcet, netlist, options, unexercised, line->assignments);
+    }
+    return together;
+}
+
+// Oscillation where no X and no output looks.
+//
+// A ring of gates that nothing reads makes no X wrong, but it never comes to rest, which matters
+// when it is wired. Its state is no part of the exploration, and in three values it may rest at
+// unknown, where the real one goes on and on. So it is simulated in two values, along random walks
+// of single changes. Only netlists that have such loops pay for it, and generated ones have none.
+
+constexpr int walks = 16;
+constexpr int instants = 60;
+
+bool has_unobserved_loops(const Grafcet& grafcet, const Netlist& netlist) {
+    const PortMap ports = map_ports(grafcet, netlist);
+    std::vector<NetId> compared = ports.steps;
+    compared.insert(compared.end(), ports.outputs.begin(), ports.outputs.end());
+    const std::vector<std::uint8_t> relevant = cone_of_influence(netlist, compared);
+    const std::vector<std::uint8_t> on_loop = cells_on_loops(netlist);
+    for (std::size_t i = 0; i < on_loop.size(); ++i) {
+        if (on_loop[i] != 0 && relevant[index_of(netlist.cells.items()[i].output)] == 0)
+            return true;
+    }
+    return false;
+}
+
+/// The same numbers every time.
+class Dice {
+  public:
+    explicit Dice(int seed) : state_(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U + 1) {}
+    std::size_t below(std::size_t limit) {
+        state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<std::size_t>(state_ >> 33U) % limit;
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+/// Single changes, one every 10 ms, the first instant with any inputs that the assumptions allow.
+std::optional<Stimuli> walk(const Grafcet& grafcet, const Assumptions& assumptions, bool has_modes,
+                            Dice& dice) {
+    InputValues values(grafcet.all_input_count(), 0);
+    for (std::size_t i = 0; i < grafcet.inputs.size(); ++i) {
+        values[i] = static_cast<std::uint8_t>(dice.below(2));
+    }
+    const auto start = assumptions.complete(unassigned_inputs(grafcet, has_modes), values);
+    if (!start) return std::nullopt;
+    Stimuli stimuli;
+    stimuli.changes.push_back({0, differences(InputValues(values.size(), 0), *start), {}});
+    PartialInputs inputs = assigned_inputs(*start);
+    values = *start;
+    for (int instant = 1; instant < instants; ++instant) {
+        std::vector<PartialInputs> changes = single_changes(assumptions, inputs, has_modes);
+        if (changes.empty()) break;
+        inputs = changes[dice.below(changes.size())];
+        const InputValues next = *assumptions.complete(inputs, values);
+        stimuli.end = instant * 10 * millisecond;
+        stimuli.changes.push_back({stimuli.end, differences(values, next), {}});
+        values = next;
+    }
+    return stimuli;
+}
+
+/// The values at power-up without which it would not oscillate.
+std::vector<Netlist::InitialValue> values_needed(const Grafcet& grafcet, const Netlist& netlist,
+                                                 const CellDelays& delays, const Witness& witness,
+                                                 std::vector<Netlist::InitialValue> power_up) {
+    for (std::size_t i = power_up.size(); i-- > 0;) {
+        std::vector<Netlist::InitialValue> rest = power_up;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto again = replay(grafcet, with_power_up(netlist, rest), delays, witness.stimuli,
+                                  witness.scan_period);
+        if (again && again->kind == DifferenceKind::oscillation) power_up = std::move(rest);
+    }
+    return power_up;
+}
+
+/// Looks for an oscillation beside X and outputs that are right: in parts on which none of these
+/// depends, which the exploration does not go through for their own sake, and in memories that have
+/// never been given a value (`has_uninitialised_memory`). Walks at random, from known values at
+/// power-up. Found, it is a witness; not found, nothing is said.
+std::optional<Witness> find_unobserved_oscillation(const Grafcet& grafcet, const Netlist& netlist,
+                                                   const CheckOptions& options,
+                                                   bool has_uninitialised_memory) {
+    if (!has_uninitialised_memory && !has_unobserved_loops(grafcet, netlist)) return std::nullopt;
+    const Assumptions assumptions(grafcet);
+    const Time period = !netlist.is_clocked() ? 0 : options.scan_period.value_or(10 * millisecond);
+    const CellDelays delays = cell_delays(netlist, options.delays);
+    for (int number = 0; number < walks; ++number) {
+        if (options.keep_going && !options.keep_going()) return std::nullopt;
+        Dice dice(number);
+        const auto stimuli = walk(grafcet, assumptions, netlist.has_modes, dice);
+        if (!stimuli) return std::nullopt;
+        const std::vector<Netlist::InitialValue> power_up = power_up_values(netlist, number);
+        const Netlist powered = with_power_up(netlist, power_up);
+        auto witness = replay(grafcet, powered, delays, *stimuli, period);
+        if (!witness || witness->kind != DifferenceKind::oscillation) continue;
+        witness->power_up = values_needed(grafcet, netlist, delays, *witness, power_up);
+        for (Witness::Value& value : witness->values) value.got = value.expected;
+        return witness;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
 
 CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
                               const CheckOptions& options) {

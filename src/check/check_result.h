@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "check/coverage.h"
 #include "check/witness.h"
+#include "grafcet/grafcet.h"
 #include "netlist/delay_model.h"
 #include "text/keep_going.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
 
+/// What a check ends with. Undecided where a bound ended it, or for the reasons that CheckResult
+/// names.
 enum class Verdict { equivalent, different, undecided };
 
 /// Which inputs of an asynchronous netlist may change in one instant. (A clocked netlist and a
@@ -23,6 +25,26 @@ enum class Changes {
     many,  ///< any, and delays end in the same instant
 };
 
+/// How much of the exploration is done.
+struct Coverage {
+    std::uint64_t situations = 0;  ///< distinct situations reached
+    std::uint64_t cases = 0;       ///< changes of the inputs, or scans, that were compared
+    std::uint64_t unstable = 0;    ///< cases in which the reference finds no stable situation
+    std::uint64_t waiting = 0;     ///< states reached but not yet expanded
+};
+
+/// The parts of a GRAFCET that no case of an exploration exercised, each in table order. What a
+/// verdict says of them is little.
+struct NeverExercised {
+    std::vector<StepId> steps;              ///< never active
+    std::vector<TransitionId> transitions;  ///< never cleared
+    std::vector<std::uint32_t> inputs;      ///< never both 0 and 1; numbered as in Stimuli
+    std::vector<OutputId> outputs;          ///< never 1
+    bool none() const { return *this == NeverExercised(); }
+    bool operator==(const NeverExercised&) const = default;
+};
+
+/// What is asked of a check.
 struct CheckOptions {
     Changes changes = Changes::one;
     /// Asynchronous netlists, where they are equivalent under Changes::one: whether to look at
@@ -54,6 +76,7 @@ struct Together {
     std::string assumption;
 };
 
+/// What came of a check.
 struct CheckResult {
     Verdict verdict = Verdict::undecided;
     Coverage coverage;

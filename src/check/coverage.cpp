@@ -9,8 +9,6 @@
 
 #include <algorithm>
 
-#include "check/check_result.h"
-#include "check/reference_case.h"
 #include "check/state_encoding.h"
 
 namespace grafwire {

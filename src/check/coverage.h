@@ -5,33 +5,13 @@
 #include <unordered_set>
 #include <vector>
 
+#include "check/check_result.h"
 #include "check/partial_inputs.h"
+#include "check/reference_case.h"
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
 
 namespace grafwire {
-
-struct CheckOptions;
-struct ReferenceOutcome;
-
-/// How much of the exploration is done.
-struct Coverage {
-    std::uint64_t situations = 0;  ///< distinct situations reached
-    std::uint64_t cases = 0;       ///< changes of the inputs, or scans, that were compared
-    std::uint64_t unstable = 0;    ///< cases in which the reference finds no stable situation
-    std::uint64_t waiting = 0;     ///< states reached but not yet expanded
-};
-
-/// The parts of a GRAFCET that no case of an exploration exercised, each in table order. What a
-/// verdict says of them is little.
-struct NeverExercised {
-    std::vector<StepId> steps;              ///< never active
-    std::vector<TransitionId> transitions;  ///< never cleared
-    std::vector<std::uint32_t> inputs;      ///< never both 0 and 1; numbered as in Stimuli
-    std::vector<OutputId> outputs;          ///< never 1
-    bool none() const { return *this == NeverExercised(); }
-    bool operator==(const NeverExercised&) const = default;
-};
 
 /// Whether anything can ever happen in a GRAFCET: some step is initial, or some transition without
 /// preceding steps activates one. Where not, a check would have nothing to say.

@@ -44,6 +44,7 @@
 #include <cassert>
 #include <deque>
 
+#include "check/coverage.h"
 #include "check/partial_inputs.h"
 #include "check/state_encoding.h"
 #include "check/state_space.h"

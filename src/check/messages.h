@@ -16,24 +16,24 @@ inline constexpr Message<std::string> program{"program {}", "programme {}"};
 inline constexpr Message<std::string> netlist{"netlist {}", "câblage {}"};
 
 /// Between the parts of a line.
-inline constexpr Message<> separator{"; ", " ; "};
+inline constexpr Message<> separator{"; ", " ; "};
 inline constexpr Message<std::string> delays{"delays: every gate {} ns",
-                                             "retards : {} ns par porte"};
+                                             "retards : {} ns par porte"};
 inline constexpr Message<> one_change{"changes: one input at a time",
-                                      "changements : une entrée à la fois"};
+                                      "changements : une entrée à la fois"};
 inline constexpr Message<> many_changes{"changes: many inputs at once",
-                                        "changements : plusieurs entrées à la fois"};
-inline constexpr Message<> any_period{"scan period: any", "période de scrutation : quelconque"};
-inline constexpr Message<std::string> scan_period{"scan period: {}", "période de scrutation : {}"};
-inline constexpr Message<> no_assumptions{"assumptions: none", "hypothèses : aucune"};
-inline constexpr Message<std::string> assumptions{"assumptions: {}", "hypothèses : {}"};
-inline constexpr Message<> power_up_init{"power-up: Init", "mise sous tension : Init"};
+                                        "changements : plusieurs entrées à la fois"};
+inline constexpr Message<> any_period{"scan period: any", "période de scrutation : quelconque"};
+inline constexpr Message<std::string> scan_period{"scan period: {}", "période de scrutation : {}"};
+inline constexpr Message<> no_assumptions{"assumptions: none", "hypothèses : aucune"};
+inline constexpr Message<std::string> assumptions{"assumptions: {}", "hypothèses : {}"};
+inline constexpr Message<> power_up_init{"power-up: Init", "mise sous tension : Init"};
 inline constexpr Message<> power_up_initial_values{"power-up: initial values",
-                                                   "mise sous tension : valeurs initiales"};
+                                                   "mise sous tension : valeurs initiales"};
 inline constexpr Message<> power_up_given{
     "power-up: initial situation, taken as given",
-    "mise sous tension : situation initiale, supposée donnée"};
-inline constexpr Message<> power_up_unknown{"power-up: unknown", "mise sous tension : inconnue"};
+    "mise sous tension : situation initiale, supposée donnée"};
+inline constexpr Message<> power_up_unknown{"power-up: unknown", "mise sous tension : inconnue"};
 
 // Coverage.
 
@@ -45,73 +45,73 @@ inline constexpr Message<std::uint64_t, std::uint64_t, std::uint64_t> cases_comp
     "  {} stable situations, {} cases compared, {} without a stable situation\n",
     "  {} situations stables, {} cas comparés, {} sans situation stable\n"};
 inline constexpr Message<std::string> never_active{"never active: {}",
-                                                   "étapes jamais actives : {}"};
+                                                   "étapes jamais actives : {}"};
 inline constexpr Message<std::string> never_cleared{"never cleared: {}",
-                                                    "transitions jamais franchies : {}"};
+                                                    "transitions jamais franchies : {}"};
 inline constexpr Message<std::string> never_changed{"never changed: {}",
-                                                    "entrées jamais changées : {}"};
-inline constexpr Message<std::string> never_on{"never on: {}", "sorties jamais à 1 : {}"};
+                                                    "entrées jamais changées : {}"};
+inline constexpr Message<std::string> never_on{"never on: {}", "sorties jamais à 1 : {}"};
 
 // Why a check is undecided.
 
 inline constexpr Message<> depends_on_period{
     "  for no scan period could a difference be shown, nor excluded for every one: give one with "
     "--scan\n",
-    "  pour aucune période de scrutation une différence n'a pu être montrée, ni exclue pour toutes "
+    "  pour aucune période de scrutation une différence n'a pu être montrée, ni exclue pour toutes "
     ": en donner une avec --scan\n"};
 inline constexpr Message<> depends_on_memory{
     "  a memory whose value at power-up is not known may make a difference, and no run was found "
     "that shows one: give it an initial value\n",
     "  une mémoire dont la valeur à la mise sous tension est inconnue peut faire une différence, "
-    "sans qu'un essai la montre : lui donner une valeur initiale\n"};
+    "sans qu'un essai la montre : lui donner une valeur initiale\n"};
 inline constexpr Message<std::uint64_t> states_waiting{
     "  exploration incomplete within the bounds given: {} states reached are still to be left\n",
-    "  exploration incomplète dans les limites données : {} états atteints restent à quitter\n"};
+    "  exploration incomplète dans les limites données : {} états atteints restent à quitter\n"};
 
 // Remarks.
 
 inline constexpr Message<std::string> chart_is_unstable{
     "\nRemark: the GRAFCET itself has no stable situation here ({} keep changing):\n",
-    "\nRemarque : le GRAFCET n'a pas de situation stable ici ({} changent sans cesse) :\n"};
+    "\nRemarque : le GRAFCET n'a pas de situation stable ici ({} changent sans cesse) :\n"};
 inline constexpr Message<> many_changes_hold{
     "\nRemark: it holds as well when many inputs change at once.\n",
-    "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n"};
+    "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n"};
 inline constexpr Message<> many_changes_undecided{
     "\nRemark: whether it holds as well when many inputs change at once is undecided within the "
     "bounds given.\n",
-    "\nRemarque : dans les limites données, il reste indécis si cela est vrai aussi quand "
+    "\nRemarque : dans les limites données, il reste indécis si cela est vrai aussi quand "
     "plusieurs entrées changent à la fois.\n"};
 inline constexpr Message<> many_changes_fail{
     "\nRemark: it does not hold when many inputs change at once.\n",
-    "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"};
-inline constexpr Message<> for_instance{"For instance:\n", "Par exemple :\n"};
+    "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"};
+inline constexpr Message<> for_instance{"For instance:\n", "Par exemple :\n"};
 inline constexpr Message<std::string> apart_from_delay{
     "{} must not change within a settling time of the end of a delay. Otherwise:\n",
-    "{} ne doit pas changer à moins d'un temps de stabilisation de la fin d'un retard. Sinon :\n"};
+    "{} ne doit pas changer à moins d'un temps de stabilisation de la fin d'un retard. Sinon :\n"};
 inline constexpr Message<std::string> apart_from_each_other{
     "These must not change within a settling time of each other: {}. Otherwise:\n",
-    "Ces entrées ne doivent pas changer à moins d'un temps de stabilisation d'intervalle : {}. "
-    "Sinon :\n"};
+    "Ces entrées ne doivent pas changer à moins d'un temps de stabilisation d'intervalle : {}. "
+    "Sinon :\n"};
 inline constexpr Message<std::string> holds_with_assumption{
     "It holds where the plant never does that, as the GRAFCET can say:\n  assume {}\n",
-    "Cela redevient vrai si l'installation ne le fait jamais, ce que le GRAFCET peut dire :\n"
+    "Cela redevient vrai si l'installation ne le fait jamais, ce que le GRAFCET peut dire :\n"
     "  assume {}\n"};
 
 // The witness.
 
-inline constexpr Message<> witness{"\nWitness:\n", "\nTémoin :\n"};
+inline constexpr Message<> witness{"\nWitness:\n", "\nTémoin :\n"};
 /// Arguments: the net, its value.
 inline constexpr Message<std::string, int> at_power_up{"  at power-up: {} = {}\n",
-                                                       "  à la mise sous tension: {} = {}\n"};
+                                                       "  à la mise sous tension : {} = {}\n"};
 inline constexpr Message<> no_initial_situation{
     "At power-up nothing brings the netlist into the initial situation. Give it an input Init or\n"
     "initial values; or check with --power-up initial, if the plant guarantees that situation.\n\n",
     "À la mise sous tension, rien ne met le câblage dans la situation initiale. Lui donner une "
-    "entrée\nInit ou des valeurs initiales ; ou vérifier avec --power-up initial, si "
+    "entrée\nInit ou des valeurs initiales ; ou vérifier avec --power-up initial, si "
     "l'installation garantit cette\nsituation.\n\n"};
 inline constexpr Message<> oscillates_beside{
     "Every X and output is right; what keeps changing beside them stands below.\n\n",
-    "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus bas.\n\n"};
+    "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus bas.\n\n"};
 
 // The table of ports.
 
@@ -120,6 +120,6 @@ inline constexpr Message<> missing_output{"missing output", "sortie manquante"};
 inline constexpr Message<> extra_input{"extra input", "entrée en trop"};
 inline constexpr Message<> extra_output{"extra output", "sortie en trop"};
 inline constexpr Message<> unrelated_timer{"timer of no time condition",
-                                           "temporisateur sans condition de temps"};
+                                           "temporisateur d'aucune temporisation"};
 
 }  // namespace grafwire::messages::check

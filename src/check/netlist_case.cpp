@@ -1,7 +1,7 @@
 // A netlist in one case after the other.
 //
 // What a settled netlist remembers is little beside what it has of nets: the outputs of cells with
-// a memory, the nets on loops of gates (netlist/loops.h), and the operands of timers, since a delay
+// a memory, the nets on loops of gates (cells_on_loops), and the operands of timers, since a delay
 // that runs knows where to. Every other net follows from these and the inputs. And of these again
 // only those count that are in the cone of influence of an X or an output: a counter that nothing
 // reads is simulated with the rest, but two states that differ in nothing else are one.
@@ -20,7 +20,7 @@
 
 #include "check/netlist_witness.h"
 #include "check/running_delays.h"
-#include "netlist/loops.h"
+#include "netlist/netlist.h"
 
 namespace grafwire {
 

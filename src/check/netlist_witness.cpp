@@ -18,7 +18,7 @@
 #include <algorithm>
 
 #include "evolution/run.h"
-#include "netlist/loops.h"
+#include "netlist/netlist.h"
 #include "simulate/simulate.h"
 
 namespace grafwire {

@@ -19,6 +19,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "check/coverage.h"
 #include "check/path.h"
 #include "check/reference_case.h"
 #include "check/state_encoding.h"
@@ -33,15 +34,16 @@ using Outcome = ScannedDevice::Outcome;
 
 constexpr std::uint32_t root = 0xffffffffU;  ///< before the first scan
 
-/// What both sides remember after a scan.
-struct Node {
+/// A state of the product: what both sides remember after a scan.
+struct ScanState {
     EvolutionState reference;
     std::string memory;
     Time now = 0;  ///< the time of that scan
     std::uint32_t scan = root;
 };
 
-std::string encoding_of(const Node& node, const Relevance& relevance, const ScannedDevice& device) {
+std::string encoding_of(const ScanState& node, const Relevance& relevance,
+                        const ScannedDevice& device) {
     std::string encoding;
     relevance.encode(encoding, node.reference);
     for (std::size_t i = 0; i < node.reference.due.size(); ++i) {
@@ -69,7 +71,7 @@ class ScanExploration {
     CheckResult run() {
         expand(nullptr);
         while (!done_ && !waiting_.empty()) {
-            const Node node = std::move(waiting_.front());
+            const ScanState node = std::move(waiting_.front());
             waiting_.pop_front();
             expand(&node);
         }
@@ -85,9 +87,9 @@ class ScanExploration {
         PartialInputs inputs;
     };
 
-    void expand(const Node* node);
-    void compare(const Node* node, const ReferenceOutcome& expected);
-    void add_successor(Node&& next, std::uint32_t predecessor, const PartialInputs& inputs);
+    void expand(const ScanState* node);
+    void compare(const ScanState* node, const ReferenceOutcome& expected);
+    void add_successor(ScanState&& next, std::uint32_t predecessor, const PartialInputs& inputs);
     void show_difference(std::uint32_t predecessor, const PartialInputs& inputs);
     Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
     bool agree(const ReferenceOutcome& expected, const Outcome& got) const;
@@ -99,7 +101,7 @@ class ScanExploration {
     ReferenceCases reference_;
     Relevance relevance_;
     Assumptions assumptions_;
-    std::deque<Node> waiting_;
+    std::deque<ScanState> waiting_;
     std::unordered_set<std::string> visited_;
     std::vector<Scan> scans_;
     CheckResult result_;
@@ -108,7 +110,7 @@ class ScanExploration {
 };
 
 /// All cases of the scan after a node, or of the first.
-void ScanExploration::expand(const Node* node) {
+void ScanExploration::expand(const ScanState* node) {
     const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
     const Time now = node == nullptr ? 0 : node->now + period_;
     for_each_case(
@@ -122,7 +124,7 @@ void ScanExploration::expand(const Node* node) {
 
 /// Compares the device in a case of the reference, split by the unassigned inputs that the device
 /// turns out to need.
-void ScanExploration::compare(const Node* node, const ReferenceOutcome& expected) {
+void ScanExploration::compare(const ScanState* node, const ReferenceOutcome& expected) {
     const std::string memory = node == nullptr ? device_.start() : node->memory;
     const Time now = node == nullptr ? 0 : node->now + period_;
     const std::uint32_t predecessor = node == nullptr ? root : node->scan;
@@ -161,7 +163,7 @@ bool ScanExploration::agree(const ReferenceOutcome& expected, const Outcome& got
     return same(expected.state.situation, got.steps) && same(expected.outputs, got.outputs);
 }
 
-void ScanExploration::add_successor(Node&& next, std::uint32_t predecessor,
+void ScanExploration::add_successor(ScanState&& next, std::uint32_t predecessor,
                                     const PartialInputs& inputs) {
     if (!visited_.insert(encoding_of(next, relevance_, device_)).second) return;
     coverage_.record_situation(next.reference.situation);

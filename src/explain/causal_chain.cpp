@@ -7,6 +7,13 @@
 // to come is followed. Of a pulse (a net that changes and changes back in one instant) both ends
 // belong to the walk. A flip-flop changes because of its data, a pulse ends because it began, and
 // the end of a delay is where a chain begins, as the change of an input is.
+//
+// So of an AND of `X0` and `a` that rises 1 ns after `a` the chain names `a`; if `X0` has risen in
+// the same instant, `X0` as well, and what made it rise; if `X0` has been 1 for long, it does not.
+// When the AND falls again, the first of its pins to fall is all that counts.
+//
+// The changes of every net are kept in their order, so that the last one before a moment is found
+// by halving; the walk takes every change once.
 
 #include "explain/causal_chain.h"
 
@@ -20,7 +27,8 @@ namespace grafwire {
 
 namespace {
 
-/// The values of all nets once the netlist has been initialised with the inputs of time 0.
+/// What there is before the first change: the values of all nets once the netlist has been
+/// initialised with the inputs of time 0.
 std::vector<Logic> start_values(const Grafcet& grafcet, const Netlist& netlist,
                                 const CellDelays& delays, const Stimuli& stimuli) {
     StimuliPlayer player(stimuli, grafcet.all_input_count());
@@ -61,6 +69,8 @@ std::vector<Logic> NetHistory::before_end() const {
 
 namespace {
 
+/// One step back: from a change of a net to those that brought it about. Changes are indices into
+/// the history.
 class CauseWalk {
   public:
     CauseWalk(const Netlist& netlist, const CellDelays& delays, const NetHistory& history)
@@ -74,6 +84,7 @@ class CauseWalk {
         }
     }
 
+    /// None where a chain begins.
     std::vector<std::size_t> causes_of(std::size_t index) const {
         const NetChange& change = history_.changes[index];
         const CellId driver = drivers_[change.net];
@@ -154,6 +165,9 @@ class CauseWalk {
         }
     }
 
+    /// The pins that changed just as the gate was evaluated, one delay before its output; of these
+    /// the one that decides by itself, if one does. Where none did (a change came about otherwise,
+    /// as when a net is let go), the last one before.
     std::vector<std::size_t> of_gate(const Cell& cell, const NetChange& change, Time time,
                                      std::size_t index) const {
         std::vector<std::size_t> just;    // changed as the gate was evaluated

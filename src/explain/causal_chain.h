@@ -18,6 +18,7 @@ struct NetChange {
 
 /// All that the nets do in the simulation of a witness, after the initialisation.
 struct NetHistory {
+    /// Simulates the netlist over the stimuli of the witness, up to its end.
     NetHistory(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                const Witness& witness);
 
@@ -50,7 +51,8 @@ struct CausalLink {
     std::vector<std::size_t> causes;
 };
 
-/// Everything that led to some changes, in the order in which it happened.
+/// Everything that led to some changes (`targets`, as indices into the history), in the order in
+/// which it happened: a tree read from its leaves. What has several parts in it comes once.
 std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& delays,
                                      const NetHistory& history,
                                      const std::vector<std::size_t>& targets);

@@ -6,6 +6,10 @@
 // netlist with a wrong equation needs no other cause. A race of inputs is the last: it is shown by
 // experiment, in that the same inputs make no difference when they change one after the other, in
 // every order.
+//
+// A signature is not a proof: it says that the known thing happened, at a place where it can do the
+// harm that is seen. That is why the order counts. A loop of two steps, for instance, may also show
+// a latch whose set and reset end together; naming the loop tells more, for it stands in the chart.
 
 #include "explain/cause_search.h"
 
@@ -42,6 +46,8 @@ class CauseSearch {
           hazards_(facts.cdx == CdxForm::successor ? wiring_hazards(facts.grafcet)
                                                    : std::vector<WiringHazard>()) {}
 
+    /// The first cause whose signature is met, in the order of `searches`, for any of the steps
+    /// that are wrong; nothing where an equation is to blame.
     std::optional<Cause> find() const {
         if (facts_.has_wrong_output) return std::nullopt;
         for (const WrongStep& step : facts_.steps) {
@@ -108,6 +114,9 @@ class CauseSearch {
         return std::nullopt;
     }
 
+    /// Two steps that follow each other, the wrong one among them: the reference clears one of the
+    /// transitions between them, and both X are 1 together for a moment. In the successor form each
+    /// X resets the other then.
     std::optional<Cause> step_loop(const WrongStep& wrong) const {
         for (const WiringHazard& hazard : hazards_) {
             if (hazard.kind != WiringHazard::Kind::step_loop) continue;
@@ -141,6 +150,7 @@ class CauseSearch {
         return std::nullopt;
     }
 
+    /// The edges in an expression, nested ones too.
     void collect_edges(ExprId id, std::vector<ExprId>& edges) const {
         const ExprKind kind = grafcet_.expressions.kind(id);
         if (kind == ExprKind::rise || kind == ExprKind::fall) edges.push_back(id);
@@ -148,6 +158,7 @@ class CauseSearch {
             collect_edges(operand, edges);
         }
     }
+    /// The nets of the inputs and X that an expression reads.
     void collect_variables(ExprId id, std::vector<NetId>& nets) const {
         const Expressions& pool = grafcet_.expressions;
         if (pool.kind(id) == ExprKind::variable) {

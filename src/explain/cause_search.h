@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "explain/causal_chain.h"
-#include "explain/cause.h"
 #include "explain/compare_functions.h"
+#include "explain/explain.h"
 #include "explain/explanation_writer.h"
 
 namespace grafwire {

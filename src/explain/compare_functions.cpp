@@ -8,6 +8,14 @@
 // products), and likewise CAX where CDX is 1. If they differ only where both are 1, it is a matter
 // of priority. AUdur, forcing and enclosing act outside the memory; where they do, CAX and CDX are
 // don't-care as well.
+//
+// An example: step 1 should have CAX1 = X0.a and CDX1 = X2, and its gates make
+//
+//     F = X0.a + X1./X3              set where X0.a, reset where X3 and not X0.a
+//
+// So CAX is right. Of CDX only what is there without CAX is known, between X3./(X0.a) and
+// X3 + X0.a; the shortest sum in that interval is X3. The report says: in the netlist CDX1 = X3; it
+// has no X2, it should not have X3.
 
 #include "explain/compare_functions.h"
 
@@ -27,10 +35,12 @@ using EquationPair = Explanation::EquationPair;
 /// A sum that takes more is not written.
 constexpr std::size_t most_products = 24;
 
+/// What the gates depend on, in the order in which the walk met it.
 void add_leaves(const Cone& cone, FunctionVariables& variables) {
     for (const NetId net : cone.leaf_order) variables.add(cone.leaves.at(net));
 }
 
+/// Which gates they are, for a fault that can only be told by its place.
 void note_gates(const Cone& cone, FunctionComparison& comparison) {
     comparison.gates = cone.inner;
     for (const NetId net : cone.leaf_order) {
@@ -99,6 +109,8 @@ EquationPair different_pair(const Wanted& wanted, const TruthTable& lower, const
     return pair;
 }
 
+/// One step. The variables of the two sides come first: those of the equations, then what only the
+/// gates read; then the functions over them, and the faults between the functions.
 class StepComparison {
   public:
     StepComparison(const NetReader& reader, const Equations& equations, StepId step)
@@ -159,6 +171,7 @@ class StepComparison {
         loop = {own_, loop.net, is_inverted, false, false};
     }
 
+    /// An equation beside which nothing of the netlist can be put.
     void add_plain(std::string_view role, ExprId id) {
         EquationPair pair;
         pair.name = std::string(role) + name_;
@@ -171,6 +184,8 @@ class StepComparison {
         result_.equations.push_back(std::move(pair));
     }
 
+    /// Sorts the rows of the truth tables: where the gates are wrong, whether anything outside CAX
+    /// and CDX acts there, and which of the two is to blame.
     void compare() {
         const FunctionVariables& variables = result_.variables;
         const TruthTable& got = *result_.got;

@@ -31,8 +31,10 @@ std::optional<std::size_t> row_of(const FunctionVariables& variables,
                                   const std::vector<const TruthTable*>& tables,
                                   const std::vector<Logic>& nets);
 
+/// A step of the netlist against its equations. What cannot be compared (too many variables,
+/// memories without a name) is a fault of the kind `unread`.
 FunctionComparison compare_step(const NetReader& reader, const Equations& equations, StepId step);
-/// Of a stored output nothing but its gates.
+/// Likewise a continuous output; of a stored output nothing but its gates.
 FunctionComparison compare_output(const NetReader& reader, const Equations& equations,
                                   OutputId output);
 

@@ -2,7 +2,10 @@
 // gates (net_reader.cpp) is compared with these, variable by variable, by name.
 //
 // In a clocked netlist an edge is not a variable of its own but a function of its operand now and
-// one clock cycle before.
+// one clock cycle before: `↑a` is `a . /a[-1]`. Everything else that is no operator (a time
+// condition, a comparison, an edge elsewhere) is one variable, however much stands in it, under the
+// name that the equations write for it. That the gates may spell it otherwise is net_reader.cpp's
+// concern.
 
 #include "explain/equation_functions.h"
 
@@ -18,6 +21,7 @@ std::string operand_name(const Grafcet& grafcet, Variable variable) {
     return write_expression(grafcet, pool, id);
 }
 
+// A name that comes from an equation has no net yet; the same name met at the gates gives it one.
 std::size_t FunctionVariables::add(const FunctionVariable& variable) {
     if (const auto known = find(variable.name)) {
         FunctionVariable& kept = list_[*known];

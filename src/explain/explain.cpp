@@ -27,6 +27,8 @@ using Part = Explanation::Part;
 /// The loop of an oscillation is looked for among this many changes of one net.
 constexpr std::size_t most_rounds = 32;
 
+/// The explanation of one witness. The steps of make() build on each other: what is wrong, what it
+/// should be made of, when that is decided, what follows from what, how it came about, and why.
 class Explainer {
   public:
     Explainer(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
@@ -100,6 +102,7 @@ class Explainer {
         }
     }
 
+    /// Every part against the equations with this form of CDX.
     void compare_with(CdxForm cdx, std::vector<FunctionComparison>& functions) {
         const Equations equations = equations_from(grafcet_, {cdx, netlist_.has_modes});
         for (const Examined& examined : parts_) {
@@ -113,6 +116,7 @@ class Explainer {
             }
         }
     }
+    /// Chooses the form of CDX that leaves fewer faults; with as many, the successor form.
     void compare() {
         std::vector<FunctionComparison> chosen;
         std::size_t fewest = 0;
@@ -208,6 +212,7 @@ class Explainer {
             examined.part.reads.push_back({name, value_at(functions, name, decisive)});
         }
     }
+    /// The value of an operand, by its name, at a moment with these values of the nets.
     Logic value_at(const FunctionComparison& functions, const std::string& name,
                    const std::vector<Logic>& nets) const {
         const auto variable = functions.variables.find(name);
@@ -309,6 +314,7 @@ class Explainer {
         return {changes.back()};
     }
 
+    /// The chain with names in the place of numbers.
     void make_chain() {
         for (const CausalLink& link : causal_chain(netlist_, delays_, history_, targets())) {
             const NetChange& change = history_.changes[link.change];
@@ -325,6 +331,7 @@ class Explainer {
         }
     }
 
+    /// Puts together what the search for a known cause looks at.
     void find_cause() {
         WitnessFacts facts{grafcet_,   netlist_, delays_, witness_, history_,
                            reference_, reader_,  cdx_,    {},       false};

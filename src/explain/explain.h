@@ -5,12 +5,33 @@
 #include <vector>
 
 #include "check/witness.h"
-#include "explain/cause.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"
+#include "text/time.h"
 
 namespace grafwire {
+
+/// A known reason why wiring departs from its GRAFCET although its equations are right.
+enum class CauseKind {
+    two_step_loop,      ///< two steps follow each other, and CDX has the successor form
+    two_tokens,         ///< a step is reset by a second token in front of it, in the successor form
+    long_pulse,         ///< the pulse of an edge clears two transitions, one after the other
+    fleeting_follower,  ///< what should reset a step goes on before the step has been set
+    reset_priority,     ///< deactivation wins over activation
+    set_and_reset,      ///< a memory of gates is set and reset at once, and both end together
+    input_race,         ///< inputs that change together are read together
+};
+
+/// Such a reason, with the names it is told with.
+struct Cause {
+    CauseKind kind = CauseKind::two_step_loop;
+    std::string step;  ///< `X1`: the step that goes wrong; of input_race empty
+    /// two_step_loop, two_tokens, fleeting_follower: the X that reset it; long_pulse: the edge;
+    /// input_race: the inputs
+    std::vector<std::string> others;
+    std::vector<std::string> transitions;  ///< long_pulse: the two; two_tokens: the one not cleared
+};
 
 /// Why a netlist departs from its GRAFCET at the end of a witness, backwards from what differs.
 struct Explanation {
@@ -32,6 +53,7 @@ struct Explanation {
         std::vector<std::string> missing;  ///< what the netlist's does not depend on
         std::vector<std::string> extra;    ///< what only the netlist's depends on
     };
+    /// What is the matter with a part.
     enum class Fault {
         no_fault,  ///< the equations are the same: it is a matter of time, or follows from another
         equation,  ///< CAX, CDX or the equation of an output is another one
@@ -39,6 +61,7 @@ struct Explanation {
         order,     ///< AUdur, a forcing order or the enclosing step act otherwise
         unread,    ///< the gates cannot be compared: too many operands, or memories of their own
     };
+    /// One X or output that is wrong, or that keeps changing.
     struct Part {
         std::string name;  ///< `X4`, or an output
         bool is_step = false;
@@ -68,6 +91,8 @@ struct Explanation {
     std::vector<CellId> oscillating;
 };
 
+/// Explains a witness that replays under these delays. The netlist is simulated once more, with
+/// every change of a net noted; functions of more than TruthTable::most_variables are not compared.
 Explanation explain(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                     const Witness& witness);
 

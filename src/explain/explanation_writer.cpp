@@ -1,6 +1,14 @@
 // What every explanation begins with: what changed outside at the end of a witness, and what the
 // reference made of it, scan by scan. The reference is run once more up to the last instant, and
-// that one is repeated with its scans recorded.
+// that one is repeated with its scans recorded:
+//
+//     At 100 ms: a=1.
+//     The reference:
+//       before: X0
+//       scan 1: clears (1) 0 -> 1 -> X1
+//
+// A scan that changes nothing is left out (so the last one of every instant), and of a long
+// cascade the first scans are shown.
 
 #include "explain/explanation_writer.h"
 
@@ -91,6 +99,7 @@ bool ReferenceEnd::clears(TransitionId transition) const {
     });
 }
 
+/// By instants where the witness is one of instants, by scans where it has a scan period.
 ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness) {
     const Evolution evolution(grafcet);
     ReferenceEnd end;
@@ -165,7 +174,9 @@ void ExplanationWriter::explain_reference() {
         }
         std::vector<std::string> names;
         for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
-        say(words::scan_clears, label, fmt::format("{}", fmt::join(names, "; ")), situation);
+        say(words::scan_clears, label,
+            fmt::format("{}", fmt::join(names, words::between_transitions.in(language_))),
+            situation);
     }
 }
 

@@ -19,14 +19,16 @@ struct ReferenceEnd {
     struct Scan {
         Time at = 0;
         std::vector<TransitionId> cleared;
-        BitTable situation;  ///< after it
-        bool changes = false;
+        BitTable situation;    ///< after it
+        bool changes = false;  ///< the situation, or something was cleared
     };
-    BitTable before;
+    BitTable before;  ///< the situation before the first of them
     std::vector<Scan> scans;
 
+    /// Whether one of the scans clears a transition.
     bool clears(TransitionId transition) const;
 };
+/// Runs the reference up to the end of a witness.
 ReferenceEnd end_of_reference(const Grafcet& grafcet, const Witness& witness);
 
 /// A witness explained in words, part by part. What the other side did in between is added by its

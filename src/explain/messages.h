@@ -10,81 +10,88 @@ namespace grafwire::messages::explain {
 
 // What every explanation begins with (explanation_writer).
 
-inline constexpr Message<std::string, std::string> changes_at{"At {} ms: {}.\n", "À {} ms : {}.\n"};
+inline constexpr Message<std::string, std::string> changes_at{"At {} ms: {}.\n", "À {} ms : {}.\n"};
 inline constexpr Message<std::string> no_change_at{"At {} ms, no input changes.\n",
                                                    "À {} ms, aucune entrée ne change.\n"};
-inline constexpr Message<> the_reference{"The reference:\n", "La référence :\n"};
-inline constexpr Message<std::string> before{"  before: {}\n", "  avant : {}\n"};
+inline constexpr Message<> the_reference{"The reference:\n", "La référence :\n"};
+inline constexpr Message<std::string> before{"  before: {}\n", "  avant : {}\n"};
 inline constexpr Message<> no_step{"no step", "aucune étape"};
 inline constexpr Message<std::size_t> scan_number{"scan {}", "cycle {}"};
 inline constexpr Message<std::string> scan_at{"scan at {} ms", "cycle à {} ms"};
 /// Arguments: the scan, the transitions, the situation after it.
 inline constexpr Message<std::string, std::string, std::string> scan_clears{
-    "  {}: clears {} -> {}\n", "  {} : franchit {} -> {}\n"};
+    "  {}: clears {} -> {}\n", "  {} : franchit {} -> {}\n"};
+/// Between the transitions that a scan clears.
+inline constexpr Message<> between_transitions{"; ", " ; "};
 inline constexpr Message<std::string, std::string> scan_of_orders{"  {}: orders -> {}\n",
-                                                                  "  {} : ordres -> {}\n"};
-inline constexpr Message<> where_they_part{"Where they part:\n", "Où ils se séparent :\n"};
+                                                                  "  {} : ordres -> {}\n"};
+inline constexpr Message<> where_they_part{"Where they part:\n", "Où ils se séparent :\n"};
 /// Arguments: the X or output, its value, the other side, its value there.
 inline constexpr Message<std::string, char, std::string, char> values_differ{
-    "  {}: the reference gives {}, {} {}\n", "  {} : la référence donne {}, {} {}\n"};
+    "  {}: the reference gives {}, {} {}\n", "  {} : la référence donne {}, {} {}\n"};
 
 // The explanation of a netlist (write_explanation).
 
 inline constexpr Message<> the_netlist{"the netlist", "le câblage"};
-inline constexpr Message<> keeps_changing{"What keeps changing:\n", "Ce qui change sans cesse :\n"};
+inline constexpr Message<> keeps_changing{"What keeps changing:\n", "Ce qui change sans cesse :\n"};
 inline constexpr Message<std::string, char> value_expected{"  {}: the reference gives {}\n",
-                                                           "  {} : la référence donne {}\n"};
+                                                           "  {} : la référence donne {}\n"};
 inline constexpr Message<std::string> follows_from{"    that follows from {}\n",
                                                    "    cela découle de {}\n"};
 
+/// What the operands of an equation are: `X2=1 X3=0`.
 inline constexpr Message<std::string> with_values{"   with {}", "   avec {}"};
 inline constexpr Message<> another_equation{"    in the netlist another one",
                                             "    dans le câblage, une autre"};
+/// Arguments: the left-hand side, the right-hand side.
 inline constexpr Message<std::string, std::string> equation_in_netlist{
     "    in the netlist {} = {}", "    dans le câblage {} = {}"};
-inline constexpr Message<std::string> operands_missing{"; it has no {}", " ; il y manque {}"};
+inline constexpr Message<std::string> operands_missing{"; it has no {}", " ; il y manque {}"};
 inline constexpr Message<std::string> operands_extra{"; it should not have {}",
-                                                     " ; n'y ont pas leur place : {}"};
+                                                     " ; n'y ont pas leur place : {}"};
 
 inline constexpr Message<> same_equations{
     "    its gates have the same equations: it is a matter of delays\n",
-    "    ses portes ont les mêmes équations : c'est une question de retards\n"};
+    "    ses portes ont les mêmes équations : c'est une question de retards\n"};
 inline constexpr Message<> deactivation_wins{
     "    its gates have the same, but where CAX and CDX are both 1 deactivation wins\n",
     "    ses portes ont les mêmes, mais là où CAX et CDX valent 1 la désactivation l'emporte\n"};
 inline constexpr Message<> gates_cannot_be_compared{
     "    what the gates make of it cannot be compared; they read",
-    "    ce qu'en font les portes ne se compare pas ; elles lisent"};
+    "    ce qu'en font les portes ne se compare pas ; elles lisent"};
 inline constexpr Message<std::string> decided_at{"    it is decided at {}\n",
                                                  "    cela se décide à {}\n"};
 /// Arguments: the file with a comma, or nothing; the lines.
 inline constexpr Message<std::string, std::string> gates_in_line{"    its gates: {}line {}\n",
-                                                                 "    ses portes : {}ligne {}\n"};
+                                                                 "    ses portes : {}ligne {}\n"};
 inline constexpr Message<std::string, std::string> gates_in_lines{"    its gates: {}lines {}\n",
-                                                                  "    ses portes : {}lignes {}\n"};
+                                                                  "    ses portes : {}lignes {}\n"};
 
 inline constexpr Message<> gate_by_gate{"How it came about, gate by gate:\n",
-                                        "Comment on en arrive là, porte par porte :\n"};
+                                        "Comment on en arrive là, porte par porte :\n"};
 inline constexpr Message<> no_gate_changes{"  no gate changes\n", "  aucune porte ne change\n"};
 inline constexpr Message<std::size_t> links_in_file{
     "  … {} links before these stand in witness.txt\n",
-    "  … {} maillons avant ceux-ci : voir witness.txt\n"};
+    "  … {} maillons avant ceux-ci : voir witness.txt\n"};
 inline constexpr Message<std::string> input{"input {}", "entrée {}"};
 inline constexpr Message<std::uint32_t> in_line{" (line {})", " (ligne {})"};
+// What the net of a link does.
 inline constexpr Message<> rises{" rises", " monte"};
 inline constexpr Message<> falls{" falls", " descend"};
 inline constexpr Message<> becomes_undefined{" becomes undefined", " devient indéterminée"};
+// How a link of the chain ends: by what caused it, or that it is where the chain begins.
 inline constexpr Message<std::string> after{", after {}", ", après {}"};
 inline constexpr Message<> delay_has_ended{", its delay has ended", ", son retard est écoulé"};
 inline constexpr Message<> from_the_start{", from the start", ", dès le départ"};
 
 inline constexpr Message<> does_not_settle{
     "The netlist does not settle. These keep changing:\n",
-    "Le câblage ne se stabilise pas. Changent sans cesse :\n"};
+    "Le câblage ne se stabilise pas. Changent sans cesse :\n"};
 inline constexpr Message<std::size_t> and_more{"  and {} more\n", "  et {} autres\n"};
 
+/// Arguments: two sentences, from the rows below.
 inline constexpr Message<std::string, std::string> cause_and_remedy{
-    "Cause:\n  {}\nWhat helps:\n  {}\n", "Cause :\n  {}\nRemède :\n  {}\n"};
+    "Cause:\n  {}\nWhat helps:\n  {}\n", "Cause :\n  {}\nRemède :\n  {}\n"};
 
 // The known causes. Arguments: the step, the others, two transitions.
 
@@ -96,19 +103,19 @@ using CauseMessage = Message<std::string, std::string, std::string, std::string>
 inline constexpr CauseMessage two_step_loop{
     "{0} and {1} follow each other. In the successor form of CDX the very step from which another "
     "is set also resets it, and whether the token survives depends on the delays of the gates.",
-    "{0} et {1} se suivent l'une l'autre. Dans la forme « successeur » de CDX, l'étape qui active "
+    "{0} et {1} se suivent l'une l'autre. Dans la forme « successeur » de CDX, l'étape qui active "
     "l'autre est aussi celle qui la désactive, et le jeton ne survit que si les retards des portes "
     "s'y prêtent."};
 inline constexpr CauseMessage two_step_loop_remedy{
     "Put a step between the two; or use style nand, which blocks the reset while a memory is being "
     "set, or the clocked style.",
-    "Insérer une étape entre les deux ; ou choisir le style nand, qui bloque la désactivation "
+    "Insérer une étape entre les deux ; ou choisir le style nand, qui bloque la désactivation "
     "pendant l'activation, ou le style synchrone (clocked)."};
 
 inline constexpr CauseMessage two_tokens{
     "{0} is reset by a second token: {1} is active already, and in the successor form of CDX that "
     "resets {0} although transition ({2}) has not been cleared.",
-    "{0} est désactivée par un second jeton : {1} est déjà active et, dans la forme « successeur » "
+    "{0} est désactivée par un second jeton : {1} est déjà active et, dans la forme « successeur » "
     "de CDX, cela désactive {0} sans que la transition ({2}) soit franchie."};
 inline constexpr CauseMessage two_tokens_remedy{
     "Use --cdx transition with latches (style nand), or the clocked style.",
@@ -117,7 +124,7 @@ inline constexpr CauseMessage two_tokens_remedy{
 inline constexpr CauseMessage long_pulse{
     "The pulse of {1} outlives the passage through {0}: it is still 1 when transition ({2}) has "
     "activated {0}, and clears ({3}) as well.",
-    "L'impulsion de {1} dure plus longtemps que le passage par {0} : elle vaut encore 1 quand la "
+    "L'impulsion de {1} dure plus longtemps que le passage par {0} : elle vaut encore 1 quand la "
     "transition ({2}) a activé {0}, et fait franchir aussi ({3})."};
 inline constexpr CauseMessage long_pulse_remedy{
     "Let a step between the two wait for the input to fall, make the pulse shorter, or use the "
@@ -128,7 +135,7 @@ inline constexpr CauseMessage long_pulse_remedy{
 inline constexpr CauseMessage fleeting_follower{
     "{1}, which should reset {0}, is active only for as long as CAX of {0} is still 1, and has "
     "gone on before the reset could act.",
-    "{1}, qui doit désactiver {0}, n'est active que pendant que CAX de {0} vaut encore 1 : elle "
+    "{1}, qui doit désactiver {0}, n'est active que pendant que CAX de {0} vaut encore 1 : elle "
     "est déjà quittée quand la désactivation pourrait agir."};
 inline constexpr CauseMessage fleeting_follower_remedy{
     "Let {1} last (a condition in place of one that is 1 at once), or use the clocked style.",
@@ -157,14 +164,14 @@ inline constexpr CauseMessage set_and_reset_remedy{
 inline constexpr CauseMessage input_race{
     "A race of inputs: {1} change in one instant and are read together. Changed one after the "
     "other, in any order, they do no harm.",
-    "Course entre entrées : {1} changent au même instant et sont lues ensemble. Changées l'une "
+    "Course entre entrées : {1} changent au même instant et sont lues ensemble. Changées l'une "
     "après l'autre, dans n'importe quel ordre, elles sont sans effet fâcheux."};
 inline constexpr CauseMessage input_race_remedy{
     "Let one input change at a time; if the plant never has them together, say so with assume; "
     "write out what excludes the other in each condition (a./b and b./a); or use the clocked "
     "style.",
-    "Ne changer qu'une entrée à la fois ; si l'installation ne les donne jamais ensemble, le dire "
-    "par assume ; écrire dans chaque réceptivité ce qui exclut l'autre (a./b et b./a) ; ou choisir "
+    "Ne changer qu'une entrée à la fois ; si l'installation ne les donne jamais ensemble, le dire "
+    "par assume ; écrire dans chaque réceptivité ce qui exclut l'autre (a./b et b./a) ; ou choisir "
     "le style synchrone (clocked)."};
 
 }  // namespace grafwire::messages::explain

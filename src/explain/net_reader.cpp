@@ -8,6 +8,15 @@
 // the feedback of its memory. Other loops (a latch whose X is taken behind a further gate) are cut
 // where the walk comes back to a net it is on.
 //
+// For an X1 that is a latch of two NAND gates the walk goes
+//
+//     X1 = nand(X1$set1, X1$q)            X1 itself is what is asked for: on through its gate
+//     X1$set1 = nand(X0, a)               X0 and a have names: leaves
+//     X1$q = nand(X1$reset0, X1)          met through X1's own gate: on; X1 again: a leaf, the
+//     X1$reset0 = nand(X2, X1$set1)       feedback
+//
+// and the function is /(/(X0.a) . /(/(X2./(X0.a)) . X1)) = X0.a + X1./X2.
+//
 // The functions are truth tables; they do not show whether a step was wired with NAND, NOR or AND
 // and OR.
 
@@ -24,6 +33,7 @@ namespace {
 
 constexpr std::size_t most_edge_products = 8;  ///< of the operand of an edge
 
+/// Whether the output is a function of the inputs alone.
 bool is_gate_type(CellType type) {
     return type <= CellType::xor_gate;
 }
@@ -287,6 +297,7 @@ Cone NetReader::cone_of(NetId net, bool as_memory) const {
     return Walk(*this, as_memory && own != named_.end() ? own->second.name : "").from(net);
 }
 
+/// The function of one cell, given those of its pins. A latch reads what it held at its own output.
 TruthTable NetReader::value_of(const Cell& cell, const std::unordered_map<NetId, TruthTable>& known,
                                std::size_t variables) const {
     const auto pins = netlist_.pins_of(cell);
@@ -324,6 +335,7 @@ TruthTable NetReader::value_of(const Cell& cell, const std::unordered_map<NetId,
     }
 }
 
+// `inner` has every net after those it reads, so one pass is enough.
 TruthTable NetReader::function(const Cone& cone, const FunctionVariables& variables) const {
     std::unordered_map<NetId, TruthTable> known;
     for (const auto& [net, variable] : cone.leaves) {

@@ -1,7 +1,12 @@
 // The sum of products is that of S. Minato and E. Morreale ("Fast generation of irredundant
 // sum-of-products forms", SASIMI 1992): what must be covered where a variable is 0 and may not be
 // where it is 1 needs a product with its negation, likewise the other way round, and the rest is
-// covered without the variable.
+// covered without the variable. With `a` to be covered and `b` left open, a + b comes out as `a`: b
+// buys nothing.
+//
+// The cost grows with the rows, 2^variables, and with the products; it is why there is a bound on
+// both (most_variables, `most`). Tables are words of 64 rows: the first six variables are patterns
+// within a word (`in_word`), each further one says which words are 1.
 
 #include "explain/truth_table.h"
 
@@ -11,10 +16,12 @@ namespace grafwire {
 
 namespace {
 
+/// The column of variable 0 to 5 within the 64 rows of a word: 01 01…, 0011…, …
 constexpr std::uint64_t in_word[6] = {0xaaaaaaaaaaaaaaaaU, 0xccccccccccccccccU,
                                       0xf0f0f0f0f0f0f0f0U, 0xff00ff00ff00ff00U,
                                       0xffff0000ffff0000U, 0xffffffff00000000U};
 
+/// The sum under construction. The recursion takes the variables from the last one down.
 class IrredundantSum {
   public:
     IrredundantSum(std::size_t variables, std::size_t most) : variables_(variables), most_(most) {}

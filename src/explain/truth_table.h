@@ -11,13 +11,15 @@ namespace grafwire {
 /// row r, in which variable v is bit v of r.
 class TruthTable {
   public:
-    static constexpr std::size_t most_variables = 14;
+    static constexpr std::size_t most_variables = 14;  ///< 2 KiB a table
 
     /// A constant.
     TruthTable(std::size_t variables, bool value);
+    /// The function that is one of the variables.
     static TruthTable variable(std::size_t variables, std::size_t index);
 
     bool at(std::size_t row) const { return (words_[row / 64] >> (row % 64) & 1U) != 0; }
+    /// Whether it is that constant.
     bool is(bool value) const;
     bool depends_on(std::size_t variable) const;
     /// The function with one variable held; it no longer depends on it.

@@ -1,6 +1,17 @@
 // The end of a witness in words: what changed outside, what the reference made of it scan by scan,
 // and then backwards from what differs: the equations with the values that decide, the causal chain
-// through the gates, and the cause with what helps, where it is a known one.
+// through the gates, and the cause with what helps, where it is a known one:
+//
+//     Where they part:
+//       X1: the reference gives 0, the netlist 1
+//         CDX1 = X2 + X3   with X2=1 X3=0
+//         in the netlist CDX1 = X3; it has no X2
+//         it is decided at +4 ns
+//     How it came about, gate by gate:
+//       +3 ns  OR gate X2 (line 23) rises, after X2$1
+//
+// Nothing is worked out here; what an explanation holds (explain.h) is put into the sentences of
+// the catalogue, in either language.
 
 #include "explain/write_explanation.h"
 
@@ -8,6 +19,7 @@
 
 #include <algorithm>
 
+#include "explain/explain.h"
 #include "explain/explanation_writer.h"
 #include "explain/messages.h"
 
@@ -22,6 +34,61 @@ using Part = Explanation::Part;
 
 constexpr std::size_t most_oscillating = 12;
 
+/// What is said of a known cause, and how programs know it.
+struct CauseRow {
+    CauseKind kind;
+    std::string_view identifier;
+    const words::CauseMessage& text;
+    const words::CauseMessage& remedy;
+};
+
+constexpr CauseRow rows[] = {
+    {CauseKind::two_step_loop, "two-step-loop", words::two_step_loop, words::two_step_loop_remedy},
+    {CauseKind::two_tokens, "two-tokens", words::two_tokens, words::two_tokens_remedy},
+    {CauseKind::long_pulse, "long-pulse", words::long_pulse, words::long_pulse_remedy},
+    {CauseKind::fleeting_follower, "fleeting-follower", words::fleeting_follower,
+     words::fleeting_follower_remedy},
+    {CauseKind::reset_priority, "reset-priority", words::reset_priority,
+     words::reset_priority_remedy},
+    {CauseKind::set_and_reset, "set-and-reset", words::set_and_reset, words::set_and_reset_remedy},
+    {CauseKind::input_race, "input-race", words::input_race, words::input_race_remedy},
+};
+
+/// There is a row for every kind.
+const CauseRow& row_of(CauseKind kind) {
+    for (const CauseRow& row : rows) {
+        if (row.kind == kind) return row;
+    }
+    return rows[0];
+}
+
+/// A sentence with its names.
+std::string filled(const words::CauseMessage& sentence, const Cause& cause, Language language) {
+    const std::string last = words::and_last.in(language);
+    std::string others;
+    for (std::size_t i = 0; i < cause.others.size(); ++i) {
+        if (i != 0) others += i + 1 == cause.others.size() ? last : ", ";
+        others += cause.others[i];
+    }
+    const auto transition = [&](std::size_t i) {
+        return i < cause.transitions.size() ? cause.transitions[i] : std::string();
+    };
+    return sentence.in(language, cause.step, others, transition(0), transition(1));
+}
+
+}  // namespace
+
+std::string_view identifier_of(CauseKind kind) {
+    return row_of(kind).identifier;
+}
+
+std::string cause_text(const Cause& cause, Language language) {
+    return filled(row_of(cause.kind).text, cause, language);
+}
+
+namespace {
+
+/// The sections of the text, one after the other; a section that has nothing to say is left out.
 class ExplanationText {
   public:
     ExplanationText(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
@@ -72,6 +139,7 @@ class ExplanationText {
         write_fault(part);
     }
 
+    /// As it should be, with the values of its operands; and as the netlist has it, if otherwise.
     void write_equation(const Part& part, const EquationPair& pair) {
         writer_.add(fmt::format("    {} = {}", pair.name, pair.expected));
         std::vector<std::string> values;
@@ -91,6 +159,7 @@ class ExplanationText {
         writer_.add("\n");
     }
 
+    /// What the equations do not show by themselves, when it shows, and where the gates stand.
     void write_fault(const Part& part) {
         switch (part.fault) {
             case Fault::no_fault:
@@ -134,11 +203,13 @@ class ExplanationText {
         return text;
     }
 
+    /// A moment of the last instant by what has passed since its beginning, for gates answer within
+    /// nanoseconds; an earlier one by the time of the run.
     std::string time_text(Time after) const {
         if (after < 0) {
             return fmt::format("{} ms", format_milliseconds(witness_.stimuli.end + after));
         }
-        return fmt::format("+{} ns", after / nanosecond);
+        return fmt::format("+{} ns", format_nanoseconds(after));
     }
 
     static const Message<>& verb_of(Logic value) {
@@ -168,6 +239,7 @@ class ExplanationText {
         for (std::size_t i = first; i < chain.size(); ++i) write_link(chain[i]);
     }
 
+    /// `  +3 ns  OR gate X2 (line 23) rises, after X2$1`
     void write_link(const Explanation::Link& link) {
         writer_.add(fmt::format("  {}  ", time_text(link.after)));
         if (link.cell == no_cell) {
@@ -208,8 +280,9 @@ class ExplanationText {
 
     void write_cause() {
         if (!explanation_.cause) return;
-        say(words::cause_and_remedy, cause_text(*explanation_.cause, language_),
-            remedy_text(*explanation_.cause, language_));
+        const Cause& cause = *explanation_.cause;
+        say(words::cause_and_remedy, cause_text(cause, language_),
+            filled(row_of(cause.kind).remedy, cause, language_));
     }
 
     const Netlist& netlist_;

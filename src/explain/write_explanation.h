@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "check/witness.h"
 #include "explain/explain.h"
@@ -10,6 +11,12 @@
 #include "text/language.h"
 
 namespace grafwire {
+
+/// The identifier of a cause, for programs; it does not change: `two-step-loop`.
+std::string_view identifier_of(CauseKind kind);
+
+/// What happens, as a sentence.
+std::string cause_text(const Cause& cause, Language language);
 
 /// How an explanation is written.
 struct ExplanationOptions {

@@ -579,8 +579,7 @@ inline constexpr CountedMessage<> count_counters{{"{} counter", "{} compteur"},
                                                  {"{} counters", "{} compteurs"}};
 inline constexpr CountedMessage<> count_edges{{"{} edge", "{} front"}, {"{} edges", "{} fronts"}};
 inline constexpr CountedMessage<> count_time_conditions{
-    {"{} time condition", "{} condition temporelle"},
-    {"{} time conditions", "{} conditions temporelles"}};
+    {"{} time condition", "{} temporisation"}, {"{} time conditions", "{} temporisations"}};
 inline constexpr Message<> graphs{"Graphs", "Graphes"};
 inline constexpr Message<std::string, std::string, std::string> graph_line{"{}: {}, {}",
                                                                            "{} : {}, {}"};

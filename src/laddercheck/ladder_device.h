@@ -26,12 +26,15 @@ struct LadderNames {
     std::vector<std::string> missing;
 };
 
+/// Identifiers are compared without regard to case, as IEC 61131-3 has them; but a variable of the
+/// very name comes first.
 LadderNames find_names(const Grafcet& grafcet, const ladder::Ladder& ladder);
 
 /// A ladder diagram as a check sees it. Its inputs are the variables named after those of the
 /// GRAFCET, whatever it declares them as.
 class LadderDevice : public ScannedDevice {
   public:
+    /// The names lack no step and no output. GRAFCET and ladder diagram must outlive it.
     LadderDevice(const Grafcet& grafcet, const ladder::Ladder& ladder, LadderNames names);
 
     std::string start() const override;

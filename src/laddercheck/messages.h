@@ -15,11 +15,11 @@ inline constexpr Message<std::string, std::uint32_t> was_last_written{
     "  {} was last written in network {}\n", "  {} a été écrit en dernier dans le réseau {}\n"};
 inline constexpr Message<> networks_that_decide{
     "The networks that decide it, in this scan:\n",
-    "Les réseaux qui en décident, dans cette scrutation :\n"};
+    "Les réseaux qui en décident, dans cette scrutation :\n"};
 inline constexpr Message<std::uint32_t> network{"  network {}", "  réseau {}"};
 inline constexpr Message<std::uint32_t> at_line{", line {}", ", ligne {}"};
-inline constexpr Message<> power_passes{": power reaches its end\n", " : le courant passe\n"};
+inline constexpr Message<> power_passes{": power reaches its end\n", " : le courant passe\n"};
 inline constexpr Message<> power_does_not_pass{": power does not reach its end\n",
-                                               " : le courant ne passe pas\n"};
+                                               " : le courant ne passe pas\n"};
 
 }  // namespace grafwire::messages::laddercheck

@@ -9,6 +9,9 @@
 
 namespace grafwire {
 
+// All that a netlist can hold, in one table, which writers, readers and the simulator share. What a
+// type does in time (delays, three values) is told in src/simulate.
+
 enum class CellType : std::uint8_t {
     low,   ///< constant 0
     high,  ///< constant 1
@@ -45,6 +48,7 @@ struct CellTypeRow {
 
 inline constexpr std::uint32_t any_number = 0xffffffffU;
 
+/// In the order of CellType.
 inline constexpr std::array<CellTypeRow, 17> cell_table{{
     {CellType::low, "low", messages::netlist::constant_0, 0, 0, false, false, false},
     {CellType::high, "high", messages::netlist::constant_1, 0, 0, false, false, false},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +40,9 @@ struct DelayModel {
 
     /// Longer than any netlist of so many cells takes to settle, unless it oscillates; and never
     /// less than what a thousand gates take.
-    Time of_settling(std::size_t cells) const;
+    Time of_settling(std::size_t cells) const {
+        return std::max<Time>(1'000, static_cast<Time>(cells)) * gate;
+    }
 };
 
 /// The models that can be asked for by name.
@@ -52,6 +55,13 @@ struct CellDelays {
     std::vector<Time> fall;
 };
 
-CellDelays cell_delays(const Netlist& netlist, const DelayModel& model);
+/// Every cell of the netlist under a model, which gives both edges the same delay.
+inline CellDelays cell_delays(const Netlist& netlist, const DelayModel& model) {
+    CellDelays delays;
+    delays.rise.reserve(netlist.cells.size());
+    for (const Cell& cell : netlist.cells) delays.rise.push_back(model.of(cell.type));
+    delays.fall = delays.rise;
+    return delays;
+}
 
 }  // namespace grafwire

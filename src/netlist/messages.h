@@ -50,7 +50,7 @@ inline constexpr Message<std::string, std::string> cell_of_graph{"{} of graph {}
                                                                  "{} du graphe {}"};
 inline constexpr Message<std::string, std::string> cell_of_edge{"{} of edge {}", "{} du front {}"};
 inline constexpr Message<std::string, std::string> cell_of_time_condition{
-    "{} of time condition {}", "{} de la condition de temps {}"};
+    "{} of time condition {}", "{} de la temporisation {}"};
 
 }  // namespace messages::netlist
 

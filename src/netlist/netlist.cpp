@@ -1,3 +1,10 @@
+// What can be asked of a netlist as a whole: who drives a net, whether it is whole, how a cell is
+// called in messages, how it looks as text.
+//
+// fault_of() states what every maker and reader of netlists must see to. Simulation, check and
+// formats rely on it and ask nothing again; debug builds assert it of every netlist made from
+// equations.
+
 #include "netlist/netlist.h"
 
 #include <fmt/format.h>
@@ -35,6 +42,7 @@ Table<NetId, CellId> drivers_of(const Netlist& netlist) {
 
 namespace {
 
+/// Pins in number and range, origin and timing of one cell.
 std::string fault_of_cell(const Netlist& netlist, const Cell& cell) {
     const CellTypeRow& row = row_of(cell.type);
     const std::string name(index_of(cell.output) < netlist.net_count() ? netlist.names[cell.output]
@@ -58,6 +66,7 @@ std::string fault_of_cell(const Netlist& netlist, const Cell& cell) {
     return {};
 }
 
+/// Every net has one driver: a cell or an input port.
 std::string fault_of_drivers(const Netlist& netlist) {
     std::vector<std::uint8_t> drivers(netlist.net_count());
     const auto drive = [&](NetId net) { return ++drivers[index_of(net)] == 1; };
@@ -144,6 +153,11 @@ std::string cell_description(const Netlist& netlist, CellId id, Language languag
     return cell_made_for(origin.kind).in(language, named, origin.name);
 }
 
+// One cell a line, in the order of the modules:
+//
+//     module X1 # X1 = …
+//       X1$set0 = nand(X0, a)
+//       X1 = nand(X1$set0, X1$q)
 std::string write_netlist_text(const Netlist& netlist) {
     std::string text = fmt::format("netlist {}\n", netlist.name);
     const auto out = std::back_inserter(text);

@@ -140,6 +140,12 @@ struct Netlist {
 /// The driver of every net, no_cell for input ports.
 Table<NetId, CellId> drivers_of(const Netlist& netlist);
 
+/// Per cell, 1 where it lies on a loop of cells without a memory of their own: a latch made of
+/// gates, a ring of inverters. Cells with a memory cut loops, as their outputs do not follow their
+/// inputs at once. So the outputs of cells with a memory and of those on loops are all that a
+/// settled netlist remembers; every other net follows from them and the inputs.
+std::vector<std::uint8_t> cells_on_loops(const Netlist& netlist);
+
 /// Whether the netlist is whole: pins and ports in range, every net driven once, pin counts as the
 /// cell table says, modules without gaps, names unique. Empty if so, else the first fault in words.
 std::string fault_of(const Netlist& netlist);

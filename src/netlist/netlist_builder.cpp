@@ -1,3 +1,11 @@
+// The builder keeps cells in the order in which they come, and per cell its module. Only finish()
+// brings the cells of a module together (a counting sort, stable, left out where they are in order
+// already) and drops modules without cells, so that makers may go back to any module.
+//
+// Names are the greatest part of a large netlist: ten million nets of 24 characters. So a netlist
+// made from a GRAFCET keeps no table of them (InnerNames::by_role); the makers see to it that a
+// pair of owner and role comes once, and only declared names that hold a `$` have to be kept free.
+
 #include "netlist/netlist_builder.h"
 
 #include <algorithm>

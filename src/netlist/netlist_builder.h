@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "netlist/netlist.h"
@@ -95,11 +97,13 @@ class NetlistBuilder {
     NetId gate(CellPlace place, CellType type, std::span<const NetId> pins, std::string_view owner,
                std::string_view role);
 
-    /// The complement of a net, made once; a constant for a constant.
+    // What many gates want is made once, in the module and for the origin of who asks first.
+
+    /// The complement of a net; a constant for a constant, and the net itself for its complement.
     NetId inverted(CellPlace place, NetId net);
-    /// The net behind `levels` buffers, each made once.
+    /// The net behind `levels` buffers; a constant as it is.
     NetId delayed(CellPlace place, NetId net, std::uint32_t levels);
-    /// The net that is always 0 or 1, made once.
+    /// The net that is always 0 or 1.
     NetId constant(CellPlace place, bool value);
     bool is_constant(NetId net, bool value) const {
         return net != no_net && net == constants_[value ? 1 : 0];
@@ -136,6 +140,60 @@ class NetlistBuilder {
     std::vector<UnnamedNet> unnamed_;
     std::string scratch_;
     NetId constants_[2] = {no_net, no_net};
+};
+
+/// Makes gates at one place of a netlist, with names that begin with one owner. It is handed on to
+/// whatever makes gates, so that no builder has to remember where it is at work.
+class GateMaker {
+  public:
+    using Pins = std::initializer_list<NetId>;
+
+    GateMaker(NetlistBuilder& builder, CellPlace place, std::string owner)
+        : builder_(&builder), place_(place), owner_(std::move(owner)) {}
+
+    /// The same in the same module, for another origin or under another name.
+    GateMaker made_for(std::uint32_t origin) const {
+        return {*builder_, {place_.module, origin}, owner_};
+    }
+    GateMaker named(std::string owner) const { return {*builder_, place_, std::move(owner)}; }
+
+    NetlistBuilder& builder() const { return *builder_; }
+    CellPlace place() const { return place_; }
+    const std::string& owner() const { return owner_; }
+
+    NetId add_net(std::string_view role) const { return builder_->add_inner_net(owner_, role); }
+    void add_cell(CellType type, NetId output, std::span<const NetId> pins,
+                  const CellDetails& details = CellDetails()) const {
+        builder_->add_cell(place_, type, output, pins, details);
+    }
+    /// Drives an existing net by a gate; a gate of one pin becomes a buffer or an inverter.
+    void drive(NetId output, CellType type, std::span<const NetId> pins) const {
+        builder_->drive(place_, output, type, pins);
+    }
+    NetId gate(CellType type, std::span<const NetId> pins, std::string_view role) const {
+        return builder_->gate(place_, type, pins, owner_, role);
+    }
+    NetId gate(CellType type, Pins pins, std::string_view role) const {
+        return gate(type, std::span(pins.begin(), pins.size()), role);
+    }
+    /// The AND or OR of the nets; of a single one the net itself.
+    NetId joined(CellType type, std::span<const NetId> nets, std::string_view role) const {
+        return nets.size() == 1 ? nets[0] : gate(type, nets, role);
+    }
+
+    NetId inverted(NetId net) const { return builder_->inverted(place_, net); }
+    NetId delayed(NetId net, std::uint32_t levels) const {
+        return builder_->delayed(place_, net, levels);
+    }
+    NetId low() const { return builder_->constant(place_, false); }
+    NetId high() const { return builder_->constant(place_, true); }
+    bool is_low(NetId net) const { return builder_->is_constant(net, false); }
+    bool is_high(NetId net) const { return builder_->is_constant(net, true); }
+
+  private:
+    NetlistBuilder* builder_;
+    CellPlace place_;
+    std::string owner_;
 };
 
 }  // namespace grafwire

@@ -1,4 +1,13 @@
-#include "netlist/boost_graph.h"
+// The fan-out lists of the graph in two arrays (compressed sparse rows): a pass counts the readers
+// of every cell, another fills them in. Both are in the order of cells, so that algorithms of
+// Boost.Graph, which visit edges in the order of the lists, give the same result every time.
+
+#include "netlist/netlist_graph.h"
+
+#include <algorithm>
+#include <boost/graph/strong_components.hpp>
+
+#include "netlist/netlist.h"
 
 namespace grafwire {
 
@@ -27,6 +36,29 @@ NetlistGraph::NetlistGraph(const Netlist& netlist, Edges edges)
         edges_to(netlist.cells.items()[i],
                  [&](std::size_t driver) { readers_[next[driver]++] = i; });
     }
+}
+
+// A cell lies on a loop where its strongly connected component has more than one cell, or where it
+// reads itself (R. Tarjan, "Depth-first search and linear graph algorithms", SIAM J. Comput. 1,
+// 1972; Boost.Graph's strong_components).
+
+std::vector<std::uint8_t> cells_on_loops(const Netlist& netlist) {
+    const NetlistGraph graph(netlist, NetlistGraph::Edges::at_once);
+    std::vector<std::uint32_t> component(graph.cell_count());
+    const auto index = get(boost::vertex_index_t{}, graph);
+    const auto count =
+        boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
+                                 boost::vertex_index_map(index));
+    std::vector<std::uint32_t> size(count);
+    for (const std::uint32_t c : component) ++size[c];
+
+    std::vector<std::uint8_t> on_loop(graph.cell_count());
+    for (std::uint32_t i = 0; i < on_loop.size(); ++i) {
+        const auto readers = graph.readers(i);
+        const bool reads_itself = std::find(readers.begin(), readers.end(), i) != readers.end();
+        on_loop[i] = size[component[i]] > 1 || reads_itself ? 1 : 0;
+    }
+    return on_loop;
 }
 
 }  // namespace grafwire

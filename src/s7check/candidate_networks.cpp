@@ -2,6 +2,13 @@
 // and by what the machine recorded of its last scan. From the writer of the bit it goes on to what
 // that network read and to who wrote that, two networks deep: a slice of the run, backwards (B.
 // Korel, J. Laski, "Dynamic program slicing", Inf. Process. Lett. 29, 1988).
+//
+//     Network 12  LD V1.0  = V81.0      V81.0 is wrong: 12 wrote it, and read V1.0;
+//     Network 7   LD E0.3  = V1.0       7 wrote that, and read an input, which is right
+//
+// Inputs and the tables of the method are not followed: the former are given, and the latter have
+// been compared before (fault_localization.cpp). Where nothing wrote the bit in the last scan, the
+// listing is searched instead for what could have.
 
 #include "s7check/candidate_networks.h"
 
@@ -17,6 +24,7 @@ namespace {
 using s7::Operand;
 using s7::Operation;
 
+/// How many bits an operand of that width has.
 constexpr std::int64_t bits_in(s7::Width width) {
     switch (width) {
         case s7::Width::byte:
@@ -37,6 +45,8 @@ struct WrittenBits {
     std::int64_t end = 0;
 };
 
+/// The row of the instruction set says which operand is the place, and whether a count follows it:
+/// `S V70.0 K4` writes four bits.
 WrittenBits written_by(const s7::Instruction& instruction) {
     const s7::InstructionRow* row = s7::row_of(instruction.operation, instruction.width);
     if (row == nullptr) return {};
@@ -56,6 +66,7 @@ WrittenBits written_by(const s7::Instruction& instruction) {
     return {place->area, first, first + bits_in(place->width) * count};
 }
 
+/// Whether a network has a set instruction for a bit in some bytes of V.
 bool sets_in(const s7::Network& network, CandidateNetworks::Bytes bytes) {
     return std::any_of(network.instructions.begin(), network.instructions.end(),
                        [&](const s7::Instruction& instruction) {
@@ -64,7 +75,7 @@ bool sets_in(const s7::Network& network, CandidateNetworks::Bytes bytes) {
                        });
 }
 
-constexpr CandidateNetworks::Bytes anywhere{0, 4096};
+constexpr CandidateNetworks::Bytes anywhere{0, 4096};  ///< all of V, of either CPU
 
 }  // namespace
 
@@ -193,6 +204,7 @@ std::vector<std::uint32_t> CandidateNetworks::silent_writers_of_ts() const {
     return networks;
 }
 
+/// The networks that write a place in some scan, if not in the last.
 std::vector<std::uint32_t> CandidateNetworks::writers_of(const Operand& place) const {
     return networks_where(listing_,
                           [&](const auto& instruction) { return may_write(instruction, place); });
@@ -215,6 +227,7 @@ std::vector<std::uint32_t> CandidateNetworks::jumps_over(std::uint32_t network) 
     return networks;
 }
 
+/// Whether what a bit should be is known: it is an input, or was compared with the reference.
 bool CandidateNetworks::is_told_by_the_tables(const Operand& place) const {
     if (place.area == s7::Area::input || place.area == s7::Area::special) return true;
     for (const auto* list : {&binding_.steps, &binding_.transitions, &binding_.graphs}) {

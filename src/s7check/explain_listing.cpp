@@ -3,7 +3,14 @@
 //
 // Which instructions of a network to show: a network is a run of logic, then what is done with its
 // result, then perhaps further logic. Of that the part is wanted which ends in a certain write:
-// back from it over what else is done with the same result, then over the logic.
+// back from it over what else is done with the same result, then over the logic:
+//
+//     LD    E0.3
+//     =     A0.1
+//     LD    V20.0      shown, if V70.0 is what is asked for
+//     =     V1.0
+//     S     V70.0 K4   shown
+//     S     V80.0 K1
 
 #include "s7check/explain_listing.h"
 
@@ -30,6 +37,7 @@ bool is_logic(const Instruction& instruction) {
            (instruction.operation > Operation::reset && instruction.operation < Operation::move);
 }
 
+/// May go on elsewhere than with the next instruction.
 bool leaves(const Instruction& instruction) {
     return instruction.operation == Operation::jump ||
            instruction.operation == Operation::conditional_return ||
@@ -84,6 +92,7 @@ using Kind = Diagnosis::Kind;
 constexpr std::size_t most_networks = 6;
 constexpr std::size_t most_instructions = 10;  ///< of a network
 
+/// A place in SIMATIC mnemonics: `E0.4`, `V70.0`.
 std::string place_text(const s7::Operand& place) {
     return s7::write_operand(place, s7::Mnemonics::simatic);
 }
@@ -119,6 +128,7 @@ std::string bit_text(const Diagnosis& diagnosis, Language language) {
     return {};
 }
 
+/// `network 49 (Traitement des forçages), line 187`
 std::string network_text(const s7::Listing& listing, std::uint32_t number, Language language) {
     std::string text = words::network.in(language, number);
     for (const s7::Network& network : listing.networks) {
@@ -159,6 +169,7 @@ void explain_instructions(ExplanationWriter& writer, const s7::Listing& listing,
     }
 }
 
+/// The wrong bit, who wrote it or should have, what that network read, and where else to look.
 void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
                        const Diagnosis& diagnosis) {
     const Language language = writer.language();

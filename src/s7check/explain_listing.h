@@ -15,7 +15,8 @@ namespace grafwire {
 
 /// A witness against a listing explained: what changes, what the reference makes of it, where the
 /// two part, and which network of the listing that comes from. `stop`: where the listing
-/// stopped in the last scan, if it did.
+/// stopped in the last scan, if it did; then nothing could be compared, and that is all there is to
+/// say.
 std::string explain_listing_witness(const Grafcet& grafcet, const s7::Listing& listing,
                                     const Witness& witness,
                                     const std::optional<Diagnosis>& diagnosis,

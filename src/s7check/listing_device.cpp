@@ -1,3 +1,15 @@
+// An S7-200 listing as a device of the check.
+//
+// Most of a controller's memory does not matter between two scans: tables that every
+// scan clears, and bits that are written before they are read. What can be read before it is
+// written is alive (a backward data-flow analysis of the listing, Machine::live_at_start), a mask
+// per byte; only that is packed into the memory that the check keeps and compares, besides timers,
+// counters and the memories of edges. Otherwise states that differ in nothing but leftovers would
+// be explored one by one.
+//
+// Unassigned inputs are bits of the input image that are not known. An unknown bit among what is
+// compared or alive names one of them (Signal::cause), and the check decides it.
+
 #include "s7check/listing_device.h"
 
 #include <algorithm>
@@ -10,6 +22,7 @@ namespace {
 
 constexpr std::uint32_t no_input = 0xffffffffU;
 
+/// What the check reads after a scan: it counts as read at the end of every scan.
 std::vector<s7::Operand> observed_of(const s7::Binding& binding) {
     std::vector<s7::Operand> observed;
     for (const auto* list : {&binding.steps, &binding.outputs}) {
@@ -57,6 +70,7 @@ bool ListingDevice::has_modes() const {
                        [](const auto& operand) { return operand.has_value(); });
 }
 
+/// An input without an address cannot change anything in the listing, and has no bit.
 s7::InputImage ListingDevice::image_of(const PartialInputs& inputs) const {
     s7::InputImage image;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -137,6 +151,7 @@ std::string ListingDevice::packed(const s7::MachineState& state) const {
     return memory;
 }
 
+/// What is not alive may be anything; it is as in a controller that has just been switched on.
 s7::MachineState ListingDevice::unpacked(const std::string& memory) const {
     s7::MachineState state = blank_;
     if (memory.empty()) return state;

@@ -11,10 +11,10 @@ inline constexpr Message<> the_listing{"the listing", "le programme"};
 /// Arguments: the number of the network, the line, the error.
 inline constexpr Message<std::uint32_t, std::uint32_t, std::string> listing_stops{
     "The listing stops (network {}, line {}): {}\n",
-    "Le programme s'arrête (réseau {}, ligne {}) : {}\n"};
+    "Le programme s'arrête (réseau {}, ligne {}) : {}\n"};
 
 inline constexpr Message<> where_it_comes_from{"Where it comes from in the listing:\n",
-                                               "D'où cela vient dans le programme :\n"};
+                                               "D'où cela vient dans le programme :\n"};
 /// Arguments: the bit, its place, its value, the time, the value it should have.
 inline constexpr Message<std::string, std::string, int, std::string, int> bit_is_wrong{
     "  {} ({}) is {} after the scan at {} ms, and should be {}\n",
@@ -34,9 +34,9 @@ inline constexpr Message<std::uint32_t> at_line{", line {}", ", ligne {}"};
 inline constexpr Message<> no_network_writes{"  no network writes it\n",
                                              "  aucun réseau ne l'écrit\n"};
 inline constexpr Message<std::string> was_written_by{"  it was written by: {}\n",
-                                                     "  l'a écrit : {}\n"};
+                                                     "  l'a écrit : {}\n"};
 inline constexpr Message<std::string> should_have_been_written_by{
-    "  it should have been written by: {}\n", "  aurait dû l'écrire : {}\n"};
+    "  it should have been written by: {}\n", "  aurait dû l'écrire : {}\n"};
 /// Arguments: the network that read, the place, its value, and the network that had written it.
 inline constexpr Message<std::uint32_t, std::string, std::int32_t, std::uint32_t> network_reads{
     "  network {} reads {} = {}, written by network {}\n",
@@ -48,6 +48,6 @@ inline constexpr Message<std::string> look_at_network{"  if it is right, look at
                                                       "  s'il est juste, voir le réseau {}\n"};
 inline constexpr Message<std::string> look_at_networks{"  if it is right, look at networks {}\n",
                                                        "  s'il est juste, voir les réseaux {}\n"};
-inline constexpr Message<> the_instructions{"The instructions:\n", "Les instructions :\n"};
+inline constexpr Message<> the_instructions{"The instructions:\n", "Les instructions :\n"};
 
 }  // namespace grafwire::messages::s7check

@@ -4,6 +4,11 @@
 // What they should hold is worked out from the reference alone, not from the form that listings are
 // generated from: the transitions that a scan clears say Ta and Td, the orders of the steps that
 // are active after the evolution say Tf1 and Tf0 (section 5.6).
+//
+// The bytes, and the bit of a step that has V21.0 in Ts:
+//
+//     Tp VB10   Ts VB20   Tpulse VB30   Ta VB40   Td VB50   Tf1 VB60   Tf0 VB70   Tt VB80
+//     V11.0     V21.0     V31.0         V41.0     V51.0     V61.0      V71.0
 
 #include "s7check/method_tables.h"
 
@@ -13,12 +18,14 @@ namespace grafwire {
 
 namespace {
 
+/// Whether an address is that of a bit in some bytes of V.
 bool is_bit_within(const std::optional<s7::Operand>& operand, std::int32_t first,
                    std::int32_t bytes) {
     return operand && operand->area == s7::Area::variable && operand->width == s7::Width::bit &&
            operand->address >= first && operand->address < first + bytes;
 }
 
+/// Of a source transition nothing has to be active.
 bool are_active(std::span<const StepId> steps, const BitTable& situation) {
     return std::all_of(steps.begin(), steps.end(),
                        [&](StepId step) { return situation.test(index_of(step)); });

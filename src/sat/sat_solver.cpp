@@ -1,4 +1,7 @@
-// CaDiCaL (A. Biere, K. Fazekas, M. Fleury, M. Heisinger, 2020), asked incrementally.
+// CaDiCaL (A. Biere, K. Fazekas, M. Fleury, M. Heisinger, 2020), asked incrementally: what is to
+// hold in one question alone is assumed, not added, so clauses and what the solver has learnt from
+// them serve all later questions. With assumptions it also says which of them it had to use
+// (`failed`).
 
 #include "sat/sat_solver.h"
 

@@ -15,7 +15,9 @@ class SatSolver {
     SatSolver(SatSolver&&) noexcept;
     SatSolver& operator=(SatSolver&&) noexcept;
 
+    /// The number of a further variable.
     int new_variable();
+    /// At least one of these literals is to be true; of none: nothing can hold any more.
     void add_clause(std::span<const int> literals);
 
     /// Whether the clauses can be satisfied while all these literals are true.

@@ -3,7 +3,8 @@
 // not; only then does it evolve. Gates have no such order: an input that falls at that time makes
 // its way to the timer in a few nanoseconds. So the operand is worked out here, beside the
 // simulation: from the inputs as they are now and the memories as they are, through the logic in
-// between. A memory is a cell that has one, or a net on a loop of gates (loops.h), which is one.
+// between. A memory is a cell that has one, or a net on a loop of gates (cells_on_loops), which is
+// one.
 //
 // A clocked netlist works the operand out on the situation to come, which the registers take at the
 // rise of the clock. At the beginning of an instant that is the situation they hold.
@@ -13,7 +14,7 @@
 
 #include "simulate/delay_ends.h"
 
-#include "netlist/loops.h"
+#include "netlist/netlist.h"
 #include "simulate/evaluate_cell.h"
 
 namespace grafwire {

@@ -1,3 +1,9 @@
+// The inputs at one moment after the other, and the assumptions of the chart under them.
+//
+// An assumption speaks of inputs and control inputs alone (others are refused when the GRAFCET is
+// read), so that two values and plain recursion are enough. Whether inputs that are partly open can
+// satisfy it is the business of the check.
+
 #include "trace/input_values.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Words and white space are told by code points, not by bytes: a name may hold `é`, and a no-break
+// space is two bytes long. Columns are counted in code points as well, as editors count them.
+
 #include "trace/line_cursor.h"
 
 #include <algorithm>

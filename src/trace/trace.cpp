@@ -57,6 +57,7 @@ Trace empty_trace(const Grafcet& grafcet) {
     return trace;
 }
 
+// Most values are single bits, so these are not sent through the formatter.
 std::string write_csv(const Trace& trace) {
     std::string out = "time_ms";
     for (const Trace::Column& column : trace.columns) {
@@ -132,6 +133,8 @@ VcdWriter::VcdWriter(std::string_view scope, Time tick)
                         timescale(tick), one_word(scope))),
       tick_(tick) {}
 
+/// `!`, `"`, … `~`, `!!`, `"!`, …: a number in base 94 whose digits count from 1, so that all
+/// differ.
 std::string VcdWriter::identifier(std::uint32_t signal) {
     constexpr std::uint32_t printable = 94;  // '!' to '~'
     std::string id;
@@ -155,6 +158,7 @@ void VcdWriter::begin() {
     text_ += "$upscope $end\n$enddefinitions $end\n";
 }
 
+/// A line of its own says the time of all changes that follow it.
 void VcdWriter::move_to(Time at) {
     assert(at >= now_ && at % tick_ == 0);
     if (at == now_) return;

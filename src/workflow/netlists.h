@@ -9,7 +9,7 @@
 #include "formats/netlist_formats.h"
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "text/diagnostics.h"
 #include "text/time.h"
 #include "trace/stimuli.h"

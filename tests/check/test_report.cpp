@@ -90,8 +90,8 @@ TEST_CASE("the report of a wiring: verdict, what it rests on, coverage") {
           "  2 stable situations, 17 cases compared, 1 without a stable situation\n");
     CHECK(text_of(wiring(), equivalent(), Language::french) ==
           "chart.grafcet: équivalent (style nand, CDX successor)\n"
-          "  retards : 1 ns par porte ; changements : une entrée à la fois ; hypothèses : /(a.b) ; "
-          "mise sous tension : Init\n"
+          "  retards : 1 ns par porte ; changements : une entrée à la fois ; hypothèses : /(a.b) ; "
+          "mise sous tension : Init\n"
           "  2 situations stables, 17 cas comparés, 1 sans situation stable\n");
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("the report of what is scanned") {
           "  2 situations, 17 scans compared\n");
     CHECK(text_of(program, equivalent(), Language::french) ==
           "chart.grafcet: équivalent (programme list.awl)\n"
-          "  période de scrutation : 10ms ; hypothèses : /(a.b) ; mise sous tension : valeurs "
+          "  période de scrutation : 10ms ; hypothèses : /(a.b) ; mise sous tension : valeurs "
           "initiales\n"
           "  2 situations, 17 cycles comparés\n");
 }
@@ -132,7 +132,7 @@ TEST_CASE("a netlist from elsewhere has no style, and may have no Init") {
           "power-up: initial situation, taken as given");
     subject.power_up = PowerUp::unknown;
     CHECK(second_line(subject).ends_with("; power-up: unknown"));
-    CHECK(second_line(subject, Language::french).ends_with(" ; mise sous tension : inconnue"));
+    CHECK(second_line(subject, Language::french).ends_with(" ; mise sous tension : inconnue"));
 }
 
 TEST_CASE("without assumptions that is said") {
@@ -154,8 +154,8 @@ TEST_CASE("what no case exercised is told of an exploration that went to its end
     CHECK(rest_of_text(result) ==
           "  never active: 0, 1; never cleared: (1); never changed: b, Init; never on: lamp\n");
     CHECK(rest_of_text(result, Language::french) ==
-          "  étapes jamais actives : 0, 1 ; transitions jamais franchies : (1) ; entrées jamais "
-          "changées : b, Init ; sorties jamais à 1 : lamp\n");
+          "  étapes jamais actives : 0, 1 ; transitions jamais franchies : (1) ; entrées jamais "
+          "changées : b, Init ; sorties jamais à 1 : lamp\n");
     result.never.steps.clear();
     result.never.inputs.clear();
     result.never.outputs.clear();
@@ -175,7 +175,7 @@ TEST_CASE("undecided says why") {
           "  exploration incomplete within the bounds given: 3 states reached are still to be "
           "left\n");
     CHECK(rest_of_text(result, Language::french) ==
-          "  exploration incomplète dans les limites données : 3 états atteints restent à "
+          "  exploration incomplète dans les limites données : 3 états atteints restent à "
           "quitter\n");
     result.depends_on_period = true;
     CHECK(rest_of_text(result) ==
@@ -183,7 +183,7 @@ TEST_CASE("undecided says why") {
           "with --scan\n");
     CHECK(rest_of_text(result, Language::french) ==
           "  pour aucune période de scrutation une différence n'a pu être montrée, ni exclue pour "
-          "toutes : en donner une avec --scan\n");
+          "toutes : en donner une avec --scan\n");
 }
 
 TEST_CASE("many inputs at once: as well, or undecided") {
@@ -191,7 +191,7 @@ TEST_CASE("many inputs at once: as well, or undecided") {
           "\nRemark: it holds as well when many inputs change at once.\n");
     CHECK(
         rest_of_text(equivalent_and({Verdict::equivalent, {}, {}, false, ""}), Language::french) ==
-        "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n");
+        "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n");
     CHECK(rest_of_text(equivalent_and({})) ==
           "\nRemark: whether it holds as well when many inputs change at once is undecided within "
           "the bounds given.\n");
@@ -212,12 +212,12 @@ TEST_CASE("many inputs at once: what must not change together") {
                   "It holds where the plant never does that, as the GRAFCET can say:\n"
                   "  assume /(a./b)\n");
         CHECK(rest_of_text(equivalent_and(together), Language::french) ==
-              "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"
-              "Ces entrées ne doivent pas changer à moins d'un temps de stabilisation d'intervalle "
-              ": a, b. Sinon :\n" +
+              "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"
+              "Ces entrées ne doivent pas changer à moins d'un temps de stabilisation d'intervalle "
+              ": a, b. Sinon :\n" +
                   stimuli +
                   "Cela redevient vrai si l'installation ne le fait jamais, ce que le GRAFCET peut "
-                  "dire :\n"
+                  "dire :\n"
                   "  assume /(a./b)\n");
     }
     SUBCASE("an input and a delay") {
@@ -248,8 +248,8 @@ TEST_CASE("a witness, and what the story does not say of its kind") {
               "Every X and output is right; what keeps changing beside them stands below.\n\n"
               "The story.\n");
     CHECK(rest_of_text(different(DifferenceKind::oscillation), Language::french) ==
-          "\nTémoin :\n  0s :\n  100ms : a=1\n  100ms : end\n\n"
-          "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
+          "\nTémoin :\n  0s :\n  100ms : a=1\n  100ms : end\n\n"
+          "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
           "bas.\n\nThe story.\n");
     CheckResult result = different(DifferenceKind::oscillation);
     result.witness->values[1].got = Logic::unknown;
@@ -266,7 +266,7 @@ TEST_CASE("what memories hold at power-up stands before the story") {
     CHECK(english.find("  at power-up: q = 1\n  at power-up: p = 0\n") <
           english.find("The story."));
     const std::string french = text(Language::french);
-    CHECK(french.find("  à la mise sous tension: q = 1\n  à la mise sous tension: p = 0\n") <
+    CHECK(french.find("  à la mise sous tension : q = 1\n  à la mise sous tension : p = 0\n") <
           french.find("The story."));
 }
 

@@ -282,7 +282,7 @@ TEST_CASE("JSON: the story is in English, the files are in the language asked fo
     std::vector<std::string> in_french = request;
     in_french.insert(in_french.end(), {"--lang", "fr", "--witness", folder.path("w")});
     CHECK(report(in_french, 1)["witness"]["story"] == report(request, 1)["witness"]["story"]);
-    CHECK(contains(text_of(folder.path("w/witness.txt")), "La référence :"));
+    CHECK(contains(text_of(folder.path("w/witness.txt")), "La référence :"));
 }
 
 TEST_CASE("JSON: a difference that shows scan by scan has the period of its scans") {

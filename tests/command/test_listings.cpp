@@ -98,7 +98,7 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
     CHECK(report["witness"]["files"].size() == 6);
     CHECK(report["witness"]["cause"].is_null());
     CHECK(report["witness"]["story"].back() == "      189  S     V70.0   K4");
-    CHECK(contains(text_of(folder.path("w/witness.txt")), "l'a écrit : réseau 49"));
+    CHECK(contains(text_of(folder.path("w/witness.txt")), "l'a écrit : réseau 49"));
     // The witness replays.
     const Ran replayed =
         grafwire_with({"run", chart, folder.path("w/witness.stim"), "--scan", "500ms"});

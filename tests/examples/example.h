@@ -7,7 +7,7 @@
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "support/slow_build.h"
 #include "trace/stimuli.h"
 

@@ -4,6 +4,7 @@
 
 #include "check/check_equivalence.h"
 #include "explain/explained.h"
+#include "explain/write_explanation.h"
 
 namespace grafwire::testing {
 
@@ -22,7 +23,7 @@ graph G { initial 1 step 2
                                                 Style::gates);
     CHECK(explained.cause() == "two-step-loop");
     CHECK(explained.text().find("Cause:\n  X1 and X2 follow each other.") != std::string::npos);
-    CHECK(explained.text(Language::french).find("Cause :\n  X1 et X2 se suivent l'une l'autre.") !=
+    CHECK(explained.text(Language::french).find("Cause :\n  X1 et X2 se suivent l'une l'autre.") !=
           std::string::npos);
     check_chain(explained.explanation);
 }
@@ -85,7 +86,7 @@ graph G { initial 0 step 1 step 2
     const Explained explained = explained_netlist(twice, std::move(netlist));
     CHECK(explained.cause() == "long-pulse");
     CHECK(cause_text(*explained.explanation.cause, Language::french) ==
-          "L'impulsion de ↑a dure plus longtemps que le passage par X1 : elle vaut encore 1 quand "
+          "L'impulsion de ↑a dure plus longtemps que le passage par X1 : elle vaut encore 1 quand "
           "la transition (0) a activé X1, et fait franchir aussi (1).");
     CHECK(explained.explanation.chain.front().net == "a");
 }

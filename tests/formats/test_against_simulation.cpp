@@ -11,7 +11,7 @@
 #include "evolution/run.h"
 #include "formats/verilog/write_verilog.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "simulate/simulate.h"
 #include "support/files.h"
 #include "support/tool_runner.h"

@@ -12,7 +12,7 @@
 #include "formats/sample_netlists.h"
 #include "formats/yosys/write_yosys_json.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "support/files.h"
 #include "support/tool_runner.h"
 

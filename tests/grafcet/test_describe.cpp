@@ -67,7 +67,7 @@ TEST_CASE("a description in French") {
     CHECK(describe_grafcet(parsed(chart), Language::french) == R"(GRAFCET plant "Tri de caisses"
   4 graphes, 9 étapes, 3 étapes initiales, 9 transitions, 1 macro-étape
   2 entrées, 1 sortie, 1 variable interne, 1 compteur
-  1 front, 1 condition temporelle
+  1 front, 1 temporisation
 
 Graphes
   Top : 3 étapes, 3 transitions

@@ -12,7 +12,7 @@
 #include "check/netlist_witness.h"
 #include "explain/explain.h"
 #include "explain/write_explanation.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/read_text.h"
 #include "support/files.h"
 #include "support/mutate.h"

@@ -13,7 +13,7 @@
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/read_text.h"
 #include "support/files.h"
 #include "support/mutate.h"

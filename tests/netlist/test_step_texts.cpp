@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "grafcet/write_grafcet.h"
-#include "netlist/styles/step_texts.h"
+#include "netlist/styles/annotate.h"
 #include "support/small_netlists.h"
 
 namespace grafwire::testing {

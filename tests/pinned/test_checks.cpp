@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "pinned/pinned_charts.h"
 #include "pinned/pinned_table.h"
 #include "random/random_source.h"

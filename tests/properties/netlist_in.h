@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 
 namespace grafwire::testing {
 

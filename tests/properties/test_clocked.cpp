@@ -7,7 +7,7 @@
 
 #include "evolution/run.h"
 #include "netlist/passes/counted_timers.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/read_text.h"
 #include "referee/foreign_cells.h"
 #include "referee/gate_simulator.h"

@@ -10,7 +10,7 @@
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
 #include "referee/charts.h"

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "check/check_equivalence.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/read_text.h"
 #include "referee/foreign_cells.h"
 #include "referee/random_walk.h"

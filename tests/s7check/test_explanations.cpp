@@ -116,13 +116,13 @@ The instructions:
 
 TEST_CASE("its mistake, in French: an output that no network writes") {
     CHECK(explained(replaced(good_lamp, "LD M0.1\n= A0.0\n", ""), Language::french) ==
-          R"(À 0 ms : go=1.
-La référence :
-  avant : X0
-  cycle à 0 ms : franchit (0) 0 -> 1 -> X1
-Où ils se séparent :
-  lamp : la référence donne 1, le programme 0
-D'où cela vient dans le programme :
+          R"(À 0 ms : go=1.
+La référence :
+  avant : X0
+  cycle à 0 ms : franchit (0) 0 -> 1 -> X1
+Où ils se séparent :
+  lamp : la référence donne 1, le programme 0
+D'où cela vient dans le programme :
   lamp (A0.0) vaut 0 après le cycle à 0 ms, et devrait valoir 1
   aucun réseau ne l'écrit
 )");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "random/read_text.h"
 
 namespace grafwire::testing {

@@ -8,7 +8,7 @@
 #include "child.h"
 #include "equations/equations.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "sections.h"
 #include "simulate/simulator.h"
 

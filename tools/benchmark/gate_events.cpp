@@ -21,7 +21,7 @@
 #include "equations/equations.h"
 #include "formats/verilog/write_verilog.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "sections.h"
 #include "simulate/simulate.h"
 

@@ -14,7 +14,7 @@
 #include "equations/equations.h"
 #include "formats/netlist_formats.h"
 #include "grafcet/parse_grafcet.h"
-#include "netlist/styles/netlist_from.h"
+#include "netlist/styles/styles.h"
 #include "sections.h"
 
 namespace bench {

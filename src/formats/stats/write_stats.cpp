@@ -13,7 +13,7 @@
 #include <boost/graph/strong_components.hpp>
 #include <iterator>
 
-#include "netlist/boost_graph.h"
+#include "netlist/netlist_graph.h"
 
 namespace grafwire {
 

@@ -18,7 +18,9 @@ struct CountedTimers {
 
 /// Puts gates and flip-flops in the place of the clocked timers and their look-aheads, for formats
 /// that have no such cells. `scan_period` is the time from one rise of the clock to the next; a
-/// delay that is no multiple of it ends at the first rise after it, as scan by scan it does.
+/// delay that is no multiple of it ends at the first rise after it, as scan by scan it does. Nets,
+/// ports and modules keep their names and order; the new nets are called after the timer's
+/// (`timer$0$count3`).
 CountedTimers with_counted_timers(const Netlist& netlist, Time scan_period);
 
 }  // namespace grafwire

@@ -38,6 +38,7 @@ NetId Arithmetic::xor_of(NetId a, NetId b) {
     return gate(CellType::xor_gate, a, b);
 }
 
+// Three gates and a shared inverter; fewer where an operand is constant.
 NetId Arithmetic::choose(NetId chosen, NetId a, NetId b) {
     if (a == b) return a;
     const NetId from_a = and_of(chosen, a);
@@ -91,6 +92,7 @@ Word Arithmetic::subtract(const Word& a, const Word& b) {
     return add(extended(a, width), complement, gates_.high());
 }
 
+// The constants of a sum are added up here, and cost one word; every counter costs an adder.
 Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
     WideInteger constant_part = 0;
     for (const SumTerm& term : terms) {
@@ -115,6 +117,8 @@ NetId Arithmetic::is_zero(const Word& word) {
     return gates_.inverted(any);
 }
 
+// left < right where left - right is negative, and so on; the difference is wide enough never to
+// overflow.
 NetId Arithmetic::compare(const Word& left, Relation relation, const Word& right) {
     const Word difference = subtract(left, right);
     const auto negative_or_zero = [&] {

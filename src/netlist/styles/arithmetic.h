@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grafcet/expression.h"
-#include "netlist/gate_maker.h"
+#include "netlist/netlist_builder.h"
 
 namespace grafwire {
 
@@ -16,7 +16,8 @@ __extension__ typedef __int128 WideInteger;
 using Word = std::vector<NetId>;
 
 /// Adders, comparators and selectors of gates, with constants folded away. For the counters of the
-/// clocked style.
+/// clocked style. Words are signed: an operand that is shorter than another is extended by its
+/// sign, and a sum is one bit wider than its longer operand, so that nothing overflows.
 class Arithmetic {
   public:
     explicit Arithmetic(GateMaker gates) : gates_(std::move(gates)) {}
@@ -28,13 +29,16 @@ class Arithmetic {
     NetId choose(NetId chosen, NetId a, NetId b);
     Word choose(NetId chosen, const Word& a, const Word& b);
 
+    /// The low bits of a number.
     Word constant(WideInteger value, std::size_t width);
     Word extended(Word word, std::size_t width) const;
+    /// `a + b + carry`.
     Word add(const Word& a, const Word& b, NetId carry);
     Word subtract(const Word& a, const Word& b);
 
     /// The sum, wide enough never to overflow. Counter k is `counters[k]`, a signed word.
     Word sum(const Sum& terms, const std::vector<Word>& counters);
+    /// The net of `left relation right`, read off the sign and the zeros of the difference.
     NetId compare(const Word& left, Relation relation, const Word& right);
     NetId is_negative(const Word& word) const { return word.back(); }
     NetId is_zero(const Word& word);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "equations/equations.h"
@@ -66,10 +67,42 @@ struct AsynchronousStyle {
     std::vector<CellType> path_of_set;
 };
 
+/// The netlist of a GRAFCET without counters, in one of these styles.
 Netlist make_asynchronous(const Grafcet& grafcet, const Equations& equations,
                           const AsynchronousStyle& style, const DelayModel& delays);
 
-/// The latches of stored outputs and vars (asynchronous_stored.cpp).
-void make_stored_latches(AsynchronousBuild& build);
+/// What the makers of step modules share whose memory is two cross-coupled gates, X and its other
+/// half:
+///
+///     X   = gate(x terms, X$q)
+///     X$q = gate(other terms, X)
+///
+/// Without modes nothing sets such a memory, so both halves start at known values.
+class LatchModule {
+  public:
+    LatchModule(AsynchronousBuild& build, const StepSignals& step, const GateMaker& gates)
+        : build_(build), step_(step), gates_(gates) {}
+
+  protected:
+    bool has_modes() const { return step_.init != no_net; }
+    std::string set_role(TransitionId into) const {
+        return "set" + build_.grafcet.transitions[into].name;
+    }
+
+    void cross_couple(CellType type, std::vector<NetId> x_terms, std::vector<NetId> other_terms) {
+        const NetId other = gates_.add_net("q");
+        x_terms.push_back(other);
+        gates_.drive(step_.x, type, x_terms);
+        other_terms.push_back(step_.x);
+        gates_.drive(other, type, other_terms);
+        if (!has_modes()) gates_.builder().set_initial(other, !step_.initial);
+    }
+
+    AsynchronousBuild& build_;
+    const StepSignals& step_;
+    const GateMaker& gates_;
+    std::vector<NetId> sets_;
+    std::vector<NetId> resets_;
+};
 
 }  // namespace grafwire

@@ -1,3 +1,9 @@
+// Nets of ports bear the declared names, inner nets are called `owner$role`. A declared name may
+// hold a `$` itself, so those that do are kept free from the start; the others cannot be met.
+//
+// Steps and transitions have gates all over the netlist, so each has one origin, made when the
+// first gate asks for it. The others have gates in one or two modules, and an origin for each.
+
 #include "netlist/styles/chart_netlist.h"
 
 #include "grafcet/write_grafcet.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
-#include "netlist/gate_maker.h"
+#include "netlist/netlist_builder.h"
 
 namespace grafwire {
 

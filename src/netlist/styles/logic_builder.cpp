@@ -1,3 +1,13 @@
+// Expressions as gates, with buffers where operands come at different times.
+//
+// An example, with every gate of 1 ns: `a . /b` has an operand straight from an input (0 ns) and
+// one behind an inverter (1 ns). So `a` gets one buffer, and the AND sees both inputs 1 ns after
+// they changed; the product itself has come 2 ns. Buffers are shared (GateMaker::delayed), as most
+// products of a chart read the same few inputs.
+//
+// Pulse cells and timers keep or forget the time: a pulse comes one delay after its operand like
+// any gate; the end of a delay is an event of its own, as an input is, from which time counts anew.
+
 #include "netlist/styles/logic_builder.h"
 
 #include <fmt/format.h>
@@ -77,6 +87,8 @@ LogicBuilder::Signal LogicBuilder::make(ExprId id, const GateMaker& gates) {
     return {gates.low()};
 }
 
+/// Inputs change by themselves, and X variables as their consequence: each is latency 0 of its
+/// kind. A stored output or var has come as far since an X as it takes to be written.
 LogicBuilder::Signal LogicBuilder::make_variable(Variable variable, const GateMaker& gates) {
     switch (variable.kind) {
         case VariableKind::input:
@@ -208,6 +220,7 @@ Time LogicBuilder::input_latency(ExprId product, const GateMaker& gates) {
     return latency;
 }
 
+// Only what lies above a held variable is made once more; everything else is shared.
 LogicBuilder::Signal LogicBuilder::held_signal(ExprId id, const HeldNets& held,
                                                const GateMaker& gates) {
     const ExprKind kind = pool_.kind(id);

@@ -9,7 +9,7 @@
 // loop of two steps one X is at once what sets and what resets). A step with one transition before
 // and one after it takes four NAND gates.
 
-#include "netlist/styles/latch_module.h"
+#include "netlist/styles/asynchronous.h"
 #include "netlist/styles/styles.h"
 
 namespace grafwire {

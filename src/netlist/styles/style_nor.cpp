@@ -9,7 +9,7 @@
 // reset. Without that both halves of the latch would be 0 while S = R = 1, and race when S and R
 // end together.
 
-#include "netlist/styles/latch_module.h"
+#include "netlist/styles/asynchronous.h"
 #include "netlist/styles/styles.h"
 
 namespace grafwire {

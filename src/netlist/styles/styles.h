@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "equations/equations.h"
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
+#include "text/diagnostics.h"
 
 namespace grafwire {
 
@@ -24,16 +26,26 @@ Netlist make_nand(const Grafcet& grafcet, const Equations& equations, const Dela
 Netlist make_nor(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 Netlist make_clocked(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 
+/// What the program knows of a style.
 struct StyleRow {
     Style style;
-    std::string_view name;
-    std::string_view description;
-    CdxForm default_cdx;
-    bool has_registers;  ///< for counters
+    std::string_view name;         ///< as users ask for it and as reports call it
+    std::string_view description;  ///< for the help: what a step is made of
+    CdxForm default_cdx;           ///< where the user does not say
+    bool has_registers;            ///< for counters
+    /// From equations to a netlist without comments.
     Netlist (*make)(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 };
 
 /// In the order of Style.
 extern const std::span<const StyleRow> style_table;
+
+/// The netlist of a GRAFCET in a style. What the style cannot hold (counters in the asynchronous
+/// ones) is reported in `diagnostics`, and the result is empty then. The clocked style does not use
+/// CDX as such: it computes the situation after the scan from the transitions, whatever the form.
+/// Modules are annotated with their equations. `delays`: how long the gates will take; the clocked
+/// style does not depend on it.
+std::optional<Netlist> netlist_from(const Grafcet& grafcet, const Equations& equations, Style style,
+                                    Diagnostics& diagnostics, const DelayModel& delays = {});
 
 }  // namespace grafwire

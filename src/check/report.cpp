@@ -1,13 +1,16 @@
-// The report of a check for people, part by part; a part that has nothing to say is left out.
+// The report of a check for people, part by part; a part that has nothing to say is left out. And
+// the same text in English, wrapped up for servers that build and test (JUnit).
+
+#include "check/report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "check/messages.h"
-#include "check/report.h"
 #include "grafcet/write_grafcet.h"
 #include "text/utf8.h"
+#include "text/xml.h"
 
 namespace grafwire {
 
@@ -282,6 +285,60 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
                              const CheckResult& result, const ExplainedWitness& explained,
                              Language language) {
     return TextReport(subject, grafcet, result, language).make(explained);
+}
+
+// The report of a check for servers that build and test: one suite with one case. The time it took
+// stands in it, as these servers expect, so it is the only result that is not the same every time.
+
+namespace {
+
+enum class TestOutcome { passed, failed, error };
+
+/// `message`: why it failed, in a word or two.
+std::string suite(const CheckSubject& subject, TestOutcome outcome, std::string_view message,
+                  std::string_view details, double seconds) {
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    text += fmt::format(
+        "<testsuite name=\"grafwire check\" tests=\"1\" failures=\"{}\" errors=\"{}\" "
+        "time=\"{:.3f}\">\n",
+        outcome == TestOutcome::failed ? 1 : 0, outcome == TestOutcome::error ? 1 : 0, seconds);
+    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
+                        xml_attribute(visible(subject.file)), xml_attribute(visible(subject.name)),
+                        seconds);
+    if (outcome == TestOutcome::passed) {
+        text += fmt::format("    <system-out>{}</system-out>\n", xml_attribute(details));
+    } else {
+        const std::string_view element = outcome == TestOutcome::failed ? "failure" : "error";
+        text += fmt::format("    <{} message=\"{}\">{}</{}>\n", element, message,
+                            xml_attribute(details), element);
+    }
+    return text + "  </testcase>\n</testsuite>\n";
+}
+
+}  // namespace
+
+std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafcet,
+                              const CheckResult& result, const ExplainedWitness& explained,
+                              double seconds) {
+    ExplainedWitness in_english = explained;
+    in_english.text = fmt::format("{}\n", fmt::join(explained.lines, "\n"));
+    const std::string details =
+        write_check_text(subject, grafcet, result, in_english, Language::english);
+    switch (result.verdict) {
+        case Verdict::different:
+            return suite(subject, TestOutcome::failed, name_of(result.witness->kind), details,
+                         seconds);
+        case Verdict::undecided:
+            return suite(subject, TestOutcome::error, "undecided", details, seconds);
+        case Verdict::equivalent:
+            break;
+    }
+    return suite(subject, TestOutcome::passed, "", details, seconds);
+}
+
+std::string write_refused_junit(const CheckSubject& subject, std::string_view messages,
+                                double seconds) {
+    return suite(subject, TestOutcome::error, "not checked", messages, seconds);
 }
 
 }  // namespace grafwire

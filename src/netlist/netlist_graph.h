@@ -11,13 +11,17 @@
 
 namespace grafwire {
 
+// The adaptor through which algorithms of Boost.Graph read a netlist: traits, and the free
+// functions that they look up by the type of the graph.
+
 /// The netlist as Boost.Graph sees it: a vertex per cell, an edge from each cell to every pin it
 /// drives. Models VertexListGraph and IncidenceGraph; the netlist itself is not copied, only its
 /// fan-out lists are built.
 class NetlistGraph {
   public:
+    /// Which edges the graph has.
     enum class Edges {
-        all,
+        all,      ///< one per pin
         at_once,  ///< none from cells with a memory, whose outputs do not follow their inputs at
                   ///< once
         between_clocks,  ///< none to flip-flops, whose outputs change at the clock only

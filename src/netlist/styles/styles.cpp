@@ -1,4 +1,7 @@
-#include "netlist/styles/netlist_from.h"
+// The table of the netlist styles, and the way from equations to an annotated netlist in one of
+// them. The help of the program, its "did you mean" and the tests go through the rows.
+
+#include "netlist/styles/styles.h"
 
 #include <array>
 #include <cassert>
