@@ -8,6 +8,7 @@
 #include "check/partial_inputs.h"
 #include "logic/logic.h"
 #include "text/location.h"
+#include "text/message.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -23,7 +24,7 @@ class ScannedDevice {
     struct Stop {
         std::uint32_t network = 0;  ///< its number
         Location where;
-        std::string message;
+        Localized message;
     };
 
     /// What came of a scan.

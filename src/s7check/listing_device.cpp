@@ -89,8 +89,7 @@ ScannedDevice::Outcome ListingDevice::scan(const std::string& memory, const Part
                                            Time now) const {
     Outcome outcome;
     s7::MachineState state = unpacked(memory);
-    s7::Machine machine = machine_;
-    const s7::Machine::ScanEnd end = machine.scan(state, image_of(inputs), now);
+    const s7::Machine::ScanEnd end = machine_.scan(state, image_of(inputs), now);
     if (end.error) {
         outcome.stop = Stop{end.error->network, end.error->where, end.error->message};
         outcome.steps.assign(binding_.steps.size(), Logic::unknown);
@@ -98,8 +97,8 @@ ScannedDevice::Outcome ListingDevice::scan(const std::string& memory, const Part
         return outcome;
     }
     std::optional<std::uint32_t> needed = end.needs;
-    if (!needed) needed = observe(machine, state, outcome);
-    if (!needed) needed = unknown_alive(machine, state);
+    if (!needed) needed = observe(state, outcome);
+    if (!needed) needed = unknown_alive(state);
     if (needed) {
         outcome.needs = input_of_bit_[*needed];
         return outcome;
@@ -109,13 +108,12 @@ ScannedDevice::Outcome ListingDevice::scan(const std::string& memory, const Part
 }
 
 /// Reads X and outputs; returns an open input on which one of them depends.
-std::optional<std::uint32_t> ListingDevice::observe(const s7::Machine& machine,
-                                                    const s7::MachineState& state,
+std::optional<std::uint32_t> ListingDevice::observe(const s7::MachineState& state,
                                                     Outcome& outcome) const {
     const auto read = [&](const std::vector<std::optional<s7::Operand>>& operands,
                           std::vector<Logic>& values) -> std::optional<std::uint32_t> {
         for (const auto& operand : operands) {
-            const s7::Signal bit = machine.bit(state, *operand);
+            const s7::Signal bit = machine_.bit(state, *operand);
             if (!bit.is_known()) return bit.cause;
             values.push_back(bit.value);
         }
@@ -126,12 +124,11 @@ std::optional<std::uint32_t> ListingDevice::observe(const s7::Machine& machine,
 }
 
 /// An open input on which a bit depends that is alive at the start of the next scan.
-std::optional<std::uint32_t> ListingDevice::unknown_alive(const s7::Machine& machine,
-                                                          const s7::MachineState& state) const {
+std::optional<std::uint32_t> ListingDevice::unknown_alive(const s7::MachineState& state) const {
     for (const std::size_t byte : alive_bytes_) {
         for (std::uint8_t bit = 0; bit < 8; ++bit) {
             if ((alive_[byte] >> bit & 1U) == 0) continue;
-            const s7::Signal seen = machine.memory_bit_after(state, byte * 8 + bit);
+            const s7::Signal seen = machine_.memory_bit_after(state, byte * 8 + bit);
             if (!seen.is_known()) return seen.cause;
         }
     }

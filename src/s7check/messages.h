@@ -9,7 +9,7 @@ namespace grafwire::messages::s7check {
 
 inline constexpr Message<> the_listing{"the listing", "le programme"};
 /// Arguments: the number of the network, the line, the error.
-inline constexpr Message<std::uint32_t, std::uint32_t, std::string> listing_stops{
+inline constexpr Message<std::uint32_t, std::uint32_t, Localized> listing_stops{
     "The listing stops (network {}, line {}): {}\n",
     "Le programme s'arrête (réseau {}, ligne {}) : {}\n"};
 

@@ -252,7 +252,7 @@ TEST_CASE("a scan that goes round in a circle is an error with its place") {
     const auto end = plc.machine.scan(plc.state, plc.inputs, 0);
     REQUIRE(end.error);
     CHECK(end.error->network == 4);
-    CHECK(end.error->message.find("does not come to an end") != std::string::npos);
+    CHECK(end.error->message.english.find("does not come to an end") != std::string::npos);
 }
 
 TEST_CASE("the network that wrote a bit last") {

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "logic/logic.h"
 #include "s7/addresses/cpu.h"
 #include "s7/listing.h"
+#include "text/location.h"
+#include "text/message.h"
 #include "text/time.h"
 
 namespace grafwire::s7 {
@@ -48,7 +49,7 @@ using Signal = grafwire::Signal<std::uint16_t>;
 struct RunError {
     std::uint32_t network = 0;
     Location where;
-    std::string message;
+    Localized message;
 };
 
 /// Executes a listing, scan by scan, as an S7-200 does:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "text/message.h"
@@ -25,5 +26,9 @@ inline constexpr Message<std::string_view> step_without_address{
     "step '{}' of the GRAFCET has no address", "l'étape « {} » du GRAFCET n'a pas d'adresse"};
 inline constexpr Message<std::string_view> output_without_address{
     "output '{}' of the GRAFCET has no address", "la sortie « {} » du GRAFCET n'a pas d'adresse"};
+
+inline constexpr Message<std::size_t> scan_without_end{
+    "the scan does not come to an end: more than {} instructions",
+    "la scrutation ne se termine pas : plus de {} instructions"};
 
 }  // namespace grafwire::messages::s7_machine

@@ -5,9 +5,9 @@
 
 #include "s7/machine/scan_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "s7/machine/messages.h"
 
 namespace grafwire::s7 {
 
@@ -25,8 +25,7 @@ Machine::ScanEnd ScanRun::run() {
         const DecodedInstruction& now = program_.code[at];
         if (++executed > most_instructions) {
             end_.error = {now.network_number, now.where,
-                          fmt::format("the scan does not come to an end: more than {} instructions",
-                                      most_instructions)};
+                          messages::s7_machine::scan_without_end(most_instructions)};
             break;
         }
         memory_.set_network(now.network);
