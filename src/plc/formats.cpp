@@ -1,17 +1,24 @@
+// The table of languages, which the command line, its help and the library read. A row says what a
+// language is called and who writes it.
+
 #include "plc/formats.h"
 
+#include "ladder/draw/write_drawings.h"
+#include "ladder/ladder_from.h"
 #include "plc/computer/languages.h"
-#include "plc/iec/write_il.h"
-#include "plc/iec/write_st.h"
+#include "plc/iec/languages.h"
 #include "plc/pl7/write_pl7.h"
 #include "plc/step7/write_stl.h"
-#include "plc/write_ladder.h"
-#include "plc/write_s7.h"
+#include "plcopen/write_project.h"
 #include "s7/generate/assignment.h"
+#include "s7/generate/listing_from.h"
+#include "s7/write_listing.h"
 
 namespace grafwire {
 
 namespace {
+
+// Forms that have a folder of their own, as rows of the table.
 
 std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                  Diagnostics&) {
@@ -20,6 +27,62 @@ std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOp
 
 void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {
     s7::check_assigned_names(grafcet, *options.io, diagnostics);
+}
+
+/// The ladder diagram of a program, written by `write`; nothing where it has none.
+template <typename Write>
+std::string ladder_of(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+                      Diagnostics& diagnostics, const Write& write) {
+    const ladder::Ladder ladder =
+        ladder::ladder_from(grafcet, program, diagnostics, options.language);
+    return diagnostics.has_errors() ? std::string() : write(ladder);
+}
+
+std::string write_ladder_text(const Grafcet& grafcet, const ScanProgram& program,
+                              const PlcOptions& options, Diagnostics& diagnostics) {
+    return ladder_of(grafcet, program, options, diagnostics, [&](const ladder::Ladder& ladder) {
+        return ladder::write_text(ladder, 100, options.language);
+    });
+}
+
+std::string write_ladder_svg(const Grafcet& grafcet, const ScanProgram& program,
+                             const PlcOptions& options, Diagnostics& diagnostics) {
+    return ladder_of(grafcet, program, options, diagnostics, [&](const ladder::Ladder& ladder) {
+        return ladder::write_svg(ladder, options.language);
+    });
+}
+
+std::string write_plcopen(const Grafcet& grafcet, const ScanProgram& program,
+                          const PlcOptions& options, Diagnostics& diagnostics) {
+    return ladder_of(grafcet, program, options, diagnostics, [&](const ladder::Ladder& ladder) {
+        return plcopen::write_project(grafcet, ladder, options.language);
+    });
+}
+
+std::optional<s7::AssignedListing> listing(const Grafcet& grafcet, const ScanProgram& program,
+                                           const PlcOptions& options, Diagnostics& diagnostics) {
+    return s7::listing_from(
+        grafcet, program,
+        {options.io, options.wide_tables, options.cpu, options.mnemonics, options.language},
+        diagnostics);
+}
+
+std::string write_s7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+                     Diagnostics& diagnostics) {
+    const auto made = listing(grafcet, program, options, diagnostics);
+    if (!made) return {};
+    return s7::write_listing(made->listing, {options.mnemonics, options.offsets});
+}
+
+void check_s7_io(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {
+    s7::resolve_assignment(grafcet, *options.io, options.wide_tables, diagnostics);
+}
+
+std::string write_s7_addresses(const Grafcet& grafcet, const ScanProgram& program,
+                               const PlcOptions& options, Diagnostics& diagnostics) {
+    const auto made = listing(grafcet, program, options, diagnostics);
+    if (!made) return {};
+    return s7::write_io_assignment(made->assignment, options.mnemonics);
 }
 
 constexpr PlcFormat table[] = {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "plc/formats.h"
-#include "plc/shared/headings.h"
+#include "plc/shared/source_text.h"
 #include "random/read_text.h"
 #include "support/catalogues.h"
 #include "support/files.h"

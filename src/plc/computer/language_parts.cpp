@@ -1,3 +1,6 @@
+// What programs in C, Pascal and Python have alike: names of functions and of what holds the bits,
+// the head of the file, and the heading of the trace that their main programs write.
+
 #include "plc/computer/language_parts.h"
 
 #include <fmt/format.h>
@@ -97,6 +100,7 @@ void write_changed_names(SourceText& out, const ProgramNames& names, Language la
     }
 }
 
+/// Cut behind commas, so that a part is a text between quotation marks on a line of its own.
 std::vector<std::string> trace_heading(const Grafcet& grafcet) {
     constexpr std::size_t longest = 70;
     std::string heading = write_csv(empty_trace(grafcet));

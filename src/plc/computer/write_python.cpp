@@ -1,16 +1,27 @@
 // A program in Python 3, to be read in class: the steps, a class of inputs, a class of the chart
-// with its tables, and what reads scans and writes the trace. The scan itself is in
-// python_statements.cpp.
+// with its tables and a method for each section of the scan, and what reads scans and writes the
+// trace.
+//
+// A table is an integer of any length whose bits are the steps, and the formulas of the method are
+// its operators: `self.Ts = self.Tp & ~self.Td | self.Ta`. Only this language has no limit for
+// integers and for steps.
 
 #include <fmt/format.h>
+
+#include <cassert>
+#include <string>
+#include <string_view>
 
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
 #include "plc/computer/messages.h"
 #include "plc/computer/python_blocks.h"
-#include "plc/computer/python_program.h"
-#include "plc/shared/headings.h"
+#include "plc/shared/condition_text.h"
+#include "plc/shared/program_names.h"
 #include "plc/shared/program_needs.h"
+#include "plc/shared/source_text.h"
+#include "program/bit_names.h"
+#include "program/program.h"
 
 namespace grafwire {
 
@@ -28,7 +39,76 @@ std::string python_string(std::string_view text) {
     return result + "\"";
 }
 
-}  // namespace
+ConditionSpelling python_spelling() {
+    ConditionSpelling result;
+    result.negation = "not ";
+    result.conjunction = " and ";
+    result.disjunction = " or ";
+    result.exclusive_or = " ^ ";
+    result.one = "True";
+    result.zero = "False";
+    result.relations = {"==", "!=", "<", "<=", ">", ">="};
+    return result;
+}
+
+std::string holder(BitKind kind) {
+    return fmt::format("self.{}", holder_name(kind));
+}
+
+/// Writes a program in Python 3.
+class PythonProgram {
+  public:
+    PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language);
+
+    std::string write();
+
+  private:
+    std::string name(Bit bit) const;
+    std::string name(IntegerCell cell) const {
+        return cell.is_scratch ? names_[cell] : "self.counters." + names_[cell];
+    }
+    // What surrounds the scan.
+    void write_head();
+    void write_steps();
+    void write_inputs();
+    void write_class();
+    void write_start();
+    /// `self.name = SimpleNamespace(a=value, …)`, where the program has any use for it.
+    void write_group(BitKind kind, std::size_t count, std::string_view value,
+                     const Message<>& comment);
+    void write_run();
+    // The scan.
+    void write_section(SectionKind section);
+    void write_scan();
+    void write(const Statement& statement);
+    void write_actions(const Statement& statement);
+    std::string table_text(TableOperation operation) const;
+    /// A line that may need parentheses to go on in the next one.
+    void write_line(std::string_view before, std::string_view expression, std::string_view after);
+
+    const Grafcet& grafcet_;
+    ScanProgram program_;
+    Language language_;
+    ProgramNames names_;
+    ConditionText conditions_;
+    SourceText out_{"#", SourceText::Breaks::within_parentheses};
+};
+
+PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
+    : grafcet_(grafcet),
+      program_(without_idle_tables(program)),
+      language_(language),
+      names_(grafcet, program_, {true, is_python_word}),
+      conditions_(
+          python_spelling(), [this](Bit bit) { return name(bit); },
+          [this](IntegerCell cell) { return name(cell); }) {}
+
+std::string PythonProgram::name(Bit bit) const {
+    if (bit.kind == BitKind::scratch) return names_[bit];
+    const std::string in = holder(bit.kind);
+    if (is_step_table(bit.kind)) return fmt::format("is_in({}, {})", names_[bit], in);
+    return fmt::format("{}.{}{}", in, names_[bit], bit.kind == BitKind::time_value ? ".value" : "");
+}
 
 void PythonProgram::write_head() {
     // Python reads `coding: …` in the first two lines of a file as its encoding, in a comment too
@@ -191,6 +271,128 @@ void PythonProgram::write_run() {
                     {"@reads_scans", say::reads_scans_in_python.in(language_)},
                     {"@bad_line", say::bad_line.in(language_, "{number}", "\n{INPUT_COLUMNS}")}}));
 }
+
+void PythonProgram::write_section(SectionKind section) {
+    if (program_.section(section).empty()) return;
+    out_.blank();
+    out_.comment(section_title(section).in(language_));
+    out_.line(fmt::format("def {}(self):", section_function(section)));
+    out_.indent();
+    for (const Statement& statement : program_.section(section)) write(statement);
+    out_.outdent();
+}
+
+void PythonProgram::write_line(std::string_view before, std::string_view expression,
+                               std::string_view after) {
+    if (out_.is_too_long(before.size() + expression.size() + after.size())) {
+        out_.line(fmt::format("{}({}){}", before, expression, after));
+    } else {
+        out_.line(fmt::format("{}{}{}", before, expression, after));
+    }
+}
+
+void PythonProgram::write(const Statement& statement) {
+    if (says_more(statement)) out_.comment(statement.comment.in(language_));
+    switch (statement.kind) {
+        case Statement::Kind::assign:
+            assert(!is_step_table(statement.targets[0].kind));
+            write_line(name(statement.targets[0]) + " = ", conditions_.of(statement.condition), "");
+            return;
+        case Statement::Kind::time:
+            out_.line(
+                fmt::format("{}.{}.observe({}, {}, {}, self.now)", holder(BitKind::time_value),
+                            names_[statement.targets[0]], conditions_.of(statement.condition),
+                            microseconds(statement.on_delay), microseconds(statement.off_delay)));
+            return;
+        case Statement::Kind::table:
+            out_.line(table_text(statement.operation));
+            return;
+        case Statement::Kind::set:
+        case Statement::Kind::reset:
+        case Statement::Kind::move:
+            break;
+    }
+    if (statement.condition.is_constant(true)) {
+        write_actions(statement);
+        return;
+    }
+    write_line("if ", conditions_.of(statement.condition), ":");
+    out_.indent();
+    write_actions(statement);
+    out_.outdent();
+}
+
+void PythonProgram::write_actions(const Statement& statement) {
+    if (statement.kind == Statement::Kind::move) {
+        const std::string target = name(statement.integer);
+        if (statement.sum.empty()) {
+            out_.line(fmt::format("{} = {}", target, name(statement.source)));
+        } else {
+            out_.line(fmt::format("{} = max({}, min({}, {}))", target, statement.low,
+                                  conditions_.of(statement.sum), statement.high));
+        }
+        return;
+    }
+    const bool sets = statement.kind == Statement::Kind::set;
+    const std::vector<StepRange> ranges = step_ranges(statement.targets);
+    for (std::size_t i = 0; i < ranges.size();) {
+        const std::string table = holder(ranges[i].table);
+        std::string steps;
+        for (; i < ranges.size() && holder(ranges[i].table) == table; ++i) {
+            if (!steps.empty()) steps += " | ";
+            const std::string& first = names_[Bit{BitKind::step, ranges[i].first}];
+            const std::string& last = names_[Bit{BitKind::step, ranges[i].last}];
+            steps += ranges[i].first == ranges[i].last
+                         ? first
+                         : fmt::format("through({}, {})", first, last);
+        }
+        if (sets) {
+            write_line(fmt::format("{} |= ", table), steps, "");
+        } else {
+            const bool is_union = steps.find('|') != std::string::npos;
+            out_.line(is_union ? fmt::format("{} &= ~({})", table, steps)
+                               : fmt::format("{} &= ~{}", table, steps));
+        }
+    }
+    for (const Bit bit : single_bits(statement.targets)) {
+        out_.line(fmt::format("{} = {}", name(bit), sets ? "True" : "False"));
+    }
+}
+
+std::string PythonProgram::table_text(TableOperation operation) const {
+    switch (operation) {
+        case TableOperation::remember:
+            return "self.Tp = self.Ts";
+        case TableOperation::clear:
+            return uses(program_, BitKind::forced_off)
+                       ? "self.Ta = self.Td = self.Tf1 = self.Tf0 = 0"
+                       : "self.Ta = self.Td = 0";
+        case TableOperation::evolve:
+            return "self.Ts = self.Tp & ~self.Td | self.Ta";
+        case TableOperation::force:
+            return "self.Ts = self.Ts & ~self.Tf0 | self.Tf1";
+        case TableOperation::pulse:
+            return "self.Tpulse = self.Ts & ~self.Tp";
+    }
+    return {};
+}
+
+void PythonProgram::write_scan() {
+    out_.blank();
+    out_.comment(messages::plc_computer::one_scan_clocked.in(language_));
+    out_.line("def scan(self, inputs, now):");
+    out_.indent();
+    out_.line("self.inputs = inputs");
+    out_.line("self.now = now");
+    for (std::size_t s = 1; s < section_count; ++s) {
+        const auto section = static_cast<SectionKind>(s);
+        if (program_.section(section).empty()) continue;
+        out_.line(fmt::format("self.{}()", section_function(section)));
+    }
+    out_.outdent();
+}
+
+}  // namespace
 
 std::string write_python(const Grafcet& grafcet, const ScanProgram& program,
                          const PlcOptions& options, Diagnostics&) {

@@ -4,19 +4,17 @@
 // what is compound and not first stands in parentheses. Set and reset act where the result is 1, so
 // a transition is its conditions and then one line per step. Loops and conditional moves jump.
 
-#include "plc/iec/write_il.h"
-
 #include <fmt/format.h>
 
 #include <span>
 
 #include "grafcet/sum_range.h"
 #include "iec/literals.h"
-#include "plc/iec/iec_declarations.h"
-#include "plc/iec/iec_names.h"
+#include "plc/iec/iec_block.h"
+#include "plc/iec/languages.h"
 #include "plc/iec/messages.h"
-#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
+#include "plc/shared/source_text.h"
 
 namespace grafwire {
 

@@ -4,8 +4,6 @@
 // per transition, with the chart's own text above it. Precedence is left to parentheses wherever
 // AND, OR and XOR meet: few readers know by heart which binds tighter.
 
-#include "plc/iec/write_st.h"
-
 #include <fmt/format.h>
 
 #include <functional>
@@ -14,14 +12,12 @@
 #include "grafcet/sum_range.h"
 #include "iec/literals.h"
 #include "iec/operators.h"
-#include "plc/iec/iec_declarations.h"
-#include "plc/iec/iec_names.h"
+#include "plc/iec/iec_block.h"
+#include "plc/iec/languages.h"
 #include "plc/iec/messages.h"
 #include "plc/shared/condition_text.h"
-#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"
-#include "plc/shared/step_ranges.h"
 
 namespace grafwire {
 

@@ -1,3 +1,11 @@
+// The objects of PL7-2: what there are of them, and which stand for what.
+//
+// A step keeps its number where it has one from 0 to 95, so that the listing and the animation on
+// the terminal show the chart's own numbers; `05` is no number, for X5 might be another step.
+// Everything else takes the next object that is free, in the order in which the writers ask.
+// Whether there were enough is told once at the end (check_limits), with the number that would be
+// needed.
+
 #include "plc/pl7/pl7_objects.h"
 
 #include <fmt/format.h>

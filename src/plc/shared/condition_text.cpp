@@ -1,3 +1,11 @@
+// Conditions and sums with the operators of a language, read from a table of spellings.
+//
+// Parentheses stand round every compound operand, and round comparisons where a language needs
+// them: in Pascal `a and b < c` means `(a and b) < c`. `a ⊕ /b` gets them round the negation as
+// well, since
+// `!b` beside `^` reads like a mistake. Two sides of a comparison that are the same sum, `n < n`,
+// are settled here: compilers warn of them.
+
 #include "plc/shared/condition_text.h"
 
 #include <fmt/format.h>
@@ -95,6 +103,7 @@ std::string ConditionText::of(const Sum& sum) const {
         if (term.counter != SumTerm::no_counter) {
             text += counter_({false, term.counter});
         } else if (first && sum.size() > 1) {
+            // Counters are as wide as every sum; a number alone may be an int of 16 bits.
             text += fmt::format("{}{}{}", spelling_.before_first_number, term.value,
                                 spelling_.after_first_number);
         } else {

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "grafcet/sum_range.h"
+#include "program/bit_names.h"
 
 namespace grafwire {
 
@@ -144,6 +145,32 @@ Location wide_integer(const Grafcet& grafcet, const ScanProgram& program, unsign
         }
     }
     return {};
+}
+
+std::vector<StepRange> step_ranges(std::span<const Bit> targets) {
+    std::vector<Bit> bits;
+    for (const Bit bit : targets) {
+        if (is_step_table(bit.kind)) bits.push_back(bit);
+    }
+    std::sort(bits.begin(), bits.end());
+    std::vector<StepRange> ranges;
+    for (const Bit bit : bits) {
+        if (!ranges.empty() && ranges.back().table == bit.kind &&
+            bit.index <= ranges.back().last + 1) {
+            ranges.back().last = bit.index;
+        } else {
+            ranges.push_back({bit.kind, bit.index, bit.index});
+        }
+    }
+    return ranges;
+}
+
+std::vector<Bit> single_bits(std::span<const Bit> targets) {
+    std::vector<Bit> bits;
+    for (const Bit bit : targets) {
+        if (!is_step_table(bit.kind)) bits.push_back(bit);
+    }
+    return bits;
 }
 
 }  // namespace grafwire

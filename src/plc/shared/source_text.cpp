@@ -1,10 +1,42 @@
+// The text of a program: headings, lines that are wrapped, comments that no compiler reads as code,
+// and parts that are the same for every chart.
+//
+// A line is wrapped at a blank in its second half, the one within the fewest parentheses, so that
+// operands stay together: `a && (b ||` is the last choice.
+
 #include "plc/shared/source_text.h"
 
 #include <fmt/format.h>
 
+#include "plc/shared/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
+
+Localized section_title(SectionKind kind) {
+    namespace say = messages::plc_shared;
+    switch (kind) {
+        case SectionKind::start:
+            return say::section_start();
+        case SectionKind::begin:
+            return say::section_begin();
+        case SectionKind::edges:
+            return say::section_edges();
+        case SectionKind::conditions:
+            return say::section_conditions();
+        case SectionKind::evolution:
+            return say::section_evolution();
+        case SectionKind::orders:
+            return say::section_orders();
+        case SectionKind::stored:
+            return say::section_stored();
+        case SectionKind::times:
+            return say::section_times();
+        case SectionKind::outputs:
+            return say::section_outputs();
+    }
+    return {};
+}
 
 namespace {
 

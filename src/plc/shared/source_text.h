@@ -5,7 +5,14 @@
 #include <string_view>
 #include <utility>
 
+#include "program/program.h"
+#include "text/message.h"
+
 namespace grafwire {
+
+/// What a section of the scan does, with the subroutine of the method that it is (Cordier, "Méthode
+/// d'implémentation du GRAFCET" (1998), section 5): `SBR 3: transition conditions`.
+Localized section_title(SectionKind kind);
 
 /// The text of a program as it grows, line by line: indents, wraps what is longer than 100
 /// characters at a blank outside of as many parentheses as possible, and writes comments.

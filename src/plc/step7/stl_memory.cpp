@@ -1,3 +1,10 @@
+// Where the bits, tables and integers of a program live.
+//
+// The tables come first and as whole words, because the formulas of the method work on them word by
+// word, with 17 steps or more by double words. All that begins as 0 lies in one stretch, from MB 10
+// to program_end(), which the first scan clears. What is taken after that (the bit that tells the
+// first scan, bits of timers, auxiliary bits) is no memory of the chart.
+
 #include "plc/step7/stl_memory.h"
 
 #include <fmt/format.h>

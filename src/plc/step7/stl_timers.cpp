@@ -1,3 +1,12 @@
+// Timers of STEP 7.
+//
+// S5 timers are what the course and most machines use, and they are seen in the status of the CPU;
+// but they count three digits of a base, 10 ms at the finest, so 1.25 s fits and 1.253 s does not.
+// What does not fit takes an IEC timer of the operating system, SFB 4 or 5, which wants a data
+// block of its own and bits to hold its input and output. `1s/e/2s` is never made of an on-delay
+// with an off-delay behind it, which would start the first one again: two on-delays set and reset
+// the value.
+
 #include "plc/step7/stl_timers.h"
 
 #include <fmt/format.h>

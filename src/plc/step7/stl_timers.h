@@ -7,9 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plc/step7/stl_conditions.h"
+#include "plc/step7/stl_instructions.h"
 #include "plc/step7/stl_memory.h"
-#include "plc/step7/stl_text.h"
 
 namespace grafwire {
 

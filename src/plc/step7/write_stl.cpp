@@ -10,12 +10,11 @@
 #include <fmt/format.h>
 
 #include "grafcet/sum_range.h"
-#include "plc/shared/headings.h"
 #include "plc/shared/program_needs.h"
+#include "plc/shared/source_text.h"
 #include "plc/step7/messages.h"
-#include "plc/step7/stl_conditions.h"
+#include "plc/step7/stl_instructions.h"
 #include "plc/step7/stl_memory.h"
-#include "plc/step7/stl_text.h"
 #include "plc/step7/stl_timers.h"
 #include "program/bit_names.h"
 #include "program/messages.h"

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "program/program.h"
+#include "text/diagnostics.h"
+#include "text/language.h"
 #include "text/safe_names.h"
 
 namespace grafwire {
@@ -72,5 +75,17 @@ class IecNames {
 
 /// A comment of IEC 61131-3; a text that would end it early is written with a blank more.
 std::string iec_comment(std::string_view text);
+
+/// What a program in a textual language of IEC 61131-3 begins with: a comment that says what it is
+/// and which names had to be changed, then `FUNCTION_BLOCK …` and its variables. The inputs and
+/// outputs of the block are those of the chart, in its order, with Init, AUdur and AUdoux after the
+/// declared inputs; the first block of internal variables holds the vars and counters of the chart.
+/// `textual_language` is what the comment calls the language of IEC 61131-3, in the language of all
+/// comments.
+///
+/// An error where an integer needs more than the 64 bits of LINT; empty then.
+std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
+                             const IecNames& names, const Localized& textual_language,
+                             Language language, Diagnostics& diagnostics);
 
 }  // namespace grafwire
