@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "command/command.h"
+#include "command/command_line.h"
 #include "command/files.h"
 #include "command/help.h"
 #include "command/standard_error.h"

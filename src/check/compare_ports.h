@@ -5,7 +5,7 @@
 
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

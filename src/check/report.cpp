@@ -9,8 +9,8 @@
 
 #include "check/messages.h"
 #include "grafcet/write_grafcet.h"
+#include "text/escape.h"
 #include "text/utf8.h"
-#include "text/xml.h"
 
 namespace grafwire {
 

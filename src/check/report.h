@@ -9,7 +9,7 @@
 #include "check/check_result.h"
 #include "grafcet/grafcet.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

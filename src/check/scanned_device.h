@@ -7,8 +7,8 @@
 
 #include "check/partial_inputs.h"
 #include "logic/logic.h"
-#include "text/location.h"
 #include "text/message.h"
+#include "text/source.h"
 #include "text/time.h"
 
 namespace grafwire {

@@ -1,10 +1,14 @@
+// grafwire check: what is compared (a netlist made or read, a listing, a ladder diagram), with
+// which bounds, and where the report and the files of a witness go. The exit status is the verdict.
+// A report in JUnit's form is written even where no check is made, since CI shows nothing else.
+
 #include "workflow/check.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 
-#include "command/command.h"
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
@@ -19,6 +23,7 @@ namespace {
 namespace say = messages::command;
 namespace help = messages::help;
 
+/// What may be written after `grafwire check`.
 struct Request {
     std::string path;
     NetlistRequest netlist;
@@ -48,6 +53,7 @@ struct Session {
     std::optional<Time> period;
 };
 
+/// No answer within the bounds is neither yes nor no.
 ExitStatus exit_status(Verdict verdict) {
     switch (verdict) {
         case Verdict::equivalent:
@@ -139,6 +145,7 @@ std::optional<Netlist> load_fitting_netlist(const Session& session) {
     return netlist;
 }
 
+/// A netlist that is made of the GRAFCET, or one from elsewhere.
 std::optional<Judgement> judge_netlist(const Session& session) {
     const auto netlist = session.request.against.empty()
                              ? make_netlist(session.chart, session.request.netlist)
@@ -149,6 +156,7 @@ std::optional<Judgement> judge_netlist(const Session& session) {
     });
 }
 
+/// An S7-200 listing. Its addresses say nothing by themselves, so a table of assignment is needed.
 std::optional<Judgement> judge_listing(const Session& session) {
     const Request& request = session.request;
     if (request.io.empty()) {
@@ -169,6 +177,7 @@ std::optional<Judgement> judge_listing(const Session& session) {
     });
 }
 
+/// A ladder diagram, whose variables have the names of the GRAFCET.
 std::optional<Judgement> judge_ladder(const Session& session) {
     const Request& request = session.request;
     Diagnostics diagnostics;
@@ -249,6 +258,7 @@ ExitStatus report_refused(const Request& request, const std::string& messages, d
     return finish(files, ExitStatus::bad_request);
 }
 
+/// Whatever goes wrong before the verdict ends in `refused`, so that CI sees a report of it.
 ExitStatus check(const Request& request, const CommandLine& line) {
     const auto began = std::chrono::steady_clock::now();
     const auto seconds = [&] {
@@ -275,6 +285,7 @@ ExitStatus check(const Request& request, const CommandLine& line) {
     return report(request, *chart, *judgement, seconds(), line.language());
 }
 
+/// What is compared, and under which conditions.
 void declare_subject(const CommandLine& line, Request& request) {
     line.add_argument(help::file_name, request.path, help::file());
     request.netlist.declare(line, false);
@@ -288,6 +299,7 @@ void declare_subject(const CommandLine& line, Request& request) {
     line.add("--cpu", request.cpu, help::check_cpu()).one_of(cpu_numbers()).shows_default();
 }
 
+/// What is written, and when the check gives up.
 void declare_report(const CommandLine& line, Request& request) {
     line.add("--to", request.format, help::check_to()).one_of_names(report_forms()).shows_default();
     line.add("-o", request.output, help::check_output());

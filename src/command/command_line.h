@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "text/language.h"
+#include "command/help.h"
 #include "text/message.h"
 
 namespace CLI {
@@ -87,7 +87,34 @@ class CommandLine {
     Language language_;
 };
 
-struct Command;
+/// What the help says of an option, and below it the rows of the table that it takes a name of:
+///
+///     output format
+///     verilog: structural Verilog (IEEE 1364-2005)
+template <typename Rows>
+Localized with_rows(const Localized& help, const Rows& rows) {
+    std::vector<Localized> lines{help};
+    for (const auto& row : rows) lines.push_back(messages::help::row(row.name, row.description()));
+    return joined(lines, "\n");
+}
+
+/// One row of the table of commands: adds its options to the parser and returns what to do once
+/// they have been read.
+struct Command {
+    std::string_view name;
+    Message<> summary;
+    std::string_view example;
+    Task (*declare)(const CommandLine& line);
+};
+
+Task declare_info(const CommandLine& line);
+Task declare_equations(const CommandLine& line);
+Task declare_run(const CommandLine& line);
+Task declare_netlist(const CommandLine& line);
+Task declare_simulate(const CommandLine& line);
+Task declare_check(const CommandLine& line);
+Task declare_plc(const CommandLine& line);
+Task declare_s7(const CommandLine& line);
 
 /// What came of reading a command line: one of these.
 struct ReadCommandLine {

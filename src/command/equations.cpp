@@ -1,4 +1,6 @@
-#include "command/command.h"
+// grafwire equations: CAX, CDX, X and the equations of the actions, in one of the forms.
+
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/option_uses.h"

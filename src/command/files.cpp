@@ -31,6 +31,7 @@ bool read_all(std::FILE* file, std::string& text) {
     return std::ferror(file) == 0;
 }
 
+/// `cannot write out.csv: it is read-only`
 Localized cannot_write(const std::string& path, const Localized& reason) {
     return say::cannot_write(shown_place(path), reason);
 }

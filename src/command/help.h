@@ -18,6 +18,8 @@ inline constexpr Message<> exit_statuses{
     "Code de retour : 0 fait ou équivalent ; 1 la réponse est non ; 2 demande ou entrée erronée ; "
     "3 indécis.\n« grafwire COMMANDE --help » montre les options d'une commande."};
 inline constexpr Message<std::string_view> example{"Example: {}", "Exemple : {}"};
+/// A row of the table of styles, formats or languages, below the option that takes its name.
+inline constexpr Message<std::string_view, Localized> row{"{}: {}", "{} : {}"};
 inline constexpr Message<> help{"Print this help message and exit", "afficher cette aide"};
 inline constexpr Message<> version{"Display program version information and exit",
                                    "afficher la version du programme"};
@@ -106,7 +108,7 @@ inline constexpr Message<> run_scan{
 
 // netlist
 
-inline constexpr Message<std::string_view> netlist_to{"output format: {}", "format de sortie : {}"};
+inline constexpr Message<> netlist_to{"output format", "format de sortie"};
 inline constexpr Message<> netlist_stim{
     "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)",
     "stimuli à appliquer au câblage : dans une description SPICE, ou dans un banc d'essai "
@@ -175,7 +177,7 @@ inline constexpr Message<> max_memory{
 
 // plc
 
-inline constexpr Message<std::string_view> plc_to{"language: {}", "langage : {}"};
+inline constexpr Message<> plc_to{"language", "langage"};
 inline constexpr Message<> plc_modes{"with Init, AUdur and AUdoux", "avec Init, AUdur et AUdoux"};
 inline constexpr Message<> plc_io{"addresses of names, one a line: E0.0 = start",
                                   "adresses des noms, une par ligne : E0.0 = dcy"};

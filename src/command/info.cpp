@@ -1,4 +1,6 @@
-#include "command/command.h"
+// grafwire info: what a GRAFCET consists of, and what there is to be said against it.
+
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "grafcet/describe_grafcet.h"

@@ -1,7 +1,11 @@
+// Every file is read in the same way: its text, then what the workflow makes of it, then the
+// messages about either, with their places. After an error there is no value, and the command ends.
+
 #include "command/inputs.h"
 
 #include "command/help.h"
 #include "command/messages.h"
+#include "text/nearest_name.h"
 
 namespace grafwire {
 
@@ -74,6 +78,7 @@ std::optional<s7::Listing> load_listing(const std::string& path, s7::Cpu cpu,
     });
 }
 
+/// No text is no period, which is right where a period may be left out.
 Period parse_period(const std::string& text) {
     if (text.empty()) return {};
     const auto period = parse_duration(text);
@@ -89,8 +94,10 @@ void complain_of_format(std::string_view name, const std::vector<std::string_vie
     complain(nearest.empty() ? say::unknown_format(name) : say::unknown_format_near(name, nearest));
 }
 
+/// A style is required where the netlist is all there is to the command.
 void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
-    const AddedOption option = line.add("--style", style, help::style()).one_of_names(style_table);
+    const AddedOption option =
+        line.add("--style", style, with_rows(help::style(), style_table)).one_of_names(style_table);
     if (style_is_required) {
         option.required();
     } else {

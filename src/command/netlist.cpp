@@ -1,8 +1,9 @@
-#include <fmt/format.h>
+// grafwire netlist: the netlist of a GRAFCET in one of the formats, with a bench if one is asked
+// for.
 
 #include <filesystem>
 
-#include "command/command.h"
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/option_uses.h"
@@ -13,6 +14,7 @@ namespace {
 
 namespace help = messages::help;
 
+/// What may be written after `grafwire netlist`.
 struct Request {
     std::string path;
     NetlistRequest netlist;
@@ -44,6 +46,7 @@ std::string bench_path(const std::string& output) {
         .string();
 }
 
+/// The netlist and, of formats that have one, its bench.
 ExitStatus write(const Request& request, const NetlistFormat& format, Time period) {
     // Read the GRAFCET and make the netlist.
     const auto chart = load_chart(request.path);
@@ -70,9 +73,7 @@ Task declare_netlist(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
     line.add_argument(help::file_name, request->path, help::file());
     request->netlist.declare(line, true);
-    line.add("--to", request->format,
-             help::netlist_to(fmt::format("{}", fmt::join(netlist_format_names(), ", "))))
-        .required();
+    line.add("--to", request->format, with_rows(help::netlist_to(), netlist_formats())).required();
     line.add("--stim", request->stimuli, help::netlist_stim());
     line.add_flag("--bench", request->bench, help::bench());
     line.add("--scan", request->scan, help::netlist_scan()).shows_default();

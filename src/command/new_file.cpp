@@ -45,6 +45,7 @@ extern "C" void remove_unfinished(int signal) {
     std::raise(signal);  // arrives when this returns
 }
 
+/// Those that users, shells and systems end programs with.
 sigset_t set_of_ending_signals() {
     sigset_t set;
     sigemptyset(&set);
@@ -68,6 +69,7 @@ void catch_signals() {
     }
 }
 
+/// Takes a name from the list: the file stands in its place, or is gone.
 void forget(const std::string& name) {
     const HeldSignals held;
     unfinished.erase(std::remove(unfinished.begin(), unfinished.end(), name), unfinished.end());
@@ -78,6 +80,7 @@ std::string random_name() {
     return fmt::format(".grafwire-{:08x}{:08x}", source(), source());
 }
 
+/// Why the last call of the system failed.
 Localized reason() {
     return reason_of(errno);
 }
@@ -156,6 +159,7 @@ std::optional<Localized> NewFile::open(const Place& place, int& file) {
     return say::no_file_in_folder(visible(place.folder), reason());
 }
 
+/// The file is complete on return, but not yet seen under its own name.
 std::optional<Localized> NewFile::write(const Place& place, const std::string& text) {
     catch_signals();
     if (auto problem = objection(place)) return problem;

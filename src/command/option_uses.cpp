@@ -74,6 +74,7 @@ bool heeds(const FormatOptions& format, std::string_view option) {
     return false;
 }
 
+/// What the format chosen does not heed, and which formats do.
 Localized refusal(const ChosenFormat& format, std::string_view option) {
     std::vector<std::string_view> others;
     for (const FormatOptions& other : format.all) {

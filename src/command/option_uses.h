@@ -44,6 +44,8 @@ ChosenFormat chosen_format(std::span<const Row> rows, const Row& row) {
 }
 
 /// Whether an option was written that has no effect with what is asked for; says so if so.
+/// The rows of the command are looked at in their order, and the first that refuses is shown.
+/// `format`: that of `--to`, for options that some formats heed.
 bool refuse_idle_options(const CommandLine& line, std::string_view command, unsigned facts,
                          const ChosenFormat* format = nullptr);
 

@@ -23,10 +23,12 @@ namespace {
 
 constexpr int most_links = 40;  // as many as Linux follows
 
+/// Device and inode: what a file is, whatever it is called.
 FileIdentity identity_of(const struct stat& status) {
     return {status.st_dev, status.st_ino};
 }
 
+/// Standard output where a result goes, standard input where a file is read.
 bool is_standard_name(const std::string& path) {
     return path.empty() || path == "-";
 }
@@ -103,6 +105,8 @@ bool Place::is_same_as(FileIdentity input) const {
     return kind != Kind::new_file && identity_of(status) == input;
 }
 
+/// What exists is asked what it is; of what does not exist yet, links are followed to where the
+/// file would be made.
 std::optional<Place> place_of(const std::string& path, Localized& problem) {
     Place place;
     place.asked = path;

@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+// grafwire plc: the GRAFCET as a program in one of the languages, with the addresses of its names.
 
-#include "command/command.h"
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
@@ -12,6 +12,7 @@ namespace {
 
 namespace help = messages::help;
 
+/// What may be written after `grafwire plc`.
 struct Request {
     std::string path;
     std::string format;
@@ -25,6 +26,8 @@ struct Request {
     std::string output;
 };
 
+/// The options by the values that users write; those that the format does not heed have been
+/// refused.
 PlcOptions options_from(const Request& request) {
     PlcOptions options;
     options.mnemonics =
@@ -50,6 +53,7 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
     return assignment;
 }
 
+/// The program, and the table of its addresses if it is asked for.
 ExitStatus write(const Request& request, const PlcFormat& format, Language language) {
     // Read the GRAFCET and the addresses.
     if (request.path == "-" && request.io == "-") {
@@ -82,9 +86,7 @@ ExitStatus write(const Request& request, const PlcFormat& format, Language langu
 Task declare_plc(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
     line.add_argument(help::file_name, request->path, help::file());
-    line.add("--to", request->format,
-             help::plc_to(fmt::format("{}", fmt::join(plc_format_names(), ", "))))
-        .required();
+    line.add("--to", request->format, with_rows(help::plc_to(), plc_formats())).required();
     line.add("--modes", request->modes, help::plc_modes()).one_of({"on", "off"}).shows_default();
     line.add("--io", request->io, help::plc_io());
     line.add("--addresses", request->addresses, help::addresses());

@@ -1,3 +1,7 @@
+// The exploration asks many times a second whether to go on, so the clock is the only thing looked
+// at each time; memory and terminal take longer and are looked at now and then. Ctrl-C only sets a
+// flag: the check ends as it does at any other bound, with a report of what it has found.
+
 #include "command/progress.h"
 
 #include <fmt/format.h>
@@ -16,6 +20,7 @@ namespace grafwire {
 
 namespace {
 
+/// Set by Ctrl-C. The handler is removed as it is called, so that a second one ends the program.
 volatile std::sig_atomic_t is_interrupted = 0;
 
 void note_interrupt(int) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "check/check_result.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -1,6 +1,8 @@
+// grafwire run: the reference evolution over stimuli.
+
 #include <fmt/format.h>
 
-#include "command/command.h"
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
@@ -12,6 +14,7 @@ namespace {
 
 namespace help = messages::help;
 
+/// What may be written after `grafwire run`.
 struct Request {
     std::string path;
     std::string stimuli;

@@ -1,4 +1,7 @@
-#include "command/command.h"
+// grafwire s7 run: an S7-200 listing executed scan by scan. Its columns are those of a GRAFCET, if
+// one is given, so that the trace can be compared with that of grafwire run.
+
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
@@ -12,6 +15,7 @@ namespace {
 namespace say = messages::command;
 namespace help = messages::help;
 
+/// What may be written after `grafwire s7 run`.
 struct Request {
     std::string listing;
     std::string stimuli;
@@ -37,6 +41,8 @@ std::optional<ListingColumns> load_columns(const Request& request, const s7::Lis
     return columns;
 }
 
+/// A listing that fails (a stack too deep, a timer of no such number) fails at a place and a
+/// moment, and both are shown.
 ExitStatus run_listing(const Request& request) {
     if (!request.grafcet.empty() && request.io.empty()) {
         complain(say::grafcet_needs_io());

@@ -1,4 +1,7 @@
-#include "command/command.h"
+// grafwire simulate: the gates of a netlist, made or read, under stimuli, in the columns of the
+// reference.
+
+#include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
@@ -13,6 +16,7 @@ namespace {
 namespace say = messages::command;
 namespace help = messages::help;
 
+/// What may be written after `grafwire simulate`.
 struct Request {
     std::string path;
     std::string stimuli;
@@ -56,6 +60,7 @@ std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
     return netlist;
 }
 
+/// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
 ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     if (refuse_idle_options(line, "simulate", facts_of(request))) return ExitStatus::bad_request;
     // Read the GRAFCET and the stimuli.

@@ -1,3 +1,6 @@
+// All that the program says beside its results. A message exists in both languages until it gets
+// here, where the language of the command line is known; a record of messages is kept in English.
+
 #include "command/standard_error.h"
 
 #include <fmt/format.h>
@@ -24,6 +27,7 @@ std::string* kept_messages = nullptr;
 /// What goes to standard error is in one language, that of the command line.
 Language language_of_messages = Language::english;
 
+/// `grafwire: error: …`
 void show_message(const Message<>& kind, const Localized& message) {
     const auto line_in = [&](Language language) {
         return fmt::format("grafwire: {}: {}\n", kind.in(language),

@@ -5,7 +5,6 @@
 #include "command/command_line.h"
 #include "command/files.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
 #include "text/message.h"
 
 namespace grafwire {

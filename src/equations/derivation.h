@@ -17,7 +17,7 @@ namespace grafwire {
 void normalise_expressions(const Grafcet& grafcet, Equations& equations);
 /// `frozen`.
 void derive_frozen(const Grafcet& grafcet, Equations& equations);
-/// `receptivity` and `clearing`.
+/// `transition_conditions` and `clearing`.
 void derive_transitions(const Grafcet& grafcet, Equations& equations);
 /// CAX and CDX of every step.
 void derive_step_conditions(const Grafcet& grafcet, Equations& equations);
@@ -29,6 +29,7 @@ void derive_outputs(const Grafcet& grafcet, Equations& equations);
 /// `stored`.
 void derive_stored(const Grafcet& grafcet, Equations& equations);
 
+/// X of a step.
 inline ExprId step_variable(Expressions& pool, StepId step) {
     return pool.variable({VariableKind::step, static_cast<std::uint32_t>(step)});
 }
@@ -47,11 +48,13 @@ inline ExprId and_not_control(Equations& equations, ExprId id, ControlInput inpu
     return equations.options.modes ? and_not_control(equations.expressions, id, input) : id;
 }
 
+/// What an expression of the GRAFCET has become here.
 inline ExprId translated(const Equations& equations, ExprId in_grafcet) {
     return equations.from_grafcet[static_cast<std::size_t>(in_grafcet)];
 }
 
-/// Lists of terms that are collected out of order and then read per key, in the order collected.
+/// Lists of terms (the steps that force a graph, say) that are collected out of order and then read
+/// per key, in the order collected.
 template <typename Id>
 class TermsByKey {
   public:

@@ -31,6 +31,7 @@ Equations equations_from(const Grafcet& grafcet, const EquationOptions& options)
 }
 
 ExprId combined(Expressions& pool, const StepEquation& parts, StepId step, bool modes) {
+    // The memory, then what acts on it from outside, each stronger than the one before.
     const ExprId held = and_of(pool, {not_of(pool, parts.cdx), step_variable(pool, step)});
     ExprId x = or_of(pool, {parts.cax, held});
     if (modes && parts.initial) x = or_of(pool, {x, control_variable(pool, ControlInput::init)});

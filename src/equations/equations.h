@@ -13,7 +13,7 @@ enum class CdxForm {
     successor,   ///< OR over the transitions out of the step of (AND of the X that follow): the
                  ///< wiring form
     transition,  ///< OR over the transitions out of the step of (AND of the X that precede) .
-                 ///< receptivity
+                 ///< transition condition
 };
 
 struct EquationOptions {
@@ -29,7 +29,7 @@ struct EquationOptions {
 struct StepEquation {
     bool initial = false;  ///< whether Init activates the step
     /// Without Init; the constant 0 where nothing activates the step, 1 where a source transition
-    /// with the receptivity 1 leads to it.
+    /// with the transition condition 1 leads to it.
     ExprId cax = no_expr;
     ExprId cdx = no_expr;         ///< without Init; the constant 0 where nothing deactivates it
     ExprId forced_off = no_expr;  ///< OR of the X that force the step's graph
@@ -90,10 +90,12 @@ struct Equations {
     /// Per expression of the GRAFCET's pool: what it is here, perhaps a constant.
     std::vector<ExprId> from_grafcet;
 
-    /// Per transition: AND of the X that precede . receptivity . /(OR of the X that freeze the
-    /// graph), as one flat conjunction; Init is not in it. The constant 0 where the receptivity is.
+    /// Per transition: AND of the X that precede . transition condition . /(OR of the X that freeze
+    /// the graph), as one flat conjunction; Init is not in it. The constant 0 where the transition
+    /// condition is.
     Table<TransitionId, ExprId> clearing;
-    /// Per transition: the receptivity alone, gated by the freezing steps; may be constant.
+    /// Per transition: the transition condition alone, gated by the freezing steps; may be
+    /// constant.
     Table<TransitionId, ExprId> transition_conditions;
     /// Per graph: OR of the X that freeze it, or no_expr.
     Table<GraphId, ExprId> frozen;
@@ -104,6 +106,8 @@ struct Equations {
     std::vector<StoredEquation> stored;
 };
 
+/// Derives the equations; every GRAFCET has them. The time is that of reading it: about linear in
+/// the size of the text.
 Equations equations_from(const Grafcet& grafcet, const EquationOptions& options);
 
 /// CAX and CDX of a step as tabulated: with Init where there are modes.
@@ -115,6 +119,7 @@ struct TableConditions {
 // What no field of the equations holds, because it would cost memory for every step, is built on
 // request in a pool given: the equations' own or a copy of it that has grown.
 
+/// CAX and CDX of a step as tabulated: `CAX + Init`, `CDX./Init` of an initial one.
 TableConditions table_conditions(const Equations& equations, StepId step, Expressions& pool);
 
 /// The whole right-hand side of a step: `(X2.b + /X1.X0 + Init)./AUdur`.

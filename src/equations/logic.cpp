@@ -1,3 +1,7 @@
+// The operators do what can be done in one look at the operands. Anything deeper (absorption, say,
+// or a + /a) would need a search, and would give equations in which the engineer no longer finds
+// the transitions of the chart; minimised() does that where it is asked for.
+
 #include "equations/logic.h"
 
 #include <algorithm>
@@ -27,6 +31,7 @@ std::vector<ExprId> flattened(const Expressions& pool, ExprKind kind,
     return flat;
 }
 
+/// Of equal operands the first stays. A list is searched while it is short, which most are.
 void drop_repeated(std::vector<ExprId>& ids) {
     constexpr std::size_t few = 16;
     if (ids.size() > few) {

@@ -15,9 +15,11 @@ namespace grafwire {
 
 inline constexpr std::size_t flatten_limit = 256;
 
+/// Of no operands: 1 for AND, 0 for OR and XOR. `a.(b.1).a` becomes `a.b`, `a ⊕ b ⊕ a ⊕ 1` `/b`.
 ExprId and_of(Expressions& pool, std::span<const ExprId> operands);
 ExprId or_of(Expressions& pool, std::span<const ExprId> operands);
 ExprId xor_of(Expressions& pool, std::span<const ExprId> operands);
+/// Of a negation its operand.
 ExprId not_of(Expressions& pool, ExprId operand);
 
 inline ExprId and_of(Expressions& pool, std::initializer_list<ExprId> operands) {
@@ -27,6 +29,7 @@ inline ExprId or_of(Expressions& pool, std::initializer_list<ExprId> operands) {
     return or_of(pool, std::span<const ExprId>(operands.begin(), operands.size()));
 }
 
+/// Whether it is this constant.
 bool is_constant(const Expressions& pool, ExprId id, bool value);
 
 }  // namespace grafwire

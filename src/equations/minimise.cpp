@@ -67,12 +67,14 @@ Parts parts_of(const Expressions& pool, ExprId root) {
     return parts;
 }
 
+/// The values of an atom in all rows, counted in binary.
 Rows column_of_atom(std::size_t atom, std::size_t row_count) {
     Rows rows;
     for (std::size_t row = 0; row < row_count; ++row) rows[row] = (row >> atom & 1U) != 0;
     return rows;
 }
 
+/// The values of the whole expression; all rows at once, operator by operator.
 Rows truth_table(const Expressions& pool, const Parts& parts, ExprId root) {
     const std::size_t row_count = std::size_t{1} << parts.atoms.size();
     std::unordered_map<ExprId, Rows> values;
@@ -111,6 +113,7 @@ std::vector<std::size_t> powers_of_three(std::size_t count) {
     return powers;
 }
 
+/// The product of that number, with the rows it covers.
 Product product_of(std::size_t number, std::size_t atom_count) {
     Product product;
     std::vector<std::size_t> rows{0};
@@ -147,6 +150,7 @@ std::vector<bool> implicants(const Rows& function, std::size_t atom_count) {
     return result;
 }
 
+/// Implicants that are none any more where any atom is left out.
 std::vector<Product> prime_implicants(const Rows& function, std::size_t atom_count) {
     const std::vector<std::size_t> power = powers_of_three(atom_count);
     const std::vector<bool> implicant = implicants(function, atom_count);
@@ -162,6 +166,8 @@ std::vector<Product> prime_implicants(const Rows& function, std::size_t atom_cou
     return primes;
 }
 
+/// The cheapest set of primes that covers every row in which the function is 1. As a bound, what is
+/// left needs at least so many more products as it has rows divided by the largest prime.
 class CoverSearch {
   public:
     CoverSearch(const Rows& function, const std::vector<Product>& primes) : primes_(primes) {

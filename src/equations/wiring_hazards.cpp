@@ -7,8 +7,8 @@
 // together). An edge is wired as a pulse, and a pulse has a width: a transition right behind
 // another one that reads the same edge may still see it.
 //
-// Two receptivities read the same edge if, with inputs that satisfy both, either is 1 with the edge
-// and 0 without: `↑a.b` and `↑a./b` do not. That is tried out for up to ten operands.
+// Two transition conditions read the same edge if, with inputs that satisfy both, either is 1 with
+// the edge and 0 without: `↑a.b` and `↑a./b` do not. That is tried out for up to ten operands.
 
 #include "equations/wiring_hazards.h"
 
@@ -146,6 +146,7 @@ class SharedEdge {
     std::size_t shared_ = 0;  ///< the first so many are the same for both
 };
 
+/// Goes through every step and every transition out of it, once for each kind of hazard.
 class HazardSearch {
   public:
     explicit HazardSearch(const Grafcet& grafcet)
@@ -227,6 +228,7 @@ class HazardSearch {
     std::vector<WiringHazard> hazards_;
 };
 
+/// What is said of the hazards, at the transition out of the step.
 class Warnings {
   public:
     Warnings(const Grafcet& grafcet, Diagnostics& diagnostics)

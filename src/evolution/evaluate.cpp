@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "evolution/bit_table.h"
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 
 namespace grafwire {
 

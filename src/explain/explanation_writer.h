@@ -8,7 +8,6 @@
 #include "check/witness.h"
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
-#include "text/language.h"
 #include "text/message.h"
 
 namespace grafwire {

@@ -8,7 +8,7 @@
 #include "explain/explain.h"
 #include "grafcet/grafcet.h"
 #include "netlist/netlist.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -1,3 +1,6 @@
+// The table of formats. Writers take the options that their rows name; those without options are
+// adapted by plain<>.
+
 #include "formats/netlist_formats.h"
 
 #include <fmt/format.h>
@@ -38,37 +41,41 @@ std::string spice(const Netlist& netlist, const WriteOptions& options) {
 constexpr auto table = std::to_array<NetlistFormat>({
     {.name = "verilog",
      .extension = ".v",
-     .description = "structural Verilog (IEEE 1364-2005)",
+     .description = {"structural Verilog (IEEE 1364-2005)", "Verilog structurel (IEEE 1364-2005)"},
      .write = verilog,
      .write_bench = verilog_bench,
      .options = "--scan --stim --bench"},
     {.name = "spice",
      .extension = ".cir",
-     .description = "ngspice deck of XSPICE digital gates",
+     .description = {"ngspice deck of XSPICE digital gates",
+                     "description ngspice en portes logiques XSPICE"},
      .write = spice,
      .options = "--scan --stim --bench",
      .needs_counted_timers = true},
     {.name = "blif",
      .extension = ".blif",
-     .description = "Berkeley logic interchange format",
+     .description = {"Berkeley logic interchange format", "format d'échange de Berkeley (BLIF)"},
      .write = plain<write_blif>,
      .read = read_blif},
     {.name = "json",
      .extension = ".json",
-     .description = "Yosys JSON netlist",
+     .description = {"Yosys JSON netlist", "câblage en JSON de Yosys"},
      .write = plain<write_yosys_json>,
      .read = read_yosys_json},
     {.name = "dot",
      .extension = ".dot",
-     .description = "Graphviz graph, a cluster per module",
+     .description = {"Graphviz graph, a cluster per module",
+                     "graphe pour Graphviz, un groupe par module"},
      .write = plain<write_dot>},
     {.name = "stats",
      .extension = ".txt",
-     .description = "cells, feedback loops, fan-out and depth in figures",
+     .description = {"cells, feedback loops, fan-out and depth in figures",
+                     "cellules, boucles, sortances et profondeur en chiffres"},
      .write = plain<write_stats>},
     {.name = "text",
      .extension = ".txt",
-     .description = "plain list of the cells, one a line",
+     .description = {"plain list of the cells, one a line",
+                     "simple liste des cellules, une par ligne"},
      .write = plain<write_netlist_text>},
 });
 
@@ -98,17 +105,19 @@ const NetlistFormat* readable_format_of(std::string_view path) {
     return nullptr;
 }
 
+/// The counters that stand for clocked timers are named at the head of the file, since they are
+/// most of its cells.
 std::string write_netlist(const NetlistFormat& format, const Netlist& netlist,
                           const WriteOptions& options) {
     if (!format.needs_counted_timers || !has_scan_timers(netlist)) {
         return format.write(netlist, options);
     }
     const CountedTimers counted = with_counted_timers(netlist, options.scan_period);
-    WriteOptions told = options;
-    told.remark = fmt::format(
+    WriteOptions with_remark = options;
+    with_remark.remark = fmt::format(
         "Clocked timers: {} flip-flops that count scans of {}, at most {} for one delay.",
         counted.flip_flops, format_duration(options.scan_period), counted.longest);
-    return format.write(counted.netlist, told);
+    return format.write(counted.netlist, with_remark);
 }
 
 }  // namespace grafwire

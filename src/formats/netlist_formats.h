@@ -10,6 +10,7 @@
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "text/diagnostics.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -30,7 +31,7 @@ struct WriteOptions {
 struct NetlistFormat {
     std::string_view name;
     std::string_view extension;  ///< of its files, with the dot
-    std::string_view description;
+    Message<> description;       ///< for `--help`
     /// The whole file. Call write_netlist(), which does what `needs_counted_timers` asks for.
     std::string (*write)(const Netlist& netlist, const WriteOptions& options);
     /// The netlist of such a file, or messages with their places; nullptr where the format is

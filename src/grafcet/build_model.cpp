@@ -13,6 +13,7 @@ namespace grafwire {
 
 namespace {
 
+/// The terms of a sum; all counters are known by now.
 Sum sum_of(const Draft& draft, Range<> range) {
     Sum sum;
     for (const std::uint32_t i : range) {
@@ -22,6 +23,7 @@ Sum sum_of(const Draft& draft, Range<> range) {
     return sum;
 }
 
+/// The variable of a node: steps, macro-steps and graphs have their final numbers only here.
 Variable variable_of(const ExpressionNode& node, const std::vector<std::uint32_t>& node_ids,
                      const std::vector<std::uint32_t>& graph_ids) {
     switch (node.variable) {
@@ -64,6 +66,8 @@ void reduce(std::vector<ExprId>& stack, const ExpressionNode& node, Expressions&
     stack.push_back(id);
 }
 
+/// Moves a draft into a model. What refers to steps waits until all have their numbers:
+/// assumptions, actions and transitions come after the steps of all graphs.
 class ModelBuilder {
   public:
     explicit ModelBuilder(const Draft& draft)
@@ -127,6 +131,7 @@ class ModelBuilder {
         grafcet_.actions.reserve(draft_.actions.size());
     }
 
+    /// Blocks in the order of the text; the graph of an expansion is that of the block at its root.
     void add_blocks() {
         for (std::uint32_t i = 0; i < draft_.blocks.size(); ++i) {
             const DraftBlock& item = draft_.blocks[i];
@@ -148,6 +153,8 @@ class ModelBuilder {
         }
     }
 
+    /// Numbers the steps of a graph: `1 M 5`, where M is expanded to `10 11`, gives 1 10 11 5, so
+    /// that the steps of a graph, and those of a macro-step, are an unbroken range.
     void add_steps(std::uint32_t graph_block) {
         Graph& graph = grafcet_.graphs[GraphId{graph_ids_[graph_block]}];
         graph.steps.first = step_count();
@@ -211,6 +218,7 @@ class ModelBuilder {
         grafcet_.blocks[BlockId{item.block}].nodes.push_back({false, node_ids_[node]});
     }
 
+    /// Actions of a step lie side by side, and so do those of all steps in their order.
     void add_actions(std::uint32_t index) {
         const DraftNode& item = draft_.nodes[step_nodes_[index]];
         Step& step = grafcet_.steps[StepId{index}];
@@ -266,6 +274,7 @@ class ModelBuilder {
         return steps;
     }
 
+    /// Numbers the transitions of a graph: those of a block, then those of its expansions.
     void add_transitions(std::uint32_t graph_block) {
         Graph& graph = grafcet_.graphs[GraphId{graph_ids_[graph_block]}];
         graph.transitions.first = static_cast<std::uint32_t>(grafcet_.transitions.size());
@@ -286,6 +295,8 @@ class ModelBuilder {
             static_cast<std::uint32_t>(grafcet_.transitions.size()) - graph.transitions.first;
     }
 
+    /// A transition without a label is called by its rank in the file, as the messages about it
+    /// are.
     void add_transition(std::uint32_t block, std::uint32_t rank) {
         const DraftTransition& item = draft_.transitions[rank];
         Transition transition;
@@ -311,6 +322,7 @@ class ModelBuilder {
         grafcet_.blocks[BlockId{block}].transitions.push_back(id);
     }
 
+    /// A macro-step before a transition stands for its exit step, one behind it for its entry step.
     void add_links(Range<> list, bool is_preceding) {
         for (const std::uint32_t i : list) {
             const std::uint32_t node = draft_.word_nodes[i];
@@ -323,6 +335,7 @@ class ModelBuilder {
         }
     }
 
+    /// An output is stored where anything writes it; one that nothing drives counts as continuous.
     void mark_stored_outputs() {
         const auto mark = [this](const Write& write) {
             if (write.target.kind == VariableKind::output) {

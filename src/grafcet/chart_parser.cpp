@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "grafcet/checking.h"
-#include "grafcet/expression_parser.h"
 #include "grafcet/messages.h"
+#include "text/nearest_name.h"
 
 namespace grafwire {
 
@@ -19,6 +19,7 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// Tokens after which a line that may be a transition is no longer looked at.
 constexpr int longest_look_ahead = 64;
 
 }  // namespace
@@ -51,6 +52,8 @@ void ChartParser::parse_header() {
     if (has_title) take();
 }
 
+/// A declaration, a graph or an expansion. What belongs inside a graph, or at the beginning of the
+/// file, is named as such; the reader is told where it belongs rather than what was expected here.
 void ChartParser::parse_item() {
     if (at(TokenKind::kw_graph) || at(TokenKind::kw_expansion)) return parse_block();
     bool is_good = true;
@@ -75,6 +78,7 @@ void ChartParser::parse_item() {
     if (!is_good) recover_in_file();
 }
 
+/// `input a, b`
 bool ChartParser::parse_declaration() {
     if (at(TokenKind::kw_counter)) return parse_counter();
     if (at(TokenKind::kw_assume)) return parse_assumption();
@@ -100,6 +104,7 @@ bool ChartParser::parse_declaration() {
     return true;
 }
 
+/// `counter n : 0..9`
 bool ChartParser::parse_counter() {
     take();
     Name read;
@@ -126,6 +131,7 @@ bool ChartParser::parse_bound(std::int64_t& value) {
     return true;
 }
 
+/// `assume /(left . right)`
 bool ChartParser::parse_assumption() {
     take();
     const Location where = token().where;
@@ -153,6 +159,8 @@ bool ChartParser::at_block_item() const {
            at(TokenKind::kw_entry) || at(TokenKind::kw_exit);
 }
 
+/// `graph G1 { … }`, `expansion E { … }`. A header that is wrong is passed over up to its brace,
+/// and the steps and transitions in it still count.
 void ChartParser::parse_block() {
     const Location keyword = token().where;
     const bool is_expansion = at(TokenKind::kw_expansion);
@@ -183,6 +191,7 @@ void ChartParser::parse_block() {
         .notes.push_back({read.where, say::begins_here()});
 }
 
+/// A step, a macro-step or a transition, which is what begins with a name or an arrow.
 void ChartParser::parse_block_item(OpenBlock block) {
     open_brace_line_ = 0;
     bool is_good = true;
@@ -248,6 +257,8 @@ bool ChartParser::looks_like_transition() const {
     return next.kind == TokenKind::arrow;
 }
 
+/// `step 5 encloses G3{60} : H if a, set m`. The step is known to the builder once its name is
+/// read.
 bool ChartParser::parse_step(BlockId block) {
     const bool is_initial = take_if(TokenKind::kw_initial);
     if (!take_if(TokenKind::kw_step) && !is_initial) return false;
@@ -286,6 +297,7 @@ bool ChartParser::parse_enclosure(std::optional<NamedEnclosure>& enclosure) {
     return true;
 }
 
+/// `macro M2 = E2`. Without its expansion it still is a step that transitions may name.
 bool ChartParser::parse_macro(BlockId block) {
     take();
     Name read;
@@ -314,6 +326,8 @@ bool ChartParser::parse_entry_or_exit(OpenBlock block) {
     return !take_if(TokenKind::colon) || parse_actions(step);
 }
 
+/// `(start) 0 -> 1, 2 : dcy`. Without a condition that can be read it is told all the same, so that
+/// its steps are looked up.
 bool ChartParser::parse_transition(BlockId block) {
     NamedTransition& transition = transition_;
     transition.where = token().where;
@@ -336,6 +350,8 @@ bool ChartParser::parse_transition(BlockId block) {
     return is_good;
 }
 
+/// The steps before the arrow, or behind it. A line that begins with a word and has no arrow is
+/// most often a mistyped `step`.
 bool ChartParser::parse_side(std::vector<Name>& names, bool is_preceding) {
     names.clear();
     if (!is_preceding && (at(TokenKind::colon) || at(TokenKind::assign))) return true;
@@ -355,6 +371,7 @@ bool ChartParser::parse_side(std::vector<Name>& names, bool is_preceding) {
     return fail(std::move(message));
 }
 
+/// `: a . b do set m`, also written `:= …` and `: = …`.
 bool ChartParser::parse_condition(NamedTransition& transition) {
     if (take_if(TokenKind::colon)) {
         take_if(TokenKind::equal);
@@ -378,6 +395,8 @@ bool ChartParser::parse_actions(GrafcetBuilder::StepKey step) {
     return true;
 }
 
+/// What follows the name tells the kind of an action: `{` an order, `:=` an assignment, else the
+/// name is an output.
 bool ChartParser::parse_action(GrafcetBuilder::StepKey step) {
     const Location where = token().where;
     if (at(TokenKind::kw_set) || at(TokenKind::kw_reset)) return parse_stored(step, nullptr);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "grafcet/grafcet_builder.h"
+#include "grafcet/lexer.h"
 #include "grafcet/name_table.h"
-#include "grafcet/token_reader.h"
 
 namespace grafwire {
 
@@ -22,10 +22,12 @@ class ChartParser : private TokenReader {
     void parse_file();
 
   private:
+    /// The block whose parts are being read.
     struct OpenBlock {
         BlockId id{};
         bool is_expansion = false;
     };
+    /// What a step encloses, before the step itself is told to the builder.
     struct NamedEnclosure {
         Name graph;
         std::vector<Name> links;
@@ -38,11 +40,13 @@ class ChartParser : private TokenReader {
     bool parse_counter();
     bool parse_bound(std::int64_t& value);
     bool parse_assumption();
+    // After an error: to what may begin the next part.
     void recover_in_file();
     bool at_declaration() const;
     bool at_file_item() const;
     bool at_block_item() const;
 
+    // Inside a block.
     void parse_block();
     void parse_block_item(OpenBlock block);
     void recover_in_block();
@@ -70,5 +74,14 @@ class ChartParser : private TokenReader {
     NamedTransition transition_;
     NamedExpression expression_;
 };
+
+// Both read from the present token on and report what they do not understand; they return false
+// then.
+
+/// A Boolean expression. It is empty if it has not been understood.
+bool parse_expression(TokenReader& tokens, NamedExpression& expression);
+
+/// A sum of counters and numbers.
+bool parse_sum(TokenReader& tokens, NamedSum& sum);
 
 }  // namespace grafwire

@@ -22,6 +22,7 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// A step of one graph forces or encloses another.
 struct Edge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -36,6 +37,7 @@ struct Hierarchy {
     std::vector<std::size_t> first;
 };
 
+/// All forcing orders and enclosures whose graphs are known; freezing makes no hierarchy.
 Hierarchy hierarchy_of(const Draft& draft) {
     Hierarchy result;
     for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
@@ -130,6 +132,7 @@ std::vector<const Edge*> circle_through(std::uint32_t start, const Hierarchy& hi
     return {};
 }
 
+/// A graph that forces or encloses itself.
 void report_self(const Checking& checking, const Edge& edge) {
     const auto& message = edge.is_enclosure ? say::encloses_its_graph : say::forces_its_graph;
     checking.error(code::forcing_circle, edge.where,
@@ -137,6 +140,7 @@ void report_self(const Checking& checking, const Edge& edge) {
                            checking.shown(checking.draft.blocks[edge.from].name)));
 }
 
+/// At the first edge, with a note at each of the others.
 void report_circle(const Checking& checking, const std::vector<const Edge*>& circle) {
     const auto name = [&](std::uint32_t block) {
         return checking.shown(checking.draft.blocks[block].name);
@@ -179,6 +183,7 @@ std::vector<std::uint32_t> enclosing_steps(const Checking& checking) {
     return result;
 }
 
+/// At an initial step in a graph that is enclosed by a step that is not.
 void report_initial_mismatch(const Checking& checking, std::uint32_t node, std::uint32_t graph,
                              std::uint32_t enclosing) {
     const Draft& draft = checking.draft;

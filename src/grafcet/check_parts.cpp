@@ -75,6 +75,7 @@ class PartsCheck {
         }
     }
 
+    /// Every part has a name that the text language can write between quotation marks.
     void check_names() {
         if (draft_.has_name) check_name(draft_.name, say::grafcet_without_name);
         if (draft_.title.length != 0) check_name(draft_.title, say::title_without_name);
@@ -127,6 +128,7 @@ class PartsCheck {
         }
     }
 
+    /// An assignment without a sum has an expression.
     void check_write(const DraftWrite& write) {
         if (write.operation != WriteOperation::assign || !write.sum.empty()) return;
         check_expression(write.value, write.where, say::assignment_without_condition);
@@ -141,6 +143,7 @@ class PartsCheck {
         }
     }
 
+    /// From the operands up, as the nodes stand; a few nodes cannot be too deep.
     void check_depth(const DraftExpression& expression) {
         if (expression.count <= deepest_nesting) return;
         std::vector<std::pair<ExprKind, std::uint32_t>> stack;
@@ -159,6 +162,7 @@ class PartsCheck {
                         nested_too_deep_message());
     }
 
+    /// Numbers, durations and the lengths of sums, wherever they stand.
     void check_numbers() {
         for (const DraftTerm& term : draft_.terms) {
             if (term.value <= largest_number) continue;

@@ -11,6 +11,7 @@
 #include "grafcet/lexer.h"
 #include "grafcet/messages.h"
 #include "text/messages.h"
+#include "text/nearest_name.h"
 
 namespace grafwire {
 
@@ -18,12 +19,14 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// At the second use, with a note at the first.
 void report_twice(const Checking& checking, const Message<Localized>& message, const Word& word,
                   Location first) {
     checking.error(code::duplicate_name, word.where, message(checking.shown(word)))
         .notes.push_back({first, say::first_declared_here()});
 }
 
+/// The values of a counter become registers and states, so their number is bounded.
 void check_counter(const Checking& checking, const DraftDeclaration& counter) {
     constexpr std::int64_t most_values = 65'536;
     for (const std::int64_t bound : {counter.low, counter.high}) {
@@ -42,6 +45,7 @@ void check_counter(const Checking& checking, const DraftDeclaration& counter) {
     }
 }
 
+/// Declared variables share one table with the control inputs, which nobody may declare.
 void collect_variables(const Checking& checking) {
     const Draft& draft = checking.draft;
     auto& variables = checking.names.variables;
@@ -68,6 +72,7 @@ void collect_variables(const Checking& checking) {
     }
 }
 
+/// A graph and an expansion may have the same name: the language never takes one for the other.
 void collect_blocks(const Checking& checking) {
     const Draft& draft = checking.draft;
     for (std::uint32_t i = 0; i < draft.blocks.size(); ++i) {
@@ -82,6 +87,7 @@ void collect_blocks(const Checking& checking) {
     }
 }
 
+/// Steps and macro-steps share their names over all graphs.
 void collect_nodes(const Checking& checking) {
     const Draft& draft = checking.draft;
     auto& nodes = checking.names.nodes;
@@ -105,6 +111,7 @@ std::uint32_t rank_of(std::string_view label, std::size_t transition_count) {
     return rank < transition_count ? rank : none;
 }
 
+/// A label must not be what a transition without a label is called: its rank.
 void collect_labels(const Checking& checking) {
     const Draft& draft = checking.draft;
     NameTable<std::uint32_t> labels;
@@ -151,6 +158,8 @@ void report_clash(const Checking& checking, std::string_view variable, const Loc
         .notes.push_back({a_is_later ? where_b : where_a, say::declared_here(a_is_later ? b : a)});
 }
 
+/// `X5` is the variable of step 5, or of graph 5: no declared variable may be called so, and no
+/// graph like a step.
 void check_clashes(const Checking& checking) {
     const Draft& draft = checking.draft;
     for (const DraftDeclaration& declaration : draft.declarations) {
@@ -215,6 +224,7 @@ Localized Suggestions::with_nearest(Localized message, std::string_view name, Me
     return messages::text::did_you_mean(message, quoted(nearest));
 }
 
+/// The names that may have been meant, as they would be written.
 void Suggestions::make(List& list, Meant meant) {
     list.is_made = true;
     if (meant == Meant::step) {

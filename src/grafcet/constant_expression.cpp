@@ -14,6 +14,7 @@ namespace grafwire {
 
 namespace {
 
+/// The values of six variables over the 64 rows, counted in binary.
 constexpr std::array<std::uint64_t, 6> leaf_columns = {0xaaaaaaaaaaaaaaaaU, 0xccccccccccccccccU,
                                                        0xf0f0f0f0f0f0f0f0U, 0xff00ff00ff00ff00U,
                                                        0xffff0000ffff0000U, 0xffffffff00000000U};
@@ -65,6 +66,7 @@ class TruthTable {
         return result;
     }
 
+    /// The column of what is not looked into; a seventh different one ends the search.
     std::uint64_t leaf(ExprId id) {
         const auto end = leaves_.begin() + leaf_count_;
         const auto place = std::find(leaves_.begin(), end, id);
@@ -85,25 +87,6 @@ class TruthTable {
     int nodes_ = 0;
     bool is_complete_ = true;
 };
-
-struct Interval {
-    std::int64_t low = 0;
-    std::int64_t high = 0;
-};
-
-void add_terms(Interval& interval, const Grafcet& grafcet, const Sum& sum, bool negated) {
-    for (const SumTerm& term : sum) {
-        std::int64_t low = term.value;
-        std::int64_t high = term.value;
-        if (term.counter != SumTerm::no_counter) {
-            low = grafcet.counters.items()[term.counter].low;
-            high = grafcet.counters.items()[term.counter].high;
-        }
-        const bool is_subtracted = term.negative != negated;
-        interval.low += is_subtracted ? -high : low;
-        interval.high += is_subtracted ? -low : high;
-    }
-}
 
 }  // namespace
 
@@ -145,13 +128,14 @@ Logic ConstantExpressions::value_of(ExprId id) const {
 }
 
 Logic ConstantExpressions::value_of_comparison(const Comparison& comparison) const {
-    Interval difference;
-    add_terms(difference, grafcet_, comparison.left, false);
-    add_terms(difference, grafcet_, comparison.right, true);
+    // Of left - right, which the relation compares with 0.
+    const IntegerRange left = value_range(grafcet_, comparison.left);
+    const IntegerRange right = value_range(grafcet_, comparison.right);
+    const std::int64_t low = left.low - right.high;
+    const std::int64_t high = left.high - right.low;
     const auto decide = [](bool always, bool is_never) {
         return always ? Logic::one : is_never ? Logic::zero : Logic::unknown;
     };
-    const auto [low, high] = difference;
     switch (comparison.relation) {
         case Relation::equal:
             return decide(low == 0 && high == 0, low > 0 || high < 0);

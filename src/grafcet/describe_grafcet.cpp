@@ -16,6 +16,7 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// The text, part by part. Lists are cut where nobody would read on.
 class Description {
   public:
     Description(const Grafcet& grafcet, Language language)
@@ -54,6 +55,7 @@ class Description {
         return say::and_more.in(language_, result, count - most_listed);
     }
 
+    /// The name, the title, and how many of everything.
     void write_head() {
         out_ += fmt::format("GRAFCET {}", quoted_where_needed(grafcet_.name));
         if (!grafcet_.title.empty()) out_ += fmt::format(" \"{}\"", grafcet_.title);
@@ -78,6 +80,7 @@ class Description {
 
     void write_title(const Message<>& title) { out_ += fmt::format("\n{}\n", title.in(language_)); }
 
+    /// Each graph with the names of its steps and transitions.
     void write_graphs() {
         write_title(say::graphs);
         for (const Graph& graph : grafcet_.graphs) {
@@ -195,6 +198,7 @@ class Description {
         return !dominance.forced_by.empty() || !dominance.enclosed_by.empty();
     }
 
+    /// A tree for every graph that dominates others and is under none.
     void write_hierarchy() {
         const std::vector<Dominance> all = dominances();
         if (all.empty()) return;
@@ -214,8 +218,10 @@ class Description {
         }
     }
 
+    /// A graph under several others is shown in full once, and then only named.
     void write_below(std::size_t top, const std::vector<Dominance>& all,
                      const std::vector<std::size_t>& first, std::vector<bool>& is_shown) {
+        /// A graph that is open, and the next of its dominances.
         struct Place {
             std::size_t graph, next;
         };
@@ -236,6 +242,7 @@ class Description {
         }
     }
 
+    /// `G2: forced by 10 {INIT}, 20 {}; enclosed by 5`
     void write_dominance(const Dominance& dominance, std::size_t depth, bool is_shown_above) {
         constexpr std::size_t deepest_indent = 20;
         out_.append(2 + 2 * std::min(depth, deepest_indent), ' ');

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "grafcet/grafcet.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -1,3 +1,7 @@
+// What is told to GrafcetBuilder is copied here into a few vectors: names into one text, lists into
+// ranges, expressions in their postfix order. The memory of a chart as a draft grows with its text,
+// not with the number of its parts, and is given back in one go.
+
 #include "grafcet/draft.h"
 
 #include <cassert>
@@ -35,6 +39,7 @@ std::uint32_t operand_count(const ExpressionNode& node) {
     }
 }
 
+/// What belongs to a block or a step, side by side.
 void Draft::arrange() {
     nodes_of_block.collect(nodes, &DraftNode::block, blocks.size());
     transitions_of_block.collect(transitions, &DraftTransition::block, blocks.size());
@@ -55,6 +60,7 @@ Range<> Draft::add(std::span<const Name> list) {
     return range;
 }
 
+/// A negative number becomes a negative term of a positive one.
 Range<> Draft::add(const NamedSum& sum) {
     const Range<> range{size_of(terms), size_of(sum)};
     for (const NamedTerm& term : sum) {
@@ -68,6 +74,7 @@ Range<> Draft::add(const NamedSum& sum) {
     return range;
 }
 
+/// The places of times and comparisons move by what is there already.
 DraftExpression Draft::add(const NamedExpression& expression) {
     assert(expression.is_empty() || expression.is_whole());
     const DraftExpression range{size_of(expression_nodes), size_of(expression.nodes())};

@@ -8,7 +8,7 @@
 
 #include "grafcet/grafcet.h"
 #include "grafcet/grafcet_builder.h"
-#include "text/location.h"
+#include "text/source.h"
 
 namespace grafwire {
 
@@ -39,6 +39,7 @@ std::uint32_t operand_count(const ExpressionNode& node);
 /// A range of Draft::expression_nodes; empty: not there.
 using DraftExpression = Range<>;
 
+/// A term of a sum: a counter by its name, or a number.
 struct DraftTerm {
     bool negative = false;
     bool is_name = false;
@@ -47,6 +48,7 @@ struct DraftTerm {
     Word word;
 };
 
+/// `[left relation right]`; the sides are ranges of Draft::terms.
 struct DraftComparison {
     Range<> left;
     Range<> right;
@@ -58,6 +60,7 @@ struct DraftAssumption {
     Location where;
 };
 
+/// What an action writes.
 struct DraftWrite {
     WriteOperation operation = WriteOperation::set;
     Word target;
@@ -67,6 +70,7 @@ struct DraftWrite {
     Variable resolved;
 };
 
+/// An action of a step; which fields count depends on its kind.
 struct DraftAction {
     ActionKind kind = ActionKind::continuous;
     Trigger trigger = Trigger::activation;
@@ -80,12 +84,14 @@ struct DraftAction {
     std::uint32_t resolved = none;  ///< output, or block of the graph
 };
 
+/// What a step encloses.
 struct DraftEnclosure {
     Word graph;
     Range<> links;                  ///< of Draft::words
     std::uint32_t resolved = none;  ///< block of the graph
 };
 
+/// A step or a macro-step.
 struct DraftNode {
     bool is_macro = false;
     StepRole role = StepRole::ordinary;
@@ -96,6 +102,7 @@ struct DraftNode {
     std::uint32_t resolved = none;  ///< macro: its expansion, a block
 };
 
+/// A transition; its sides name steps and macro-steps of its block.
 struct DraftTransition {
     bool labelled = false;
     std::uint32_t block = 0;
@@ -107,6 +114,7 @@ struct DraftTransition {
     Location where;
 };
 
+/// A graph or an expansion.
 struct DraftBlock {
     bool is_expansion = false;
     Word name;
@@ -117,6 +125,7 @@ struct DraftBlock {
     std::uint32_t exit = none;
 };
 
+/// A declared variable; low and high are those of a counter.
 struct DraftDeclaration {
     VariableKind kind = VariableKind::input;  ///< input, output, var or counter
     Word name;
@@ -151,6 +160,7 @@ class Members {
     std::vector<std::uint32_t> members_;
 };
 
+/// The whole chart.
 struct Draft {
     std::string names;
     bool has_name = false;

@@ -63,6 +63,7 @@ std::size_t place_of(std::uint32_t hash) {
 }  // namespace
 
 template <typename Same>
+/// The node with that hash that is the same; open addressing with linear probing.
 ExprId Expressions::find(std::uint64_t hash, const Same& same) const {
     if (slots_.empty()) return no_expr;
     const std::size_t mask = slots_.size() - 1;
@@ -104,6 +105,8 @@ void Expressions::reserve(std::size_t nodes, std::size_t hashed, std::size_t ope
     if (slots > slots_.size()) grow(slots);
 }
 
+/// Leaves the pool empty but with its memory: pools that are filled again for every step of a check
+/// must not ask for memory each time.
 void Expressions::clear() {
     for (const Node& node : nodes_) {
         if (node.kind != ExprKind::variable) continue;
@@ -124,6 +127,7 @@ void Expressions::clear() {
     time_condition_ids_.clear();
 }
 
+/// Operators and edges: the same operands in the same order are the same expression.
 ExprId Expressions::with_operands(ExprKind kind, std::span<const ExprId> operands) {
     const std::uint64_t hash = hash_of(kind, operands);
     const ExprId found = find(hash, [&](const Node& other) {
@@ -156,6 +160,7 @@ ExprId Expressions::constant(bool value) {
     return found != no_expr ? found : add({ExprKind::constant, detail, 0, 0}, hash);
 }
 
+/// Variables are found by their number, without hashing.
 ExprId Expressions::variable(Variable variable) {
     std::vector<ExprId>& known = variables_[static_cast<std::size_t>(variable.kind)];
     if (known.size() <= variable.index) known.resize(variable.index + std::size_t{1}, no_expr);
@@ -233,6 +238,7 @@ ExprId Expressions::comparison(const Comparison& comparison) {
     return add(node, hash);
 }
 
+/// Edges and time conditions get larger ids as they are made, so their lists are in order.
 std::size_t Expressions::ordinal(ExprId id) const {
     const std::vector<ExprId>& list =
         kind(id) == ExprKind::time_condition ? time_condition_ids_ : edges_;

@@ -3,13 +3,12 @@
 // which is the postfix order of NamedExpression. Nesting is bounded (deepest_nesting), and with it
 // the recursion here and in everything that later walks an expression.
 
-#include "grafcet/expression_parser.h"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <optional>
 
+#include "grafcet/chart_parser.h"
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
 
@@ -23,6 +22,7 @@ namespace {
 constexpr std::array<ExprKind, 3> chain_kinds = {ExprKind::disjunction, ExprKind::exclusive_or,
                                                  ExprKind::conjunction};
 
+/// `+ | or`, then `⊕ xor`, then `. * & and`.
 bool is_chain_operator(int level, TokenKind kind) {
     switch (kind) {
         case TokenKind::plus:
@@ -61,6 +61,7 @@ std::optional<Relation> relation_of(TokenKind kind) {
     }
 }
 
+/// A term of a sum: `n`, `12`.
 bool parse_term(TokenReader& tokens, bool negative, NamedSum& sum) {
     NamedTerm term;
     term.negative = negative;
@@ -77,6 +78,7 @@ bool parse_term(TokenReader& tokens, bool negative, NamedSum& sum) {
     return true;
 }
 
+/// Reads an expression from the present token on and adds its nodes in postfix order.
 class ExpressionParser {
   public:
     ExpressionParser(TokenReader& tokens, NamedExpression& expression)
@@ -99,6 +101,7 @@ class ExpressionParser {
     int nesting_ = 0;
 };
 
+/// `a + b + c` is one node with three operands, not two with two.
 bool ExpressionParser::parse_chain(int level) {
     if (level == static_cast<int>(chain_kinds.size())) return parse_unary();
     const Location where = tokens_.token().where;
@@ -115,6 +118,7 @@ bool ExpressionParser::parse_chain(int level) {
     return true;
 }
 
+/// What binds to the operand behind it: `/e`, `↑e`, `5s/e`; or an operand.
 bool ExpressionParser::parse_unary() {
     if (++nesting_ > deepest_nesting) {
         tokens_.diagnostics().error(code::nested_too_deep, tokens_.token().where,
@@ -157,6 +161,7 @@ bool ExpressionParser::parse_unary() {
     return is_good;
 }
 
+/// `/e`, `↑e`, `↓e`: what binds to the sign, so that `/a.b` is (/a).b.
 bool ExpressionParser::parse_prefixed(ExprKind kind) {
     const Location where = tokens_.token().where;
     tokens_.take();
@@ -165,6 +170,7 @@ bool ExpressionParser::parse_prefixed(ExprKind kind) {
     return true;
 }
 
+/// `rise(e)`, `fall(e)`.
 bool ExpressionParser::parse_called(ExprKind kind) {
     const Location where = tokens_.token().where;
     const std::string_view name = reserved_word(tokens_.token().kind);
@@ -183,6 +189,7 @@ bool ExpressionParser::parse_parenthesised() {
            tokens_.expect(TokenKind::right_parenthesis, say::operator_or_parenthesis);
 }
 
+/// `1s/e`, `1s/e/2s`. An off-delay belongs to the innermost time condition before it.
 bool ExpressionParser::parse_time_condition() {
     const Location where = tokens_.token().where;
     Time on_delay = 0;
@@ -196,6 +203,7 @@ bool ExpressionParser::parse_time_condition() {
     return true;
 }
 
+/// A delay that is out of range is reported and read as 0: the expression is whole then.
 bool ExpressionParser::parse_delay(Time& delay) {
     if (!tokens_.at(TokenKind::duration)) {
         return tokens_.fail_expecting(say::duration_after_slash());
@@ -210,6 +218,7 @@ bool ExpressionParser::parse_delay(Time& delay) {
     return true;
 }
 
+/// `[n + 1 >= 10]`
 bool ExpressionParser::parse_comparison() {
     const Location where = tokens_.token().where;
     tokens_.take();
@@ -229,6 +238,7 @@ bool ExpressionParser::parse_comparison() {
     return true;
 }
 
+/// `0`, `1`, a name. Other numbers are most often steps, whose variable has an X.
 bool ExpressionParser::parse_constant_or_variable() {
     const Name name = tokens_.name();
     if ((tokens_.at(TokenKind::word) || tokens_.at(TokenKind::quoted)) && !name.text.empty()) {

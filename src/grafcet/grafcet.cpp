@@ -1,3 +1,6 @@
+// What follows from a chart and is asked for by more than one folder: names of variables, the order
+// of enclosures, the depth of forcing, the range of a sum.
+
 #include "grafcet/grafcet.h"
 
 #include <fmt/format.h>
@@ -59,6 +62,8 @@ std::vector<std::string> declared_names(const Grafcet& grafcet) {
     return names;
 }
 
+/// An enclosing step may stand in a graph that is itself enclosed; the chain ends, since enclosures
+/// form no circle (check_hierarchy.cpp).
 std::vector<EnclosureId> enclosures_inwards(const Grafcet& grafcet) {
     std::vector<std::pair<std::size_t, EnclosureId>> by_depth;
     for (std::size_t e = 0; e < grafcet.enclosures.size(); ++e) {
@@ -76,6 +81,8 @@ std::vector<EnclosureId> enclosures_inwards(const Grafcet& grafcet) {
     return inwards;
 }
 
+/// The longest path of forcing orders that leads to a graph, by relaxing every order until none
+/// deepens its graph: as many rounds as the hierarchy has levels, which are few.
 std::vector<std::size_t> forcing_depths(const Grafcet& grafcet) {
     std::vector<std::size_t> depths(grafcet.graphs.size(), 0);
     // Orders form no circle, so this comes to an end.
@@ -83,14 +90,56 @@ std::vector<std::size_t> forcing_depths(const Grafcet& grafcet) {
         deepened = false;
         for (const Order& order : grafcet.orders) {
             if (order.kind == OrderKind::freeze) continue;
-            const std::size_t giver = depths[index_of(grafcet.steps[order.step].graph)];
+            const std::size_t above = depths[index_of(grafcet.steps[order.step].graph)];
             std::size_t& forced = depths[index_of(order.graph)];
-            if (forced > giver) continue;
-            forced = giver + 1;
+            if (forced > above) continue;
+            forced = above + 1;
             deepened = true;
         }
     }
     return depths;
+}
+
+namespace {
+
+/// The values of a term without its sign.
+IntegerRange range_of(const Grafcet& grafcet, const SumTerm& term) {
+    if (term.counter == SumTerm::no_counter) return {term.value, term.value};
+    const Counter& counter = grafcet.counters[CounterId{term.counter}];
+    return {counter.low, counter.high};
+}
+
+}  // namespace
+
+std::optional<IntegerRange> range_of(const Grafcet& grafcet, const Sum& sum) {
+    IntegerRange reached;  // by any partial sum; the empty one is 0
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+    for (const SumTerm& term : sum) {
+        IntegerRange part = range_of(grafcet, term);
+        if (term.negative) {
+            if (part.low == std::numeric_limits<std::int64_t>::min()) return std::nullopt;
+            part = {-part.high, -part.low};
+        }
+        if (__builtin_add_overflow(low, part.low, &low) ||
+            __builtin_add_overflow(high, part.high, &high)) {
+            return std::nullopt;
+        }
+        reached.low = std::min(reached.low, low);
+        reached.high = std::max(reached.high, high);
+    }
+    return reached;
+}
+
+IntegerRange value_range(const Grafcet& grafcet, const Sum& sum) {
+    IntegerRange range;
+    for (const SumTerm& term : sum) {
+        IntegerRange part = range_of(grafcet, term);
+        if (term.negative) part = {-part.high, -part.low};
+        range.low += part.low;
+        range.high += part.high;
+    }
+    return range;
 }
 
 }  // namespace grafwire

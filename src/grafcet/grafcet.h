@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grafcet/expression.h"
-#include "text/location.h"
+#include "text/source.h"
 #include "text/table.h"
 
 namespace grafwire {
@@ -150,7 +150,7 @@ enum class OrderKind : std::uint8_t { empty, freeze, initial, listed };
 /// A forcing order (`G1{}`, `G1{INIT}`, `G1{10}`) or a freezing order (`G1{*}`).
 struct Order {
     StepId step{};    ///< the step that gives the order
-    GraphId graph{};  ///< the graph it bears on
+    GraphId graph{};  ///< the graph it applies to
     OrderKind kind = OrderKind::empty;
     std::vector<StepId> steps;  ///< listed: in the order written; else empty
     Location where;
@@ -238,5 +238,16 @@ std::vector<EnclosureId> enclosures_inwards(const Grafcet& grafcet);
 /// of a scan are read before any is obeyed (one pass, Cordier, section 5.6): a program that obeys
 /// them one by one takes the deepest graphs first.
 std::vector<std::size_t> forcing_depths(const Grafcet& grafcet);
+
+/// The numbers low..high inclusive.
+struct IntegerRange {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+};
+/// The smallest and the largest value that any partial sum can take on the way, the terms taken in
+/// order; empty where that is beyond 64 bits. For languages whose integers are narrower.
+std::optional<IntegerRange> range_of(const Grafcet& grafcet, const Sum& sum);
+/// The smallest and the largest value of the whole sum; of one that range_of is not empty for.
+IntegerRange value_range(const Grafcet& grafcet, const Sum& sum);
 
 }  // namespace grafwire

@@ -22,6 +22,8 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// The order matters: names before what uses them, expansions before the steps that are told by
+/// their graphs.
 void check(const Checking& checking) {
     collect_names(checking);
     resolve_expansions(checking);
@@ -57,6 +59,7 @@ void refuse_contradictions(const Grafcet& grafcet, std::size_t first_here,
     }
 }
 
+/// At the first graph, or at the beginning of the file.
 void refuse_no_steps(const Grafcet& grafcet, Diagnostics& diagnostics) {
     if (!grafcet.steps.empty()) return;
     const Location where =
@@ -196,6 +199,7 @@ void GrafcetBuilder::add_stored(StepKey step, const NamedWrite& write, Trigger t
     draft_->actions.push_back(action);
 }
 
+/// `G{}` and a list that turned out empty are the same order: to the empty situation.
 void GrafcetBuilder::add_order(StepKey step, Name graph, OrderKind kind,
                                std::span<const Name> steps, Location where) {
     DraftAction action;
@@ -208,6 +212,7 @@ void GrafcetBuilder::add_order(StepKey step, Name graph, OrderKind kind,
     draft_->actions.push_back(action);
 }
 
+/// Reported here, since a node has room for one.
 void GrafcetBuilder::add_enclosure(StepKey step, Name graph, std::span<const Name> links) {
     DraftNode& node = draft_->nodes[index_of(step)];
     if (node.extra != none) {
@@ -238,6 +243,7 @@ void GrafcetBuilder::add_transition(BlockId block, const NamedTransition& transi
     draft_->transitions.push_back(added);
 }
 
+/// The draft goes before the warnings are looked for: it is as large as the model.
 std::optional<Grafcet> GrafcetBuilder::finish() {
     const auto is_refused = [this] { return diagnostics_.error_count() != errors_before_; };
     std::optional<Grafcet> grafcet;
@@ -270,6 +276,7 @@ Localized outside_of_expansion_message(bool is_entry) {
     return is_entry ? say::entry_outside_of_expansion() : say::exit_outside_of_expansion();
 }
 
+/// A draft of nothing but the assumption, over a table of names that is made from the model.
 void add_assumption(Grafcet& grafcet, const NamedExpression& expression, Location where,
                     Diagnostics& diagnostics) {
     Draft draft;

@@ -13,6 +13,8 @@ namespace grafwire {
 
 namespace {
 
+/// The first fault, in the order of the model: each check may rely on what those before it have
+/// found sound.
 class FaultSearch {
   public:
     explicit FaultSearch(const Grafcet& grafcet) : g_(grafcet) {}
@@ -27,6 +29,7 @@ class FaultSearch {
 
   private:
     template <typename... Args>
+    /// Notes the fault where `holds` is false.
     bool require(bool holds, fmt::format_string<Args...> what, Args&&... args) {
         if (!holds) fault_ = fmt::format(what, std::forward<Args>(args)...);
         return holds;
@@ -46,6 +49,7 @@ class FaultSearch {
     bool is_step(StepId id) const { return is_in(id, g_.steps); }
     bool is_expression(ExprId id) const { return index_of(id) < g_.expressions.size(); }
 
+    /// Whether there is such a variable.
     bool is_variable(Variable variable) const {
         const std::size_t sizes[variable_kind_count] = {
             g_.inputs.size(),   control_input_count, g_.outputs.size(), g_.vars.size(),
@@ -53,6 +57,7 @@ class FaultSearch {
         return variable.index < sizes[static_cast<std::size_t>(variable.kind)];
     }
 
+    /// A sum has terms, and a minus is the sign of a term, never of its number.
     bool is_sum(const Sum& sum) const {
         return !sum.empty() && std::all_of(sum.begin(), sum.end(), [this](const SumTerm& term) {
             return term.value >= 0 &&
@@ -60,6 +65,7 @@ class FaultSearch {
         });
     }
 
+    /// Expressions read variables that there are; counters occur in comparisons only.
     bool sums_and_expressions() {
         for (const Sum& sum : g_.sums) {
             if (!require(is_sum(sum), "a sum has no terms, a negative number or no such counter")) {
@@ -82,6 +88,7 @@ class FaultSearch {
         return true;
     }
 
+    /// Ranges are not empty, and assumptions are over inputs.
     bool declarations() {
         for (const Counter& counter : g_.counters) {
             if (!require(counter.low <= counter.high, "the range of counter {} is empty",
@@ -97,6 +104,7 @@ class FaultSearch {
         return true;
     }
 
+    /// Whether an expression is over inputs alone, as assumptions are.
     bool is_of_plant(ExprId id) const {
         if (!is_expression(id)) return false;
         switch (g_.expressions.kind(id)) {
@@ -117,6 +125,8 @@ class FaultSearch {
         }
     }
 
+    /// Blocks list steps, macro-steps and transitions that there are; the walks look at their
+    /// order.
     bool blocks() {
         for (const Block& block : g_.blocks) {
             bool is_sound = is_in(block.graph, g_.graphs);
@@ -132,6 +142,7 @@ class FaultSearch {
         return true;
     }
 
+    /// Each step has its place, and its actions follow those of the step before.
     bool steps() {
         std::uint32_t next_action = 0;
         for (const Step& step : g_.steps) {
@@ -156,6 +167,7 @@ class FaultSearch {
         return require(next_action == g_.actions.size(), "an action belongs to no step");
     }
 
+    /// Each macro-step has an expansion of its own, and each expansion a macro-step.
     bool macros() {
         std::vector<bool> is_used(g_.blocks.size(), false);
         for (const Macro& macro : g_.macros) {
@@ -184,10 +196,12 @@ class FaultSearch {
         return true;
     }
 
+    /// Whether a step is the entry or exit of the expansion of a macro-step.
     bool is_end(const Macro& macro, StepId id, StepRole role) const {
         return is_step(id) && g_.steps[id].block == macro.expansion && g_.steps[id].role == role;
     }
 
+    /// The steps and transitions of the graphs follow each other without a gap.
     bool graphs() {
         std::uint32_t next_step = 0;
         std::uint32_t next_transition = 0;
@@ -266,11 +280,13 @@ class FaultSearch {
         return require(next_macro == g_.macros.size(), "a macro-step is in no block");
     }
 
+    /// Whether all of them are steps of the graph, those of its expansions included.
     bool are_steps_of(GraphId graph, const std::vector<StepId>& steps) const {
         return std::all_of(steps.begin(), steps.end(),
                            [&](StepId id) { return is_step(id) && g_.steps[id].graph == graph; });
     }
 
+    /// An enclosure, its step and its graph name each other.
     bool enclosures() {
         for (std::size_t i = 0; i < g_.enclosures.size(); ++i) {
             const EnclosureId id = g_.enclosures.id_at(i);
@@ -296,6 +312,7 @@ class FaultSearch {
                        "a step or graph has the enclosure of another");
     }
 
+    /// Counters take sums, outputs and vars expressions; `set` and `reset` take nothing.
     bool is_write(const Write& write) const {
         const bool is_counter = write.target.kind == VariableKind::counter;
         const bool is_target = is_counter || write.target.kind == VariableKind::output ||
@@ -308,6 +325,7 @@ class FaultSearch {
                           : is_expression(write.value) && write.sum == none;
     }
 
+    /// Actions belong to the step that lists them; orders stand in the order of their actions.
     bool actions() {
         std::uint32_t next_order = 0;
         for (std::size_t s = 0; s < g_.steps.size(); ++s) {
@@ -330,6 +348,7 @@ class FaultSearch {
         return require(next_order == g_.orders.size(), "an order belongs to no step");
     }
 
+    /// Whether an action has what its kind asks for, and nothing else.
     bool is_action(const Action& action) const {
         switch (action.kind) {
             case ActionKind::continuous:
@@ -346,6 +365,7 @@ class FaultSearch {
         return false;
     }
 
+    /// A list of steps where the order asks for one, and only of the graph that is forced.
     bool orders() {
         for (const Order& order : g_.orders) {
             const std::string& step = g_.steps[order.step].name;
@@ -360,6 +380,8 @@ class FaultSearch {
         return true;
     }
 
+    /// Each transition has its place, its condition and its steps; links and clearing actions
+    /// follow those of the transition before.
     bool transitions() {
         std::uint32_t next_link = 0;
         std::uint32_t next_clearing = 0;
@@ -447,6 +469,7 @@ class FaultSearch {
         return true;
     }
 
+    /// An output is stored exactly where something writes it, and then nothing else drives it.
     bool stored_outputs() {
         Table<OutputId, bool> is_written(g_.outputs.size(), false);
         Table<OutputId, bool> is_driven(g_.outputs.size(), false);

@@ -1,3 +1,10 @@
+// The text of a chart as tokens, and the reader that looks at one of them.
+//
+// The lexer keeps no list of tokens: it makes the next one when it is asked, so a chart of millions
+// of lines costs no memory here, and looking ahead is a copy of the lexer. Columns count
+// characters, so bytes of a name that is not ASCII are decoded as they pass; everything else is
+// found byte by byte.
+
 #include "grafcet/lexer.h"
 
 #include <fmt/format.h>
@@ -5,11 +12,13 @@
 #include <algorithm>
 #include <array>
 
+#include "grafcet/checking.h"
 #include "grafcet/messages.h"
-#include "text/characters.h"
 #include "text/utf8.h"
 
 namespace grafwire {
+
+namespace say = messages::grafcet;
 
 namespace {
 
@@ -29,6 +38,7 @@ bool is_ascii(char c) {
     return static_cast<unsigned char>(c) < 0x80;
 }
 
+/// The reserved word, or `word`. Most names are put aside by their length or first letter.
 TokenKind keyword_of(std::string_view word) {
     constexpr std::size_t longest = 12;
     if (word.size() < 2 || word.size() > longest || word[0] < 'a' || word[0] > 'x') {
@@ -40,6 +50,7 @@ TokenKind keyword_of(std::string_view word) {
     return static_cast<TokenKind>(first_reserved + index);
 }
 
+/// Spaces of Unicode, which come with text that is pasted from elsewhere.
 bool is_wide_space(char32_t c) {
     return c == 0x85 || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x2028 ||
            c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000;
@@ -98,11 +109,10 @@ bool is_integer(std::string_view text) {
 }
 
 Localized token_in_message(std::string_view source, const Token& token) {
-    if (token.kind == TokenKind::end) return messages::grafcet::end_of_file();
+    if (token.kind == TokenKind::end) return say::end_of_file();
     const std::string_view text = source.substr(token.offset, token.length);
     if (token.kind != TokenKind::quoted) return quoted(text);
-    return text.empty() ? messages::grafcet::empty_name()
-                        : messages::grafcet::quoted_word(quoted(text));
+    return text.empty() ? say::empty_name() : say::quoted_word(quoted(text));
 }
 
 Lexer::Lexer(std::string_view text) : text_(text), at_(byte_order_mark_size(text)) {}
@@ -119,7 +129,7 @@ Token Lexer::next(Diagnostics* diagnostics) {
         const char c = text_[at_];
         if (is_ascii_letter(c)) return word(token);
         if (is_digit(c)) return number(token);
-        if (c == '"') return quoted_name(token, diagnostics);
+        if (c == '"') return quoted(token, diagnostics);
         if (symbol(token)) return token;
         if (!is_ascii(c) && is_letter(decode_utf8(text_, at_).value)) return word(token);
         report_unexpected(token, diagnostics);
@@ -166,6 +176,7 @@ Token Lexer::finish(Token token, TokenKind kind, std::size_t bytes) {
     return token;
 }
 
+/// A name, or a reserved word: letters, digits and `_` after a letter.
 Token Lexer::word(Token token) {
     const std::size_t start = at_;
     for (std::size_t length = name_character(text_, at_); length != 0;
@@ -179,6 +190,8 @@ Token Lexer::word(Token token) {
     return token;
 }
 
+/// `12`, or `1.5s`. A point belongs to a duration only where digits follow it, and only with a
+/// unit: in `X0.1s/a` it is an operator, and `12.m` is the number 12, then `.m`.
 Token Lexer::number(Token token) {
     const auto digits_from = [this](std::size_t at) {
         while (at < text_.size() && is_digit(text_[at])) ++at;
@@ -197,14 +210,15 @@ Token Lexer::number(Token token) {
     return finish(token, TokenKind::integer, whole_end - at_);
 }
 
-Token Lexer::quoted_name(Token token, Diagnostics* diagnostics) {
+/// Ends at the second quotation mark, or with the line, which is an error: a text that lacks its
+/// mark shall not take in the rest of the file.
+Token Lexer::quoted(Token token, Diagnostics* diagnostics) {
     const std::size_t start = at_ + 1;
     const std::size_t end = std::min(text_.find_first_of("\"\r\n", start), text_.size());
     const bool is_closed = end < text_.size() && text_[end] == '"';
     const std::string_view text = text_.substr(start, end - start);
     if (!is_closed && diagnostics != nullptr) {
-        diagnostics->error(code::unterminated_text, token.where,
-                           messages::grafcet::unterminated_text());
+        diagnostics->error(code::unterminated_text, token.where, say::unterminated_text());
     }
     report_control(text, diagnostics);
     token.kind = TokenKind::quoted;
@@ -224,6 +238,7 @@ void Lexer::report_control(std::string_view text, Diagnostics* diagnostics) cons
                        control_in_name_message(text));
 }
 
+/// An operator or bracket; false where none stands here.
 bool Lexer::symbol(Token& token) {
     struct Symbol {
         std::string_view text;
@@ -290,9 +305,86 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
                             (first.value < 0x2000 || first.value > 0x206f) && first.value != 0xfeff;
     const Localized shown =
         is_visible ? grafwire::quoted(text_.substr(token.offset, std::max(first.length, 1U)))
-                   : messages::grafcet::character_code(static_cast<std::uint32_t>(first.value));
-    diagnostics->error(code::unexpected_character, token.where,
-                       messages::grafcet::unexpected_character(shown));
+                   : say::character_code(static_cast<std::uint32_t>(first.value));
+    diagnostics->error(code::unexpected_character, token.where, say::unexpected_character(shown));
+}
+
+TokenReader::TokenReader(std::string_view source, Diagnostics& diagnostics)
+    : source_(source), diagnostics_(diagnostics), lexer_(source) {
+    take();
+}
+
+bool TokenReader::take_if(TokenKind kind) {
+    if (!at(kind)) return false;
+    take();
+    return true;
+}
+
+bool TokenReader::expect(TokenKind kind, const Message<>& expected) {
+    if (take_if(kind)) return true;
+    return fail_expecting(expected());
+}
+
+/// A name, which digits may spell for steps, graphs and transitions but not for variables. What
+/// else stands there decides which message helps: a reserved word could be quoted, a number could
+/// not.
+bool TokenReader::parse_name(Name& read, const Message<>& what, bool may_be_integer) {
+    const bool is_name =
+        at(TokenKind::word) || at(TokenKind::quoted) || (may_be_integer && at(TokenKind::integer));
+    if (is_name && token_.length != 0) {
+        read = name();
+        take();
+        return true;
+    }
+    if (is_name) {
+        fail(say::expected(what(), say::empty_name()));
+        take();
+        return false;
+    }
+    if (!reserved_word(token_.kind).empty()) {
+        return fail(say::reserved_word_as_name(what(), text()));
+    }
+    if (at(TokenKind::integer) || at(TokenKind::duration)) {
+        return fail(say::number_as_name(what(), shown()));
+    }
+    return fail_expecting(what());
+}
+
+bool TokenReader::parse_names(std::vector<Name>& names, const Message<>& what,
+                              bool may_be_integer) {
+    do {
+        Name name;
+        if (!parse_name(name, what, may_be_integer)) return false;
+        names.push_back(name);
+    } while (take_if(TokenKind::comma));
+    return true;
+}
+
+bool TokenReader::parse_number(std::int64_t& value) {
+    value = 0;
+    for (const char digit : text()) {
+        value = value * 10 + (digit - '0');
+        if (value <= largest_number) continue;
+        diagnostics_.error(code::number_too_large, token_.where,
+                           say::written_number_too_large(shown(), largest_number));
+        value = 0;
+        break;
+    }
+    take();
+    return true;
+}
+
+Localized TokenReader::shown() const {
+    return token_in_message(source_, token_);
+}
+
+bool TokenReader::fail(Localized message) {
+    diagnostics_.error(code::unexpected_token, token_.where, std::move(message));
+    return false;
+}
+
+bool TokenReader::fail_expecting(const Localized& expected) {
+    return fail(say::expected(expected, shown()));
 }
 
 }  // namespace grafwire

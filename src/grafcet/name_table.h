@@ -63,6 +63,7 @@ class NameTable {
         std::uint32_t entry = free;
     };
     static constexpr std::size_t smallest = 64;
+    /// The last bits are those of the last character: `X12` and `X13` are neighbours.
     static std::uint32_t hash_of(std::string_view name) {
         constexpr unsigned neighbour_bits = 4;
         if (name.empty()) return 0;
@@ -82,6 +83,7 @@ class NameTable {
         return i;
     }
 
+    /// Puts all places into a larger table by the hashes they hold.
     void grow(std::size_t size) {
         std::vector<Slot> old(size);
         old.swap(slots_);

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "grafcet/chart_parser.h"
-#include "grafcet/expression_parser.h"
 #include "grafcet/messages.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 

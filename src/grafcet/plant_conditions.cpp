@@ -16,6 +16,7 @@ PlantConditions::PlantConditions(const Grafcet& grafcet) : literals_(grafcet.exp
     }
 }
 
+/// A variable that is true where all the literals are.
 int PlantConditions::all_of(std::span<const int> literals) {
     const int all = solver_.new_variable();
     std::vector<int> some_is_false{all};
@@ -27,6 +28,7 @@ int PlantConditions::all_of(std::span<const int> literals) {
     return all;
 }
 
+/// A variable that is true where the two differ.
 int PlantConditions::exclusive_or(int a, int b) {
     const int differ = solver_.new_variable();
     for (const int sign : {1, -1}) {
@@ -36,6 +38,7 @@ int PlantConditions::exclusive_or(int a, int b) {
     return differ;
 }
 
+/// The literal that stands for an expression, made with its clauses when first asked for.
 int PlantConditions::literal(const Grafcet& grafcet, ExprId id) {
     int& known = literals_[static_cast<std::size_t>(id)];
     if (known != 0) return known;

@@ -20,6 +20,7 @@ struct Drive {
     std::optional<Location> stored;
 };
 
+/// Looks up what actions are about, step by step, then what clearing actions write.
 class ActionResolver {
   public:
     explicit ActionResolver(const Checking& checking)
@@ -66,6 +67,7 @@ class ActionResolver {
         }
     }
 
+    /// The target is an output. A var or a counter has a memory, which a continuous action has not.
     void resolve_continuous(DraftAction& action) {
         const auto* found = checking_.names.variables.find(draft_.text(action.name));
         if (found != nullptr && found->variable.kind == VariableKind::output) {
@@ -110,6 +112,7 @@ class ActionResolver {
         }
     }
 
+    /// The target is an output, a var or a counter; what is assigned fits its kind.
     void resolve_write(DraftWrite& write) {
         const auto* found = checking_.names.variables.find(draft_.text(write.target));
         const bool is_writable = found != nullptr && found->variable.kind != VariableKind::input &&
@@ -147,6 +150,8 @@ class ActionResolver {
         }
     }
 
+    /// An unknown graph does not keep the steps listed from being looked up: they may be wrong as
+    /// well.
     void resolve_order(DraftAction& action) {
         if (const auto* graph = find_graph(action.name, code::forcing_unknown_graph)) {
             action.resolved = *graph;
@@ -197,6 +202,7 @@ class ActionResolver {
         });
     }
 
+    /// The later of the two ways in which an output is driven is the one too many.
     void check_drives() {
         for (const DraftDeclaration& declaration : draft_.declarations) {
             const Drive* drive = drive_of(declaration);
@@ -212,6 +218,7 @@ class ActionResolver {
         }
     }
 
+    /// Null for what is no output, and for a second declaration of the same name.
     const Drive* drive_of(const DraftDeclaration& declaration) const {
         if (declaration.kind != VariableKind::output) return nullptr;
         const auto* found = checking_.names.variables.find(draft_.text(declaration.name));
@@ -222,6 +229,7 @@ class ActionResolver {
         return &drives_[found->variable.index];
     }
 
+    /// An expression may read stored outputs only.
     void check_output_reads() {
         for (const ExpressionNode& node : draft_.expression_nodes) {
             if (node.kind != ExprKind::variable || node.variable != VariableKind::output) continue;

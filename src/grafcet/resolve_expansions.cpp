@@ -12,6 +12,7 @@ namespace say = messages::grafcet;
 
 namespace {
 
+/// Finds the expansion that a macro-step names; a second macro-step that names it is an error.
 void join_macro(const Checking& checking, std::uint32_t index) {
     Draft& draft = checking.draft;
     DraftNode& macro = draft.nodes[index];
@@ -41,6 +42,7 @@ void join_macro(const Checking& checking, std::uint32_t index) {
         .notes.push_back({draft.nodes[block.macro].name.where, say::first_used_here()});
 }
 
+/// An expansion has one entry step and one exit step.
 void check_ends(const Checking& checking, std::uint32_t index) {
     Draft& draft = checking.draft;
     DraftBlock& block = draft.blocks[index];

@@ -32,6 +32,7 @@ bool resolve_step_variable(const Checking& checking, std::string_view name, Expr
     return false;
 }
 
+/// `5` where `X5` is meant is a mistake of its own; else the nearest name is suggested.
 void report_unknown(const Checking& checking, const Word& word) {
     const std::string_view name = checking.draft.text(word);
     const Localized shown = checking.shown(word);
@@ -47,6 +48,7 @@ void report_unknown(const Checking& checking, const Word& word) {
     checking.error(code::unknown_name, word.where, std::move(message));
 }
 
+/// Declared variables come before those of steps, with which they cannot clash.
 void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
     const std::string_view name = checking.draft.text(node.word);
     if (const auto* found = checking.names.variables.find(name)) {
@@ -67,6 +69,7 @@ void resolve_variable(const Checking& checking, ExpressionNode& node, Expression
     }
 }
 
+/// Within a time condition an edge is allowed everywhere: the time holds what it starts.
 void check_edge(const Checking& checking, const ExpressionNode& node, ExpressionUse use) {
     if (use == ExpressionUse::assumption) {
         checking.error(code::not_a_plant_condition, node.word.where, say::edge_in_assumption());
@@ -75,6 +78,7 @@ void check_edge(const Checking& checking, const ExpressionNode& node, Expression
     }
 }
 
+/// What a node reads, and whether it may stand there.
 void resolve_node(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
     switch (node.kind) {
         case ExprKind::variable:
@@ -106,6 +110,7 @@ void resolve_node(const Checking& checking, ExpressionNode& node, ExpressionUse 
     }
 }
 
+/// The steps before or after a transition are those of its own block.
 void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
     resolve_steps(checking, list, [&](std::uint32_t node, const Word& word) {
         const DraftNode& step = checking.draft.nodes[node];

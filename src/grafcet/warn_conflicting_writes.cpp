@@ -35,6 +35,7 @@ struct Site {
     Location where;
 };
 
+/// All stored actions, by the variable that they write.
 std::vector<Site> write_sites(const Grafcet& grafcet) {
     std::vector<Site> sites;
     for (const Action& action : grafcet.actions) {
@@ -62,6 +63,8 @@ std::vector<Site> write_sites(const Grafcet& grafcet) {
     return sites;
 }
 
+/// Per graph, whether one step at most is ever active: it starts with one, and neither transitions
+/// nor orders nor activation links make it several.
 std::vector<bool> single_token_graphs(const Grafcet& grafcet) {
     std::vector<std::uint32_t> initial(grafcet.graphs.size(), 0);
     std::vector<bool> single(grafcet.graphs.size(), true);

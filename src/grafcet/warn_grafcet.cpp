@@ -66,6 +66,7 @@ class Reachability {
         open_.push_back(step);
     }
 
+    /// All steps before it are reached, and it may be cleared.
     void fire(TransitionId transition) {
         for (const StepId step : grafcet_.following(grafcet_.transitions[transition])) reach(step);
     }
@@ -78,6 +79,7 @@ class Reachability {
         }
     }
 
+    /// What an active step can bring about: transitions, activation links, forcing orders.
     void follow(StepId id) {
         for (std::uint32_t i = first_transition_[index_of(id)];
              i < first_transition_[index_of(id) + 1]; ++i) {
@@ -120,6 +122,7 @@ std::vector<bool> graphs_without_start(const Grafcet& grafcet) {
     return result;
 }
 
+/// Steps that can never be active. In a graph without a start all are, which is said once.
 void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
                 Diagnostics& diagnostics) {
     const std::vector<bool> without_start = graphs_without_start(grafcet);
@@ -138,6 +141,7 @@ void warn_steps(const Grafcet& grafcet, const ConstantExpressions& constants,
     }
 }
 
+/// Transitions that can never be cleared.
 void warn_conditions(const Grafcet& grafcet, const ConstantExpressions& constants,
                      Diagnostics& diagnostics) {
     for (const Transition& transition : grafcet.transitions) {
@@ -162,6 +166,7 @@ std::vector<bool> expressions_with_edges(const Expressions& expressions) {
     return result;
 }
 
+/// An event without an edge happens in every scan in which its expression is 1.
 void warn_events(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const std::vector<bool> has_edge = expressions_with_edges(grafcet.expressions);
     for (const Action& action : grafcet.actions) {
@@ -171,6 +176,7 @@ void warn_events(const Grafcet& grafcet, Diagnostics& diagnostics) {
     }
 }
 
+/// Declared and neither read nor written.
 void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
     std::vector<bool> used[5] = {std::vector<bool>(grafcet.inputs.size()),
                                  {},

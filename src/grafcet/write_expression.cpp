@@ -1,7 +1,13 @@
+// Expressions and names in the notation of the `.grafcet` language. An expression has the
+// parentheses that its reader needs, and no others; reading it back gives the same expression, down
+// to the nesting of its operators. Three places need more than the ranks of operators: a chain
+// within a chain of its own kind, an off-delay behind a time condition that has none (`1s/2s/a`
+// would take it for its own), and a digit after a point, which would be read as part of a duration.
+
 #include <fmt/format.h>
 
+#include "grafcet/expression.h"
 #include "grafcet/lexer.h"
-#include "grafcet/relations.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
@@ -74,6 +80,7 @@ class ExpressionWriter {
         out_ += ')';
     }
 
+    /// The operand of a sign: in parentheses where it is a chain.
     void write_unary(ExprId id) {
         if (rank_of(expressions_.kind(id)) == Rank::unary) {
             write(id);
@@ -107,6 +114,7 @@ class ExpressionWriter {
         }
     }
 
+    /// `1s/a/2s`
     void write_time(const TimeCondition& time) {
         out_ += format_duration(time.on_delay);
         out_ += '/';

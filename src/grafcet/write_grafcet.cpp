@@ -1,3 +1,8 @@
+// The canonical layout of a chart: declarations first, one a line, then block by block in the order
+// of the model, with two blanks of indentation. Nothing of the layout of the text that was read is
+// kept, so that two charts with the same model give the same text, and a difference of texts is a
+// difference of charts.
+
 #include "grafcet/write_grafcet.h"
 
 #include <fmt/format.h>
@@ -12,6 +17,7 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
+/// `{10, 20}`. A step called INIT is quoted: without quotes the word means the initial situation.
 void append_steps_in_braces(std::string& out, const Grafcet& grafcet,
                             const std::vector<StepId>& steps) {
     std::string_view separator = "{";
@@ -28,6 +34,7 @@ void append_steps_in_braces(std::string& out, const Grafcet& grafcet,
     out += '}';
 }
 
+/// The chart, part by part.
 class GrafcetWriter {
   public:
     explicit GrafcetWriter(const Grafcet& grafcet)
@@ -53,6 +60,7 @@ class GrafcetWriter {
         if (!out_.empty()) out_ += '\n';
     }
 
+    /// Without a header a chart is called `grafcet`.
     void write_header() {
         if (grafcet_.name == "grafcet" && grafcet_.title.empty()) return;
         out_ += "grafcet ";
@@ -82,6 +90,7 @@ class GrafcetWriter {
         }
     }
 
+    /// `input a, b, c`, over as many lines as it takes.
     void write_names(std::string_view keyword, const auto& items) {
         if (items.empty()) return;
         out_ += keyword;
@@ -104,6 +113,7 @@ class GrafcetWriter {
         out_ += '\n';
     }
 
+    /// Steps and macro-steps, a blank line, transitions.
     void write_block(const Block& block) {
         separate();
         out_ += block.is_expansion ? "expansion " : "graph ";
@@ -134,6 +144,7 @@ class GrafcetWriter {
         name(grafcet_.blocks[macro.expansion].name);
     }
 
+    /// `initial 0 : H, set m on deactivation`
     void write_step(const Step& step) {
         switch (step.role) {
             case StepRole::entry:
@@ -182,6 +193,7 @@ class GrafcetWriter {
         }
     }
 
+    /// `(start) 0 -> 1, 2 : dcy do n := n + 1`
     void write_transition(const Transition& transition) {
         if (transition.labelled) {
             out_ += '(';

@@ -1,3 +1,5 @@
+// The checks, from texts and options to the reports.
+
 #include "grafwire/check.h"
 
 #include <memory>
@@ -15,6 +17,8 @@ void append(std::vector<Message>& messages, const Diagnostics& diagnostics) {
     for (Message& message : messages_from(diagnostics)) messages.push_back(std::move(message));
 }
 
+/// Progress and the question whether to go on are one call outside, two inside: the latest figures
+/// are kept in between.
 CheckRequest request_from(const grafwire::Chart& chart, const CheckOptions& options,
                           std::optional<Time> period) {
     CheckRequest request;
@@ -35,6 +39,8 @@ CheckRequest request_from(const grafwire::Chart& chart, const CheckOptions& opti
     return request;
 }
 
+/// The enumeration outside has a type of its own, so that headers of the library need not be
+/// installed.
 Verdict verdict_from(grafwire::Verdict verdict) {
     switch (verdict) {
         case grafwire::Verdict::equivalent:
@@ -73,9 +79,9 @@ Result<CheckResult> checked(const grafwire::Chart& chart, const CheckOptions& op
         result.messages.push_back(wrong_period());
         return result;
     }
-    Diagnostics told;
-    const auto judgement = judge(request_from(chart, options, period.value), told);
-    append(result.messages, told);
+    Diagnostics diagnostics;
+    const auto judgement = judge(request_from(chart, options, period.value), diagnostics);
+    append(result.messages, diagnostics);
     if (judgement) result.value = result_from(*judgement, chart, options);
     return result;
 }
@@ -88,11 +94,11 @@ Result<CheckResult> check(const Netlist& netlist, const CheckOptions& options) {
     if (options.period && !netlist.is_clocked()) {
         return {std::nullopt, {error(messages::library::period_without_clock())}};
     }
-    return checked(chart, options, {}, [&](CheckRequest request, Diagnostics& told) {
+    return checked(chart, options, {}, [&](CheckRequest request, Diagnostics& diagnostics) {
         request.subject.style = parts.style;
         request.subject.cdx = parts.cdx;
         request.subject.against = parts.source;
-        return check_netlist(chart, parts.netlist, request, told);
+        return check_netlist(chart, parts.netlist, request, diagnostics);
     });
 }
 
@@ -113,11 +119,12 @@ Result<CheckResult> check_listing(const Chart& chart, std::string listing, std::
         read_listing({"listing", std::move(listing)}, *controller, &*io, of_listing);
     append(messages, of_listing);
     if (!program) return {std::nullopt, std::move(messages)};
-    return checked(
-        read, options, std::move(messages), [&](CheckRequest request, Diagnostics& told) {
-            request.subject.against = "listing";
-            return grafwire::check_listing(read, *program, *controller, *binding, request, told);
-        });
+    return checked(read, options, std::move(messages),
+                   [&](CheckRequest request, Diagnostics& diagnostics) {
+                       request.subject.against = "listing";
+                       return grafwire::check_listing(read, *program, *controller, *binding,
+                                                      request, diagnostics);
+                   });
 }
 
 Result<CheckResult> check_ladder(const Chart& chart, std::string project,
@@ -128,9 +135,9 @@ Result<CheckResult> check_ladder(const Chart& chart, std::string project,
     std::vector<Message> messages = messages_from(diagnostics);
     if (!ladder) return {std::nullopt, std::move(messages)};
     return checked(read, options, std::move(messages),
-                   [&](CheckRequest request, Diagnostics& told) {
+                   [&](CheckRequest request, Diagnostics& diagnostics) {
                        request.subject.against = "project";
-                       return grafwire::check_ladder(read, *ladder, request, told);
+                       return grafwire::check_ladder(read, *ladder, request, diagnostics);
                    });
 }
 

@@ -1,3 +1,5 @@
+// A netlist is a handle: it keeps the chart that it is for, and what reports call it.
+
 #include "grafwire/netlist.h"
 
 #include <fmt/format.h>
@@ -32,6 +34,7 @@ Result<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options) 
     return result;
 }
 
+/// Ports that do not fit are an error where nothing can be compared, a warning elsewhere.
 Result<Netlist> read_netlist(const Chart& chart, std::string text, std::string_view format,
                              std::string name, bool starts_initially) {
     const NetlistFormat* row = netlist_format_named(format);

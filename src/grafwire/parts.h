@@ -7,7 +7,7 @@
 
 #include "grafwire/check.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 #include "text/time.h"
 #include "workflow/chart.h"
 #include "workflow/netlists.h"
@@ -29,6 +29,7 @@ struct Netlist::Parts {
     std::string source;  ///< what a netlist from elsewhere is called
 };
 
+/// The messages without their notes and source lines.
 std::vector<Message> messages_from(const Diagnostics& diagnostics);
 Message error(Localized text);
 
@@ -47,6 +48,7 @@ struct CheckedPeriod {
 CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period);
 Message wrong_period();
 
+/// Copies, for values that outlive the tables of the library.
 std::vector<std::string> strings(const std::vector<std::string_view>& names);
 
 }  // namespace grafwire::api

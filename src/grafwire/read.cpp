@@ -1,3 +1,6 @@
+// A chart is a handle to what the workflow has read. Messages lose their source lines on the way: a
+// program of others knows the text and can show them.
+
 #include "grafwire/read.h"
 
 #include <fmt/format.h>
@@ -50,6 +53,7 @@ Message error(Localized text) {
     return {Message::Severity::error, std::move(text.english), std::move(text.french), 0, 0};
 }
 
+/// Nanoseconds beyond the range of Time would become another period.
 CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period) {
     if (!period) return {};
     const std::int64_t count = period->count();

@@ -1,3 +1,5 @@
+// Runs of the reference and of a netlist. Time is in picoseconds inside, in nanoseconds outside.
+
 #include "grafwire/simulate.h"
 
 #include "grafwire/messages.h"
@@ -9,6 +11,7 @@ namespace grafwire::api {
 
 namespace {
 
+/// A moment of the run, outside.
 std::optional<std::chrono::nanoseconds> moment(std::optional<Time> time) {
     if (!time) return std::nullopt;
     return std::chrono::nanoseconds(*time / nanosecond);

@@ -1,3 +1,5 @@
+// Texts made of a chart or a netlist: equations, netlists, programs.
+
 #include "grafwire/write.h"
 
 #include <fmt/format.h>
@@ -43,6 +45,7 @@ std::vector<std::string> program_formats() {
 
 namespace {
 
+/// Names what there is.
 Message no_format(std::string_view name, const std::vector<std::string_view>& names) {
     return error(
         messages::library::unknown_format(name, fmt::format("{}", fmt::join(names, ", "))));

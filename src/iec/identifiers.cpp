@@ -1,24 +1,62 @@
+// Names of a chart that are identifiers already keep their spelling, whatever the order of the
+// names: an engineer finds `dcy` in the program as `dcy`, even where another name of the chart,
+// such as `dçy`, would become the same. So there are two passes over a group of names, and only the
+// second makes up new ones.
+
 #include "iec/identifiers.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire::iec {
 
+namespace {
+
+// In the order of bytes, for binary search.
+// clang-format off
+constexpr std::string_view keywords[] = {
+    "abs", "acos", "action", "add", "and", "andn", "any", "any_bit", "any_date", "any_derived",
+    "any_elementary", "any_int", "any_magnitude", "any_num", "any_real", "any_string", "array",
+    "asin", "at", "atan", "bool", "by", "byte", "cal", "calc", "calcn", "case", "cd", "cdt", "clk",
+    "concat", "configuration", "constant", "continue", "cos", "ctd", "ctu", "ctud", "cu", "cv",
+    "date", "date_and_time", "delete", "dint", "div", "do", "ds", "dt", "dword", "else", "elsif",
+    "en", "end_action", "end_case", "end_configuration", "end_for", "end_function",
+    "end_function_block", "end_if", "end_program", "end_repeat", "end_resource", "end_step",
+    "end_struct", "end_transition", "end_type", "end_var", "end_while", "eno", "eq", "et", "exit",
+    "exp", "expt", "f_edge", "f_trig", "false", "find", "for", "from", "function",
+    "function_block", "ge", "gt", "if", "in", "initial_step", "insert", "int", "interval", "jmp",
+    "jmpc", "jmpcn", "ld", "ldate", "ldn", "ldt", "le", "left", "len", "limit", "lint", "ln",
+    "log", "lreal", "lt", "ltime", "ltod", "lword", "max", "mid", "min", "mod", "move", "mul",
+    "mux", "n", "namespace", "ne", "non_retain", "not", "of", "on", "or", "orn", "overlap",
+    "override", "pointer", "priority", "program", "pt", "pv", "q", "q1", "qd", "qu", "r", "r1",
+    "r_edge", "r_trig", "read_only", "read_write", "real", "ref", "ref_to", "repeat", "replace",
+    "resource", "ret", "retain", "retc", "retcn", "return", "right", "rol", "ror", "rs", "rtc",
+    "s", "s1", "sd", "sel", "sema", "shl", "shr", "sin", "single", "sint", "sqrt", "sr", "st",
+    "step", "stn", "string", "struct", "sub", "super", "tan", "task", "then", "this", "time",
+    "time_of_day", "to", "tod", "tof", "ton", "tp", "transition", "true", "trunc", "type", "udint",
+    "uint", "ulint", "until", "using", "usint", "var", "var_access", "var_config", "var_external",
+    "var_global", "var_in_out", "var_input", "var_output", "var_temp", "while", "with", "word",
+    "wstring", "xor", "xorn"
+};
+// clang-format on
+
+}  // namespace
+
+bool is_keyword(std::string_view word) {
+    return std::binary_search(std::begin(keywords), std::end(keywords), word);
+}
+
 std::string capitals(std::string_view name) {
     std::string result(name);
-    for (char& c : result) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
+    for (char& c : result) c = upper_case(c);
     return result;
 }
 
 std::string small_letters(std::string_view name) {
     std::string result(name);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    for (char& c : result) c = lower_case(c);
     return result;
 }
 

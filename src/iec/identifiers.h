@@ -4,10 +4,22 @@
 #include <string_view>
 #include <vector>
 
-#include "iec/keywords.h"
 #include "text/safe_names.h"
 
 namespace grafwire::iec {
+
+/// Whether a word, in lower case, is reserved in IEC 61131-3 (2nd edition, annex C, and what the
+/// 3rd adds): keywords, types, operators of both textual languages, standard functions and function
+/// blocks, and their parameters.
+bool is_keyword(std::string_view word);
+
+/// Whether a text is an identifier as it stands: ASCII letters, digits and single underscores, none
+/// of them at the end, no digit in front, no keyword.
+bool is_identifier(std::string_view name);
+
+/// In capitals, as identifiers are compared; the other in small letters, as keywords are listed.
+std::string capitals(std::string_view name);
+std::string small_letters(std::string_view name);
 
 /// Makes names into identifiers of IEC 61131-3 (section 2.1.2: ASCII letters, digits, single
 /// underscores, no case, no keywords), one-to-one and readable: `V+` becomes V_plus, `↑dcy`
@@ -21,10 +33,5 @@ class Identifiers {
   private:
     SafeNames names_{false, is_keyword};
 };
-
-bool is_identifier(std::string_view name);
-/// In capitals, as identifiers are compared; the other in small letters, as keywords are listed.
-std::string capitals(std::string_view name);
-std::string small_letters(std::string_view name);
 
 }  // namespace grafwire::iec

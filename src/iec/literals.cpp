@@ -1,9 +1,14 @@
+// Literals of time and of whole numbers (IEC 61131-3, sections 2.2.1 and 2.2.3). A duration is read
+// part by part, `1m` and `30s` of `T#1m30s`, with the reader of the other languages: the units
+// differ only in `m` for the minute, which is `min` there, and in `d` for the day, which is 24
+// hours. Nothing is rounded, and what does not fit into 64 bits is refused.
+
 #include "iec/literals.h"
 
 #include <charconv>
 
 #include "iec/identifiers.h"
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire::iec {
 
@@ -68,6 +73,7 @@ std::optional<std::int64_t> parse_number_literal(std::string_view text) {
     std::string number = capitals(without_underscores(text));
     if (number == "TRUE") return 1;
     if (number == "FALSE") return 0;
+    // Prefixes are types or bases: `INT#16#FF`.
     int base = 10;
     for (std::size_t mark = number.find('#'); mark != std::string::npos; mark = number.find('#')) {
         const std::string prefix = number.substr(0, mark);

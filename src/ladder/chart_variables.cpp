@@ -26,7 +26,7 @@ ChartVariables::ChartVariables(const Grafcet& grafcet, const ScanProgram& progra
 void ChartVariables::declare_bits(BitKind kind, std::size_t count, Role role) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const Bit bit{kind, i};
-        bits_[bit] = declare(name_of(bit), Type::bit, role, "");
+        bits_[bit] = declare(name_of(bit), Type::bit, role, {});
     }
 }
 
@@ -43,8 +43,9 @@ void ChartVariables::declare_counters() {
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         const Counter& counter = grafcet_.counters[CounterId{c}];
         widen(counter.low, counter.high);
-        integers_[{false, c}] = declare(counter.name, Type::integer, Role::memory,
-                                        fmt::format("{}..{}", counter.low, counter.high));
+        integers_[{false, c}] =
+            declare(counter.name, Type::integer, Role::memory,
+                    Localized::same_in_both(fmt::format("{}..{}", counter.low, counter.high)));
     }
 }
 
@@ -112,7 +113,7 @@ VariableId ChartVariables::operator[](IntegerCell cell) {
 }
 
 VariableId ChartVariables::new_instance(BlockType type, std::string_view wish) {
-    const VariableId id = declare(wish, Type::block, Role::memory, "");
+    const VariableId id = declare(wish, Type::block, Role::memory, {});
     ladder_.variables.back().block = type;
     return id;
 }

@@ -26,7 +26,7 @@ class ChartVariables {
     VariableId operator[](IntegerCell cell);
     /// A bit that holds a part of a condition until the end of the scan.
     Bit new_work_bit() { return {BitKind::auxiliary, work_bits_++}; }
-    VariableId new_integer() { return declare("sum", Type::integer, Role::memory, ""); }
+    VariableId new_integer() { return declare("sum", Type::integer, Role::memory, {}); }
     VariableId new_instance(BlockType type, std::string_view wish);
     /// A variable of that name, or of the name with the next number where that is taken.
     VariableId declare(std::string_view wish, Type type, Role role, const Localized& comment);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "grafcet/expression.h"
-#include "text/language.h"
-#include "text/location.h"
+#include "text/message.h"
+#include "text/source.h"
 #include "text/time.h"
 
 namespace grafwire::ladder {

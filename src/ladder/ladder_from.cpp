@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "ladder/ladder_build.h"
 #include "ladder/messages.h"
 

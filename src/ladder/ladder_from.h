@@ -3,7 +3,7 @@
 #include "ladder/ladder.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::ladder {
 

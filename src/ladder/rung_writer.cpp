@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "ladder/messages.h"
 #include "program/messages.h"
 

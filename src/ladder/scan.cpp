@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 
 namespace grafwire::ladder {
 

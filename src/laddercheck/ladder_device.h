@@ -9,7 +9,7 @@
 #include "check/witness.h"
 #include "ladder/ladder.h"
 #include "ladder/machine.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -8,8 +8,8 @@
 
 #include "logic/logic.h"
 #include "netlist/cell_types.h"
-#include "text/language.h"
-#include "text/location.h"
+#include "text/message.h"
+#include "text/source.h"
 #include "text/table.h"
 #include "text/time.h"
 

@@ -8,6 +8,7 @@
 #include "plc/shared/plc_options.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -17,7 +18,7 @@ namespace grafwire {
 struct PlcFormat {
     std::string_view name;
     std::string_view extension;
-    std::string_view description;
+    Message<> description;  ///< for `--help`
     std::string (*write)(const Grafcet& grafcet, const ScanProgram& program,
                          const PlcOptions& options, Diagnostics& diagnostics);
     /// The options that it uses, as they are called on the command line: `--io --mnemonics`.

@@ -5,6 +5,7 @@
 #include "iec/identifiers.h"
 #include "iec/literals.h"
 #include "plcopen/messages.h"
+#include "text/nearest_name.h"
 #include "text/utf8.h"
 
 namespace grafwire::plcopen {

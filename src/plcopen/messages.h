@@ -16,7 +16,10 @@ inline constexpr Code bad_ladder{"bad-ladder"};
 namespace messages::plcopen {
 
 // The project.
-inline constexpr Message<std::string_view> no_xml{"this is no XML: {}", "ce n'est pas du XML : {}"};
+/// Why is quoted from the XML reader, which speaks English.
+inline constexpr Message<std::string_view> no_xml{
+    "this is no XML: the XML reader says \"{}\"",
+    "ce n'est pas du XML : l'analyseur XML dit « {} »"};
 inline constexpr Message<> no_project{
     "this is no PLCopen project: its outermost element is not <project>",
     "ce n'est pas un projet PLCopen : son élément racine n'est pas <project>"};

@@ -4,7 +4,7 @@
 
 #include "grafcet/grafcet.h"
 #include "ladder/ladder.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::plcopen {
 

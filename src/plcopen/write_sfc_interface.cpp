@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "plcopen/bodies.h"
 #include "plcopen/messages.h"

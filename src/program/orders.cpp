@@ -71,7 +71,7 @@ void add_forcing(const Grafcet& grafcet, SectionWriter& section) {
         section.set(std::move(forced), bit_condition(step_bit(BitKind::step, giver)),
                     say::forcing_orders(quoted_where_needed(step.name)), step.where);
     }
-    if (any) section.table(TableOperation::force, "Ts = Ts . /Tf0 + Tf1");
+    if (any) section.table(TableOperation::force, Localized::same_in_both("Ts = Ts . /Tf0 + Tf1"));
 }
 
 void add_enclosures(const Grafcet& grafcet, const ChartConditions& conditions,
@@ -109,7 +109,7 @@ void add_orders(const Grafcet& grafcet, const ChartConditions& conditions, ScanP
     std::vector<Bit> all;
     for (std::uint32_t s = 0; s < grafcet.steps.size(); ++s) all.push_back({BitKind::step, s});
     section.reset(std::move(all), conditions.control(ControlInput::au_dur), say::au_dur_resets());
-    section.table(TableOperation::pulse, "Tpulse = Ts . /Tp");
+    section.table(TableOperation::pulse, Localized::same_in_both("Tpulse = Ts . /Tp"));
 }
 
 }  // namespace grafwire

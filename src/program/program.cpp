@@ -143,7 +143,8 @@ void ProgramBuild::make_start() {
     for (std::uint32_t c = 0; c < grafcet_.counters.size(); ++c) {
         const Counter& counter = grafcet_.counters[CounterId{c}];
         Statement& statement =
-            section.add(Statement::Kind::move, quoted_where_needed(counter.name), counter.where);
+            section.add(Statement::Kind::move,
+                        Localized::same_in_both(quoted_where_needed(counter.name)), counter.where);
         statement.condition = constant_condition(true);
         statement.integer = {false, c};
         const bool negative = counter.low < 0;
@@ -161,8 +162,8 @@ void ProgramBuild::make_start() {
 
 void ProgramBuild::make_begin() {
     SectionWriter section(program_, SectionKind::begin);
-    section.table(TableOperation::remember, "Tp = Ts");
-    section.table(TableOperation::clear, "Ta = Td = Tf1 = Tf0 = 0");
+    section.table(TableOperation::remember, Localized::same_in_both("Tp = Ts"));
+    section.table(TableOperation::clear, Localized::same_in_both("Ta = Td = Tf1 = Tf0 = 0"));
 }
 
 /// SBR 2, inner edges first: `LDN memory U e = edge, LD e = memory` in the words of the method.
@@ -178,7 +179,8 @@ void ProgramBuild::make_edges() {
         std::vector<Condition> both;
         both.push_back(rising ? operand : not_condition(operand));
         both.push_back(rising ? not_condition(memory) : memory);
-        section.assign({BitKind::edge, i}, and_condition(std::move(both)), text);
+        section.assign({BitKind::edge, i}, and_condition(std::move(both)),
+                       Localized::same_in_both(text));
         section.assign({BitKind::edge_memory, i}, operand, say::memory_of_edge(text));
     }
 }
@@ -193,8 +195,9 @@ void ProgramBuild::make_conditions() {
         parts.push_back(bit_condition(
             {BitKind::may_evolve, static_cast<std::uint32_t>(index_of(transition.graph))}));
         section.assign({BitKind::transition, t}, and_condition(std::move(parts)),
-                       transition_text(grafcet_, id) + " : " +
-                           write_expression(grafcet_, grafcet_.expressions, transition.condition),
+                       Localized::same_in_both(
+                           transition_text(grafcet_, id) + " : " +
+                           write_expression(grafcet_, grafcet_.expressions, transition.condition)),
                        transition.where);
     }
 }
@@ -217,9 +220,9 @@ void ProgramBuild::make_evolution() {
             targets.push_back(step_bit(BitKind::deactivate, step));
         }
         section.set(std::move(targets), and_condition(std::move(parts)),
-                    transition_text(grafcet_, id), transition.where);
+                    Localized::same_in_both(transition_text(grafcet_, id)), transition.where);
     }
-    section.table(TableOperation::evolve, "Ts = Tp . /Td + Ta");
+    section.table(TableOperation::evolve, Localized::same_in_both("Ts = Tp . /Td + Ta"));
     std::vector<Bit> initial;
     std::vector<Bit> others;
     for (std::uint32_t s = 0; s < grafcet_.steps.size(); ++s) {
@@ -236,8 +239,8 @@ void ProgramBuild::make_times() {
     for (std::uint32_t i = 0; i < pool.time_conditions().size(); ++i) {
         const ExprId id = pool.time_conditions()[i];
         const TimeCondition& condition = pool.time_condition_of(id);
-        Statement& statement =
-            section.add(Statement::Kind::time, write_expression(grafcet_, pool, id));
+        Statement& statement = section.add(
+            Statement::Kind::time, Localized::same_in_both(write_expression(grafcet_, pool, id)));
         statement.targets = {{BitKind::time_value, i}};
         statement.condition = conditions_.of(condition.operand);
         statement.on_delay = condition.on_delay;
@@ -264,7 +267,7 @@ void ProgramBuild::make_outputs() {
         gated.push_back(or_condition(std::move(causes)));
         gated.push_back(conditions_.not_control(ControlInput::au_doux));
         section.assign({BitKind::output, o}, and_condition(std::move(gated)),
-                       quoted_where_needed(output.name), output.where);
+                       Localized::same_in_both(quoted_where_needed(output.name)), output.where);
     }
     for (std::uint32_t g = 0; g < grafcet_.graphs.size(); ++g) {
         std::vector<Condition> freezing;

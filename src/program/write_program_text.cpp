@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 #include "program/bit_names.h"
 
 namespace grafwire {

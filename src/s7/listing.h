@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "s7/addresses/operand.h"
-#include "text/location.h"
+#include "text/source.h"
 
 namespace grafwire::s7 {
 

@@ -3,6 +3,7 @@
 #include "s7/addresses/operand_text.h"
 #include "s7/instruction_set.h"
 #include "s7/messages.h"
+#include "text/nearest_name.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "s7/addresses/io_assignment.h"
-#include "text/location.h"
 #include "text/message.h"
+#include "text/source.h"
 
 namespace grafwire::s7 {
 

@@ -9,7 +9,7 @@
 #include "grafcet/grafcet.h"
 #include "s7/listing.h"
 #include "s7check/fault_localization.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sfc/structured_text.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::sfc {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 
 namespace grafwire::sfc {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "sfc/structured_text.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::sfc {
 

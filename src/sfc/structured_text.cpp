@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 
 namespace grafwire::sfc {
 

@@ -4,17 +4,12 @@
 #include <string_view>
 #include <vector>
 
-#include "text/location.h"
 #include "text/message.h"
+#include "text/source.h"
 
 namespace grafwire {
 
-/// The text of one input, with the name to show in messages ("-" is shown as "<stdin>").
-struct SourceFile {
-    std::string name;
-    std::string text;
-};
-
+/// An error keeps the text from becoming what it should be; a warning does not.
 enum class Severity { warning, error };
 
 /// What a diagnostic is about; tests and tools match on this, never on the wording. Each folder
@@ -78,14 +73,5 @@ class Diagnostics {
 /// are shown, followed by counts of the rest; 0 shows all.
 std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile& source,
                                Language language = Language::english, std::size_t limit = 0);
-
-/// The declared name nearest to a mistyped one, or empty where none is near enough to suggest: a
-/// third of its characters may differ, or one of two. Of equally near names the first is taken.
-std::string_view nearest_name(std::string_view mistyped,
-                              const std::vector<std::string_view>& names);
-
-/// Reports (as code::not_utf8, with its place) the first byte at which `text` is not UTF-8.
-/// Returns whether the text is well-formed.
-bool check_utf8(std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace grafwire

@@ -1,3 +1,5 @@
+// Sentences are made in both languages at once (see message.h); here is what is not a template.
+
 #include "text/message.h"
 
 #include "text/messages.h"
@@ -11,9 +13,10 @@ namespace grafwire {
 Localized::Localized(std::string in_english, std::string in_french)
     : english(std::move(in_english)), french(std::move(in_french)) {}
 
-Localized::Localized(std::string in_both) : english(in_both), french(std::move(in_both)) {}
-
-Localized::Localized(const char* in_both) : english(in_both), french(in_both) {}
+Localized Localized::same_in_both(std::string text) {
+    std::string french = text;
+    return {std::move(text), std::move(french)};
+}
 
 Localized quoted(std::string_view name) {
     return messages::text::quoted_name(shortened(name));

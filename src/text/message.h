@@ -13,20 +13,22 @@
 #include <utility>
 #include <vector>
 
-#include "text/language.h"
-
 namespace grafwire {
 
-/// A finished sentence, in both languages.
+/// The language of reports and pictures. Machine formats do not depend on it.
+enum class Language { english, french };
+
+/// A finished sentence, in both languages. No text becomes one by itself: whoever has a text in one
+/// language only has to say why that is enough.
 struct Localized {
     std::string english;
     std::string french;
 
     Localized() = default;
     Localized(std::string in_english, std::string in_french);
-    /// What is the same in both: a name, a number, a formula.
-    Localized(std::string in_both);
-    Localized(const char* in_both);
+    /// What is the same in both: a name, a number, a formula, or words quoted from another program,
+    /// which speaks one language only.
+    static Localized same_in_both(std::string text);
 
     const std::string& in(Language language) const {
         return language == Language::french ? french : english;

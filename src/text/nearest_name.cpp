@@ -3,10 +3,11 @@
 // the restricted form of Damerau's distance). Three rows of the usual table are kept; a candidate
 // whose length alone puts it out of reach is never compared.
 
+#include "text/nearest_name.h"
+
 #include <algorithm>
 #include <string>
 
-#include "text/diagnostics.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -23,6 +24,8 @@ std::u32string code_points_of(std::string_view text) {
     return result;
 }
 
+/// Row i of the table holds the distances of the first i characters of `a` to the beginnings of
+/// `b`.
 std::size_t edit_distance(const std::u32string& a, const std::u32string& b) {
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> above(b.size() + 1);
@@ -56,6 +59,7 @@ std::string_view nearest_name(std::string_view mistyped,
         if (length > wanted.size() + allowed || length + allowed < wanted.size()) continue;
         const std::size_t distance = edit_distance(wanted, code_points_of(name));
         if (distance > allowed) continue;
+        // From here on only a nearer one counts, which also ends most comparisons by the length.
         nearest = name;
         if (distance == 0) break;
         allowed = distance - 1;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "text/characters.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -29,6 +28,7 @@ constexpr Spelling spellings[] = {
     {"U", "ÙÚÛÜ"},   {"Y", "ÝŸ"},      {"y", "ýÿ"},     {"ss", "ß"},
 };
 
+/// How a character is written; an underscore for other signs of ASCII.
 std::string spelling_of(CodePoint point, std::string_view bytes) {
     if (point.value < 0x80 && (is_ascii_letter(static_cast<char>(point.value)) ||
                                is_digit(static_cast<char>(point.value)))) {
@@ -53,6 +53,8 @@ std::string ascii_word(std::string_view name) {
         written += spelling_of(point, name.substr(at, length));
         at += length;
     }
+    // Underscores stand between words only, and a digit does not begin one: `_plus_` of `V+` leaves
+    // `V_plus`, `5s` becomes `n5s`.
     std::string word;
     for (const char c : written) {
         if (c == '_' && (word.empty() || word.back() == '_')) continue;
@@ -65,9 +67,7 @@ std::string ascii_word(std::string_view name) {
 
 std::string SafeNames::folded(std::string name) const {
     if (case_matters_) return name;
-    for (char& c : name) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    for (char& c : name) c = lower_case(c);
     return name;
 }
 

@@ -27,7 +27,7 @@ class SafeNames {
     /// The same for what is a word of the language already.
     std::string claim_word(std::string word);
     /// Takes a name, which must be a word of the language, as it is; false where it is reserved or
-    /// somebody has it.
+    /// taken already.
     bool keep(const std::string& name);
 
   private:

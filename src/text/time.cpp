@@ -9,7 +9,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -36,7 +36,7 @@ std::string_view take_digits(std::string_view& text) {
     return digits;
 }
 
-// The value of digits times `unit`, empty where it exceeds the range.
+/// The value of digits times `unit`, empty where it exceeds the range.
 std::optional<Time> whole_part(std::string_view digits, Time unit) {
     const Time largest = (never - 1) / unit;
     Time value = 0;
@@ -47,7 +47,7 @@ std::optional<Time> whole_part(std::string_view digits, Time unit) {
     return value * unit;
 }
 
-// 0.digits times `unit`, empty where that is no whole number of picoseconds.
+/// 0.digits times `unit`, empty where that is no whole number of picoseconds.
 std::optional<Time> fraction_part(std::string_view digits, Time unit) {
     while (!digits.empty() && digits.back() == '0') digits.remove_suffix(1);
     constexpr std::size_t most_digits = 18;  // 3.6e15 ps an hour: exact fractions have 16 at most
@@ -64,7 +64,7 @@ std::optional<Time> fraction_part(std::string_view digits, Time unit) {
     return numerator / divisor * (unit / common);
 }
 
-// `amount` in units of `unit`, a power of ten, without trailing zeros.
+/// `amount` in units of `unit`, a power of ten, without trailing zeros.
 std::string decimal(Time amount, Time unit) {
     std::string text = fmt::format("{}", amount / unit);
     Time rest = amount % unit;

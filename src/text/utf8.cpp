@@ -1,3 +1,8 @@
+// Decodes UTF-8 as the Unicode standard defines it (table 3-7): overlong forms, surrogates and
+// values beyond U+10FFFF are not well-formed, since a check passed by one spelling of a character
+// could be got round by another. Texts are mostly ASCII, and files may be large, so check_utf8
+// passes over ASCII eight bytes at a time.
+
 #include "text/utf8.h"
 
 #include <algorithm>
@@ -11,13 +16,11 @@ namespace grafwire {
 
 namespace {
 
-bool is_continuation(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-}
-
-// The smallest code point that may be written with so many bytes: shorter ones are overlong.
+/// The smallest code point that may be written with so many bytes: shorter ones are overlong.
 constexpr char32_t smallest_of_length[] = {0, 0, 0x80, 0x800, 0x10000};
 
+/// How many bytes the character has that begins with this one; 0 where none does. (C0 and C1 would
+/// begin overlong forms, F5 and above values that are no characters.)
 std::uint32_t length_from_lead(unsigned char lead) {
     if (lead < 0x80) return 1;
     if (lead >= 0xc2 && lead < 0xe0) return 2;
@@ -26,7 +29,7 @@ std::uint32_t length_from_lead(unsigned char lead) {
     return 0;
 }
 
-// The number of leading ASCII bytes, eight at a time.
+/// The number of leading ASCII bytes, eight at a time.
 std::size_t ascii_prefix(std::string_view text, std::size_t at) {
     constexpr std::uint64_t high_bits = 0x8080808080808080U;
     std::size_t end = at;
@@ -50,7 +53,7 @@ CodePoint decode_utf8(std::string_view text, std::size_t at) {
     if (length == 0 || at + length > text.size()) return {lead, 0};
     auto value = static_cast<char32_t>(lead & (0x7fU >> length));
     for (std::uint32_t i = 1; i < length; ++i) {
-        if (!is_continuation(text[at + i])) return {lead, 0};
+        if (begins_character(text[at + i])) return {lead, 0};
         value = (value << 6U) | (static_cast<unsigned char>(text[at + i]) & 0x3fU);
     }
     const bool is_surrogate = value >= 0xd800 && value <= 0xdfff;
@@ -60,7 +63,7 @@ CodePoint decode_utf8(std::string_view text, std::size_t at) {
 
 std::size_t count_code_points(std::string_view text) {
     std::size_t count = 0;
-    for (const char byte : text) count += is_continuation(byte) ? 0U : 1U;
+    for (const char byte : text) count += begins_character(byte) ? 1U : 0U;
     return count;
 }
 
@@ -104,7 +107,7 @@ Localized control_in_name_message(std::string_view name) {
 std::string shortened(std::string_view text, std::size_t most) {
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
-        if (is_continuation(text[at]) || ++count <= most) continue;
+        if (!begins_character(text[at]) || ++count <= most) continue;
         return std::string(text.substr(0, at)) + "…";
     }
     return std::string(text);
@@ -123,6 +126,7 @@ bool check_utf8(std::string_view text, Diagnostics& diagnostics) {
             at += code_point.length;
             continue;
         }
+        // Lines are counted only now that a place is needed.
         for (std::size_t i = counted_from; i < at; ++i) {
             if (text[i] != '\n') continue;
             ++line;

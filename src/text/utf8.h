@@ -9,10 +9,33 @@
 
 namespace grafwire {
 
+class Diagnostics;
+
+/// The classes of characters that names and numbers are made of, in ASCII, whatever the locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+constexpr bool is_ascii_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+/// Letters of ASCII in the other case; all other characters as they are.
+constexpr char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+constexpr char upper_case(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+/// A character of Unicode, and how many bytes of the text it takes.
 struct CodePoint {
     char32_t value = 0;
     std::uint32_t length = 0;  ///< in bytes
 };
+
+/// Whether a byte of well-formed UTF-8 begins a character, rather than going on with one.
+constexpr bool begins_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+}
 
 /// The code point that begins at byte `at`, which must lie within the text. A byte that is not part
 /// of well-formed UTF-8 gives a length of 0 and its own value.
@@ -20,6 +43,11 @@ CodePoint decode_utf8(std::string_view text, std::size_t at);
 
 /// The number of code points in well-formed text (elsewhere: of bytes that begin one).
 std::size_t count_code_points(std::string_view text);
+
+/// Reports (as code::not_utf8, with its place) the first byte at which `text` is not UTF-8.
+/// Returns whether the text is well-formed. The readers of all texts begin with it, so that none of
+/// them meets a stray byte.
+bool check_utf8(std::string_view text, Diagnostics& diagnostics);
 
 /// The bytes of a byte-order mark at the beginning of the text: 0 or 3.
 std::size_t byte_order_mark_size(std::string_view text);

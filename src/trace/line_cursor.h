@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "text/location.h"
+#include "text/source.h"
 
 namespace grafwire {
 

@@ -17,6 +17,7 @@
 
 #include "grafcet/lexer.h"
 #include "text/messages.h"
+#include "text/nearest_name.h"
 #include "text/utf8.h"
 #include "trace/line_cursor.h"
 #include "trace/messages.h"

@@ -22,7 +22,7 @@ struct Stimuli {
     struct Change {
         Time at = 0;
         std::vector<Assignment> assignments;  ///< may be empty
-        Location where;
+        Location where{};
     };
     std::vector<Change> changes;  ///< strictly in the order of time
     Time end = 0;                 ///< the last instant, with a row of its own

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "text/csv.h"
+#include "text/escape.h"
 
 namespace grafwire {
 

@@ -1,3 +1,5 @@
+// A chart is what every use case begins with.
+
 #include "workflow/chart.h"
 
 #include "equations/wiring_hazards.h"

@@ -14,7 +14,7 @@
 #include "s7/machine/binding.h"
 #include "text/diagnostics.h"
 #include "text/keep_going.h"
-#include "text/language.h"
+#include "text/message.h"
 #include "text/time.h"
 #include "workflow/chart.h"
 #include "workflow/programs.h"

@@ -1,3 +1,6 @@
+// A netlist is made of a chart, or read and made to fit one, and written with what a simulator
+// needs beside it: the stimuli as a bench, and what the reference gives under them.
+
 #include "workflow/netlists.h"
 
 #include <unordered_map>

@@ -1,3 +1,5 @@
+// Programs and their addresses. Users name controllers by number, the tables by their full names.
+
 #include "workflow/programs.h"
 
 #include "program/program.h"

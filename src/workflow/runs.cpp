@@ -1,3 +1,6 @@
+// Runs over stimuli, and what users must be told about them: which cells keep changing, which
+// assumption the stimuli break, which inputs a listing does not have.
+
 #include "workflow/runs.h"
 
 #include <fmt/format.h>

@@ -37,6 +37,17 @@ TEST_CASE("help tells what there is, and shows an example of every command") {
     CHECK(contains(help.out, "Exit status: 0 "));
 }
 
+TEST_CASE("help describes styles, formats and languages, in English and in French") {
+    const std::string netlist = grafwire_with({"netlist", "--help"}).out;
+    CHECK(contains(netlist, " nand: set-priority latches of NAND gates\n"));
+    CHECK(contains(netlist, " output format\n"));
+    CHECK(contains(netlist, " verilog: structural Verilog (IEEE 1364-2005)\n"));
+    CHECK(contains(grafwire_with({"plc", "--help"}).out, " c: C99, and C++\n"));
+    const std::string french = grafwire_with({"netlist", "--help", "--lang", "fr"}).out;
+    CHECK(contains(french, " verilog\u00a0: Verilog structurel (IEEE 1364-2005)\n"));
+    CHECK(contains(french, " nand\u00a0: bascules de portes NON-ET, priorité à l'activation\n"));
+}
+
 TEST_CASE("the example that help shows can be run as it stands") {
     for (const std::string& command : commands) {
         const std::string help = grafwire_with({command, "--help"}).out;

@@ -266,7 +266,7 @@ Table de vérité et tableau de Karnaugh de X0
 
   X0 = CAX0 + /CDX0.X0
 
-Formes réduites :
+Formes réduites :
   CDX0 = X0.m
   X0 = X1.b + /m.X0
 
@@ -291,7 +291,7 @@ Table de vérité et tableau de Karnaugh de X1
 
   X1 = CAX1 + /CDX1.X1
 
-Formes réduites :
+Formes réduites :
   CAX1 = X0.m
   X1 = X0.m + /b.X1
 )report");

@@ -5,7 +5,7 @@
 #include "check/check_result.h"
 #include "explain/explain.h"
 #include "support/small_netlists.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::testing {
 

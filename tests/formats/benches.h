@@ -11,9 +11,9 @@ namespace grafwire::testing {
 constexpr Time ms = millisecond;
 
 /// A bench that changes inputs and reads the outputs, without more.
-inline Bench bench_of(std::vector<Bench::Change> changes, std::vector<Time> instants) {
+inline Bench bench_of(std::vector<Stimuli::Change> changes, std::vector<Time> instants) {
     Bench bench;
-    bench.changes = std::move(changes);
+    bench.stimuli.changes = std::move(changes);
     bench.instants = std::move(instants);
     return bench;
 }

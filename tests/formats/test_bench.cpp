@@ -14,7 +14,7 @@ std::string described(const Netlist& netlist, const std::vector<BenchEvent>& eve
     std::string text;
     for (const BenchEvent& event : events) {
         text += format_duration(event.at);
-        for (const Bench::Assignment& item : event.assignments) {
+        for (const Stimuli::Assignment& item : event.assignments) {
             text += ' ' + netlist.inputs[item.input].name + (item.value ? "=1" : "=0");
         }
         if (event.row != BenchEvent::no_row) text += " row " + std::to_string(event.row);
@@ -28,7 +28,7 @@ std::string described(const Netlist& netlist, const std::vector<BenchEvent>& eve
 TEST_CASE("a bench starts with Init, and only changes are events") {
     const Netlist netlist = nand_sequencer();  // a, b, c, Init
     Bench bench;
-    bench.changes = {
+    bench.stimuli.changes = {
         {0, {{0, true}, {0, true}}}, {10 * ms, {{0, true}, {1, true}}}, {15 * ms, {{1, false}}}};
     bench.instants = {0, 10 * ms, 20 * ms};
     CHECK(starting_inputs(netlist, bench) == std::vector<bool>{true, false, false, true});
@@ -39,7 +39,7 @@ TEST_CASE("a bench starts with Init, and only changes are events") {
 TEST_CASE("Init may stay, and the first instant may come late") {
     const Netlist netlist = nand_sequencer();
     Bench bench;
-    bench.changes = {{0, {{3, true}}}, {5 * ms, {{3, false}}}};
+    bench.stimuli.changes = {{0, {{3, true}}}, {5 * ms, {{3, false}}}};
     bench.instants = {3 * ms};
     CHECK(described(netlist, bench_events(netlist, bench)) == "0s\n3ms row 0\n");
 }

@@ -3,6 +3,7 @@
 #include "formats/netlist_formats.h"
 #include "formats/sample_netlists.h"
 #include "support/reviewed_file.h"
+#include "text/nearest_name.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;
@@ -28,7 +29,8 @@ TEST_CASE("the table of formats") {
     for (const NetlistFormat& format : netlist_formats()) {
         CHECK(netlist_format_named(format.name) == &format);
         CHECK(format.extension.starts_with('.'));
-        CHECK_FALSE(format.description.empty());
+        CHECK_FALSE(format.description().english.empty());
+        CHECK(format.description().french != format.description().english);
     }
 }
 
@@ -57,7 +59,7 @@ TEST_CASE("samples in every format") {
 TEST_CASE("the stimuli and the scan period are heeded where the row says so") {
     const Netlist netlist = clocked_sample();
     WriteOptions with_bench;
-    with_bench.bench.changes = {{0, {{0, true}}}};
+    with_bench.bench.stimuli.changes = {{0, {{0, true}}}};
     for (const NetlistFormat& format : netlist_formats()) {
         CAPTURE(format.name);
         const std::string plain = write_netlist(format, netlist);

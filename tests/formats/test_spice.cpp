@@ -5,7 +5,7 @@
 #include "formats/benches.h"
 #include "formats/netlist_formats.h"
 #include "formats/sample_netlists.h"
-#include "formats/spice/spice_elements.h"
+#include "formats/spice/spice_cells.h"
 #include "support/tool_runner.h"
 
 using namespace grafwire;
@@ -119,7 +119,7 @@ TEST_CASE("gates of more inputs than one list holds, and more outputs than one t
     maker.cell(CellType::xor_gate, "odd", pins);
     for (const std::string& pin : pins)
         maker.output("/" + pin).cell(CellType::inverter, "/" + pin, {pin});
-    std::vector<Bench::Assignment> all;
+    std::vector<Stimuli::Assignment> all;
     for (std::uint32_t i = 0; i < 120; ++i) all.push_back({i, true});
     const Rows rows =
         sampled(maker.make(), bench_of({{ms, {{7, true}}}, {2 * ms, all}}, {0, ms, 2 * ms}));

@@ -94,7 +94,7 @@ TEST_CASE("latch, pulse and timer cells in Icarus Verilog") {
 }
 
 TEST_CASE("gates in Icarus Verilog") {
-    std::vector<Bench::Change> changes;
+    std::vector<Stimuli::Change> changes;
     std::vector<Time> instants;
     for (std::uint32_t i = 0; i < 8; ++i) {
         changes.push_back({i * ms, {{0, (i & 4U) != 0}, {1, (i & 2U) != 0}, {2, (i & 1U) != 0}}});
@@ -265,7 +265,7 @@ TEST_CASE("a large netlist is cut into blocks and does the same") {
     CHECK(text.find("\nmodule ring$block3 (") != std::string::npos);
     CHECK(text.find("\nmodule ring$block4 (") == std::string::npos);
     // The token goes on at every change: a and b in turn.
-    std::vector<Bench::Change> changes;
+    std::vector<Stimuli::Change> changes;
     std::vector<Time> instants{0};
     for (std::uint32_t i = 1; i <= 449; ++i) {
         const bool a = i % 2 == 1;

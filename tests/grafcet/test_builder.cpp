@@ -362,7 +362,7 @@ TEST_CASE("what a reader has refused itself is not refused again") {
 
 TEST_CASE("errors from before the builder are none of its own") {
     Diagnostics diagnostics;
-    diagnostics.error(code::unreadable_file, {}, "another file");
+    diagnostics.error(code::unreadable_file, {}, {"another file", "un autre fichier"});
     GrafcetBuilder builder(diagnostics);
     builder.add_step(builder.add_graph({"G", {}}), {"0", {}}, true);
     CHECK(builder.finish().has_value());

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "program/program.h"
 #include "random/read_text.h"
 

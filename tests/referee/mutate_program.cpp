@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 
 namespace grafwire::testing {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "iec/keywords.h"
+#include "iec/identifiers.h"
 
 namespace grafwire::testing {
 

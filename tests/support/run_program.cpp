@@ -82,15 +82,23 @@ std::vector<std::string> choices_of(const std::string& command, const std::strin
     REQUIRE(entry != std::string::npos);
     const std::size_t next = std::min(help.find("\n  -", entry + 1), help.find("\n\n", entry));
     const std::string text = help.substr(entry, next - entry);
-    // `{a,b,c}` behind its name, or `a, b, c` behind a colon.
-    std::size_t begin = text.find('{');
-    const std::size_t end = begin == std::string::npos ? text.size() : text.find('}');
-    if (begin == std::string::npos) begin = text.find(": ");
-    REQUIRE(begin != std::string::npos);
-    std::string list = text.substr(begin + 1, end - begin - 1);
-    std::replace(list.begin(), list.end(), ',', ' ');
-    std::istringstream words(list);
-    return {std::istream_iterator<std::string>(words), {}};
+    // `{a,b,c}` behind its name, or `a: description`, a line each.
+    std::vector<std::string> choices;
+    const std::size_t begin = text.find('{');
+    if (begin != std::string::npos) {
+        std::istringstream list(text.substr(begin + 1, text.find('}') - begin - 1));
+        for (std::string choice; std::getline(list, choice, ',');) choices.push_back(choice);
+        return choices;
+    }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos || line.find(' ', word) < colon) continue;
+        choices.push_back(line.substr(word, colon - word));
+    }
+    REQUIRE(!choices.empty());
+    return choices;
 }
 
 ScratchFolder::ScratchFolder() {

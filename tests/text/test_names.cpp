@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "text/diagnostics.h"
+#include "text/nearest_name.h"
 
 using namespace grafwire;
 

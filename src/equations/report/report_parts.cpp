@@ -1,3 +1,11 @@
+// Which memories a report lists, and which smaller forms it shows.
+//
+// An edge of the GRAFCET may have lost its use on the way: its transition condition was constantly
+// 0, or it stands in an action that no write needs. So what the equations use is marked, from their
+// parts down to the operands. Smaller forms are worth showing only where they have fewer operands
+// than what was derived; operands are counted as often as they are written, which in a shared
+// expression is more often than they are stored.
+
 #include "equations/report/report_parts.h"
 
 #include <algorithm>
@@ -47,6 +55,7 @@ class Marks {
 
 }  // namespace
 
+/// Only those of the GRAFCET, which come first: edges that triggers and links need are not listed.
 UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations) {
     Marks marks(equations.expressions);
     for (const StepEquation& step : equations.steps) {
@@ -71,15 +80,7 @@ std::string shown_name(const Grafcet& grafcet, Variable variable) {
 }
 
 std::string sum_text(const Grafcet& grafcet, const Sum& sum) {
-    std::string text;
-    for (const SumTerm& term : sum) {
-        if (term.negative) text += text.empty() ? "-" : " - ";
-        if (!term.negative && !text.empty()) text += " + ";
-        text += term.counter == SumTerm::no_counter
-                    ? std::to_string(term.value)
-                    : shown_name(grafcet, {VariableKind::counter, term.counter});
-    }
-    return text;
+    return sum_text(sum, [&](Variable counter) { return shown_name(grafcet, counter); });
 }
 
 std::string write_text(const Grafcet& grafcet, const Expressions& pool, Variable target,

@@ -28,7 +28,21 @@ UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations);
 /// The name of a variable as expressions show it: quoted where it has to be.
 std::string shown_name(const Grafcet& grafcet, Variable variable);
 
-/// `pieces + 1`
+/// `pieces + 1`; `name_of` says how a counter is written.
+template <typename NameOf>
+std::string sum_text(const Sum& sum, const NameOf& name_of) {
+    std::string text;
+    for (const SumTerm& term : sum) {
+        if (term.negative) text += text.empty() ? "-" : " - ";
+        if (!term.negative && !text.empty()) text += " + ";
+        text += term.counter == SumTerm::no_counter
+                    ? std::to_string(term.value)
+                    : name_of(Variable{VariableKind::counter, term.counter});
+    }
+    return text;
+}
+
+/// The same in the notation of the `.grafcet` language.
 std::string sum_text(const Grafcet& grafcet, const Sum& sum);
 
 /// What a write does: `pieces := pieces + 1`.
@@ -45,5 +59,10 @@ struct SmallerForms {
     bool any() const { return cax != no_expr || cdx != no_expr || x != no_expr; }
 };
 SmallerForms smaller_forms(Reported& reported, StepId step);
+
+// The forms for machines: a table, and one object. Their words are not translated.
+
+std::string write_csv_report(Reported& reported);
+std::string write_json_report(Reported& reported, bool with_minimised);
 
 }  // namespace grafwire

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "equations/equations.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -1,4 +1,9 @@
+// BLIF has no tokens but words: what ends a line, joins it with the next or begins a comment is all
+// there is to know. The reader of words keeps the place of each, for messages.
+
 #include "formats/blif/blif_lines.h"
+
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -15,9 +20,8 @@ void BlifLines::advance() {
     if (byte == '\n') {
         ++where_.line;
         where_.column = 1;
-    } else if (position_ == text_.size() ||
-               (static_cast<unsigned char>(text_[position_]) & 0xc0U) != 0x80U) {
-        ++where_.column;  // the next byte begins a character
+    } else if (position_ == text_.size() || begins_character(text_[position_])) {
+        ++where_.column;
     }
 }
 
@@ -36,6 +40,7 @@ bool BlifLines::join_lines() {
     return true;
 }
 
+/// Up to a blank, a comment, or a `\` that ends the line; one within a word belongs to it.
 BlifWord BlifLines::take_word() {
     const std::size_t begin = position_;
     const Location where = where_;

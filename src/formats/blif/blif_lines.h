@@ -3,10 +3,11 @@
 #include <string_view>
 #include <vector>
 
-#include "text/location.h"
+#include "text/source.h"
 
 namespace grafwire {
 
+/// A word, and where it stands.
 struct BlifWord {
     std::string_view text;
     Location where;
@@ -14,6 +15,11 @@ struct BlifWord {
 
 /// Cuts a BLIF text into logical lines of words: comments left out, lines ended by `\` joined with
 /// the next. The words point into the text.
+///
+///     .names a b \       # the step
+///         X1
+///
+/// is the one line `.names` `a` `b` `X1`.
 class BlifLines {
   public:
     explicit BlifLines(std::string_view text) : text_(text) {}

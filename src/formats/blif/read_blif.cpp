@@ -1,5 +1,10 @@
 // BLIF after "Berkeley Logic Interchange Format (BLIF)", University of California, Berkeley, 1992,
 // with the `.param`, `.attr`, `.cname` and `.blackbox` lines of Yosys and ABC.
+//
+// The format goes line by line, but what belongs together does not: the rows of a cover follow its
+// `.names`, and the parameters of a black box its `.subckt`. So the reader keeps the cover or the
+// box that is open, and closes it at the next line that cannot belong to it. Outputs are told to
+// the netlist at the end, when all nets are known.
 
 #include "formats/blif/read_blif.h"
 
@@ -34,6 +39,7 @@ struct OpenBox {
     Location where;
 };
 
+/// The netlist, line by line.
 class BlifReader {
   public:
     BlifReader(const SourceFile& source, Diagnostics& diagnostics)
@@ -68,11 +74,12 @@ class BlifReader {
     std::string model_;
     int model_count_ = 0;
     bool complained_of_models_ = false;
+    // The cover that is open, if one is.
     bool in_names_ = false;
     Cover cover_;
     NetId cover_output_ = no_net;
     Location cover_where_;
-    std::optional<OpenBox> box_;
+    std::optional<OpenBox> box_;  ///< that is open
     std::vector<Words> outputs_;
     std::vector<std::pair<NetId, bool>> initial_values_;
 };
@@ -91,6 +98,7 @@ std::optional<Netlist> BlifReader::read() {
     return assembly_.finish(std::move(model_));
 }
 
+/// Of several models the first is the netlist; others may only declare black boxes.
 void BlifReader::read_line(const Words& words) {
     const std::string_view first = words[0].text;
     if (first.starts_with("#@")) {
@@ -124,6 +132,7 @@ void BlifReader::read_model(const Words& words) {
     assembly_.check_name(model_, words.back().where);
 }
 
+/// Adds the cover or the box that is open.
 void BlifReader::close() {
     if (in_names_) add_cover(assembly_, cover_, cover_output_, cover_where_);
     in_names_ = false;
@@ -161,6 +170,7 @@ void BlifReader::read_directive(const Words& words) {
     }
 }
 
+/// Opens a cover.
 void BlifReader::read_names(const Words& words) {
     if (words.size() < 2) return refuse(words[0].where, say::names_without_output());
     in_names_ = true;
@@ -170,6 +180,7 @@ void BlifReader::read_names(const Words& words) {
     cover_output_ = net(words.back());
 }
 
+/// `1-0 1`; of a constant only the last digit.
 void BlifReader::read_row(const Words& words) {
     const std::size_t width = cover_.inputs.size();
     const std::string_view plane = width == 0 ? std::string_view() : words[0].text;
@@ -205,6 +216,7 @@ void BlifReader::read_latch(const Words& words) {
     add_latch(words, words[3].text, &words[4], initial);
 }
 
+/// `re` is a flip-flop, `ah` a latch that is transparent while its control is 1.
 void BlifReader::add_latch(const Words& words, std::string_view kind, const BlifWord* control,
                            Logic initial) {
     if (kind != "re" && kind != "ah") {
@@ -224,6 +236,7 @@ void BlifReader::add_latch(const Words& words, std::string_view kind, const Blif
                        pins, words[0].where, {initial, {}});
 }
 
+/// `.subckt grafwire_timer a=X1 q=t` opens a box; all pins must be connected.
 void BlifReader::read_black_box(const Words& words) {
     if (words.size() < 2) return refuse(words[0].where, say::subcircuit_without_model());
     const std::optional<CellType> type = helper_type_named(words[1].text);
@@ -266,6 +279,7 @@ void BlifReader::read_parameter(const Words& words) {
     }
 }
 
+/// `#@initially NET 0`: a comment to others, the initial value of a net to us.
 void BlifReader::read_initial_value(const Words& words) {
     if (words[0].text != "#@initially" || words.size() != 3) return;
     if (words[2].text != "0" && words[2].text != "1") return;

@@ -20,12 +20,14 @@ namespace {
 
 constexpr std::uint32_t widest_parity = 8;  ///< inputs of an exclusive or written as one cover
 
+/// Words end at blanks, and `#`, `=`, `\` and `"` mean something.
 void spell_blif(std::string& out, std::string_view name) {
     append_percent_escaped(out, name, [](char c) {
         return is_control_or_blank(c) || c == '#' || c == '=' || c == '\\' || c == '"';
     });
 }
 
+/// 2 would be "any value", 3 is "unknown".
 char initial_digit(Logic value) {
     switch (value) {
         case Logic::zero:
@@ -38,6 +40,7 @@ char initial_digit(Logic value) {
     return '3';
 }
 
+/// The file, from front to back.
 class BlifWriter {
   public:
     explicit BlifWriter(const Netlist& netlist)
@@ -114,6 +117,7 @@ void BlifWriter::write_module_comment(const Module& module) {
     out_ += '\n';
 }
 
+/// Ten names a line.
 void BlifWriter::write_ports(std::string_view keyword, const std::vector<Port>& ports) {
     out_ += keyword;
     std::size_t on_line = 0;
@@ -128,6 +132,7 @@ void BlifWriter::write_ports(std::string_view keyword, const std::vector<Port>& 
     out_ += '\n';
 }
 
+/// An output whose net has another name follows it through a buffer of BLIF, which is no cell.
 void BlifWriter::write_aliases() {
     std::string port_name;
     for (const Port& port : netlist_.outputs) {
@@ -144,12 +149,14 @@ void BlifWriter::write_names(const Cell& cell) {
     append(out_, ' ', nets_[cell.output], '\n');
 }
 
+/// `.names a b X1`, `11 1`: one row, all of whose inputs are alike.
 void BlifWriter::write_cube(const Cell& cell, char input, char output) {
     write_names(cell);
     out_.append(cell.pin_count, input);
     append(out_, ' ', output, '\n');
 }
 
+/// All rows with an odd number of ones.
 void BlifWriter::write_parity(const Cell& cell) {
     if (cell.pin_count > widest_parity) return write_parity_chain(cell);
     write_names(cell);
@@ -182,6 +189,7 @@ void BlifWriter::write_latch(const Cell& cell, std::string_view control) {
            nets_[pins[1]], ' ', initial_digit(cell.initial), '\n');
 }
 
+/// `.subckt grafwire_timer a=X1 q=t`, and its parameters as attributes.
 void BlifWriter::write_black_box(const Cell& cell) {
     used_boxes_[static_cast<std::size_t>(cell.type)] = true;
     append(out_, ".subckt ", helpers_, row_of(cell.type).name);
@@ -230,6 +238,7 @@ void BlifWriter::write_cell(const Cell& cell) {
     }
 }
 
+/// The ports of the black boxes that were used.
 void BlifWriter::write_models() {
     for (const CellTypeRow& row : cell_table) {
         if (!used_boxes_[static_cast<std::size_t>(row.type)]) continue;

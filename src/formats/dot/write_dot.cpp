@@ -9,6 +9,7 @@ namespace grafwire {
 
 namespace {
 
+/// Within a label; line breaks would be read as such.
 void append_quoted(std::string& out, std::string_view text) {
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
@@ -16,6 +17,7 @@ void append_quoted(std::string& out, std::string_view text) {
     }
 }
 
+/// What a cell was made for.
 std::string_view kind_word(Origin::Kind kind) {
     switch (kind) {
         case Origin::Kind::step:
@@ -41,6 +43,7 @@ std::string_view shape_of(CellType type) {
     return row_of(type).has_memory || row_of(type).has_timing ? "box3d" : "box";
 }
 
+/// The graph: input ports, clusters, output ports, then an edge per pin.
 class DotWriter {
   public:
     explicit DotWriter(const Netlist& netlist) : netlist_(netlist), drivers_(drivers_of(netlist)) {}
@@ -79,6 +82,8 @@ void DotWriter::write_ports(const std::vector<Port>& ports, char prefix, std::st
     }
 }
 
+/// A module as a box around its cells. A label has the net, the type with its delays, and the
+/// origin, a line each.
 void DotWriter::write_cluster(const Module& module, std::size_t number) {
     append(out_, "  subgraph cluster", number, " {\n    label=\"");
     append_quoted(out_, module.comment.empty() ? module.name : module.comment);
@@ -105,6 +110,7 @@ void DotWriter::write_cluster(const Module& module, std::size_t number) {
     out_ += "  }\n";
 }
 
+/// The node that drives a net: a cell, or else an input port.
 void DotWriter::write_driver(NetId net) {
     if (drivers_[net] != no_cell) {
         append(out_, "  c", index_of(drivers_[net]));

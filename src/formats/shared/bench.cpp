@@ -4,22 +4,21 @@
 #include "formats/shared/bench.h"
 
 #include <algorithm>
-#include <map>
+
+#include "trace/input_values.h"
 
 namespace grafwire {
 
 Bench bench_from(const Netlist& netlist, const Stimuli& stimuli, std::vector<Time> instants) {
     Bench bench;
-    for (const Stimuli::Change& change : stimuli.changes) {
-        Bench::Change item{change.at, {}};
-        for (const Stimuli::Assignment& assignment : change.assignments) {
-            // Without modes the netlist has no Init, AUdur and AUdoux; the clock is not the
-            // stimuli's affair.
-            if (assignment.input >= netlist.inputs.size()) continue;
-            if (netlist.inputs[assignment.input].net == netlist.clock) continue;
-            item.assignments.push_back({assignment.input, assignment.value});
-        }
-        bench.changes.push_back(std::move(item));
+    bench.stimuli = stimuli;
+    for (Stimuli::Change& change : bench.stimuli.changes) {
+        // Without modes the netlist has no Init, AUdur and AUdoux; the clock is not the stimuli's
+        // affair.
+        std::erase_if(change.assignments, [&](const Stimuli::Assignment& set) {
+            return set.input >= netlist.inputs.size() ||
+                   netlist.inputs[set.input].net == netlist.clock;
+        });
     }
     if (instants.empty()) {
         instants.push_back(0);
@@ -45,12 +44,9 @@ Time sampling_delay(const Bench& bench, std::size_t row) {
 }
 
 std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench) {
-    std::vector<bool> values(netlist.inputs.size());
-    if (!bench.changes.empty() && bench.changes.front().at == 0) {
-        for (const Bench::Assignment& assignment : bench.changes.front().assignments) {
-            values[assignment.input] = assignment.value;
-        }
-    }
+    StimuliPlayer player(bench.stimuli, netlist.inputs.size());
+    player.advance(0);
+    std::vector<bool> values(player.inputs().begin(), player.inputs().end());
     if (!netlist.has_modes) return values;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string& name = netlist.inputs[i].name;
@@ -61,34 +57,28 @@ std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench) {
 }
 
 std::vector<BenchEvent> bench_events(const Netlist& netlist, const Bench& bench) {
-    // All that is assigned at each moment, whether it changes anything or not.
-    std::map<Time, BenchEvent> moments;
-    std::vector<Bench::Assignment>& at_zero = moments[0].assignments;
-    std::vector<bool> first(netlist.inputs.size());
+    std::vector<Time> moments = bench.instants;
+    moments.push_back(0);
     const Time last = bench.instants.empty() ? 0 : bench.instants.back();
-    for (const Bench::Change& change : bench.changes) {
-        if (change.at > last) break;
-        if (change.at != 0) {
-            moments[change.at].assignments = change.assignments;
-            continue;
-        }
-        for (const Bench::Assignment& item : change.assignments) first[item.input] = item.value;
+    for (const Stimuli::Change& change : bench.stimuli.changes) {
+        if (change.at <= last) moments.push_back(change.at);
     }
-    for (std::uint32_t i = 0; i < first.size(); ++i) {
-        at_zero.push_back({i, first[i]});
-    }
-    for (std::size_t row = 0; row < bench.instants.size(); ++row) {
-        moments[bench.instants[row]].row = row;
-    }
-    // Only changes stay.
+    std::sort(moments.begin(), moments.end());
+    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
+
+    StimuliPlayer player(bench.stimuli, netlist.inputs.size());
     std::vector<bool> values = starting_inputs(netlist, bench);
     std::vector<BenchEvent> events;
-    for (const auto& [at, moment] : moments) {
-        BenchEvent& event = events.emplace_back(BenchEvent{at, {}, moment.row});
-        for (const Bench::Assignment& item : moment.assignments) {
-            if (values[item.input] == item.value) continue;
-            values[item.input] = item.value;
-            event.assignments.push_back(item);
+    std::size_t row = 0;
+    for (const Time at : moments) {
+        BenchEvent& event = events.emplace_back(BenchEvent{at, {}, BenchEvent::no_row});
+        if (row < bench.instants.size() && bench.instants[row] == at) event.row = row++;
+        player.advance(at);
+        for (std::uint32_t i = 0; i < values.size(); ++i) {
+            const bool value = player.inputs()[i] != 0;
+            if (values[i] == value) continue;
+            values[i] = value;
+            event.assignments.push_back({i, value});
         }
     }
     return events;

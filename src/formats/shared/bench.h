@@ -11,15 +11,9 @@ namespace grafwire {
 
 /// What a test bench or a deck applies to a netlist, and when it looks at the outputs.
 struct Bench {
-    struct Assignment {
-        std::uint32_t input = 0;  ///< index into Netlist::inputs
-        bool value = false;
-    };
-    struct Change {
-        Time at = 0;
-        std::vector<Assignment> assignments;
-    };
-    std::vector<Change> changes;  ///< strictly in the order of time; inputs never set are 0
+    /// What is applied; `Assignment::input` is an index into Netlist::inputs. Inputs never set are
+    /// 0.
+    Stimuli stimuli;
     /// The moments that have a row of results, strictly in order. For the settled values of an
     /// asynchronous netlist: every change and every end of a delay; for a clocked one: the scans.
     std::vector<Time> instants;
@@ -50,7 +44,7 @@ std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench);
 /// moment has a row of results.
 struct BenchEvent {
     Time at = 0;
-    std::vector<Bench::Assignment> assignments;  ///< those that change something
+    std::vector<Stimuli::Assignment> assignments;  ///< those that change something, by input
     std::size_t row = no_row;
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 };

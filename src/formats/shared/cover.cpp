@@ -18,6 +18,7 @@ struct Literal {
     bool inverted = false;
 };
 
+/// The gates for one cover; the last of them drives its output.
 class CoverGates {
   public:
     CoverGates(NetlistAssembly& assembly, NetId output, Location where)
@@ -37,6 +38,7 @@ class CoverGates {
     Location where_;
 };
 
+/// The product that a row stands for: `1-0` is a./c.
 std::vector<Literal> literals_of(const Cover& cover, const std::string& row) {
     std::vector<Literal> literals;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -75,6 +77,7 @@ std::vector<NetId> plain_nets_of(const std::vector<Literal>& literals) {
     return nets;
 }
 
+/// A product, or its complement. All inverted: /a./b is a NOR.
 void CoverGates::add_product(const std::vector<Literal>& literals, bool complemented) {
     if (all_inverted(literals)) {
         return drive(complemented ? CellType::or_gate : CellType::nor_gate,
@@ -83,6 +86,7 @@ void CoverGates::add_product(const std::vector<Literal>& literals, bool compleme
     drive(complemented ? CellType::nand_gate : CellType::and_gate, nets_of(literals));
 }
 
+/// A sum, or its complement. All inverted: /a + /b is a NAND.
 void CoverGates::add_sum(const std::vector<Literal>& literals, bool complemented) {
     if (all_inverted(literals)) {
         return drive(complemented ? CellType::and_gate : CellType::nand_gate,

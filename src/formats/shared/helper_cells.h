@@ -13,7 +13,8 @@ namespace grafwire {
 /// Cells that a file format has none for are black boxes there, or modules of our own. Their models
 /// are called `grafwire_latch`, `grafwire_timer`, … after the cell table, and the output is `q`.
 
-/// The names of the input pins of such a cell, in the order of its pins.
+/// The names of the input pins of such a cell, in the order of its pins: `d` and `c` of a
+/// flip-flop.
 std::span<const std::string_view> helper_pins(CellType type);
 
 /// What begins the names of the models in the file of a netlist: `grafwire_`, with further `_`

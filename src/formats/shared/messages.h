@@ -86,8 +86,9 @@ inline constexpr Message<std::string_view> parameter_does_not_fit{
 inline constexpr Message<std::size_t> nested_too_deep{
     "values are nested more than {} deep: not a netlist",
     "les valeurs sont imbriquées sur plus de {} niveaux : ce n'est pas un câblage"};
-/// Why is told by the JSON library, in English.
-inline constexpr Message<std::string_view> not_json{"not JSON: {}", "ce n'est pas du JSON : {}"};
+/// Why is quoted from the JSON reader, which speaks English.
+inline constexpr Message<std::string_view> not_json{
+    "not JSON: the JSON reader says \"{}\"", "ce n'est pas du JSON : l'analyseur JSON dit « {} »"};
 inline constexpr Message<> no_modules{
     "not a Yosys netlist: there is no \"modules\"",
     "ce n'est pas un câblage de Yosys : il n'y a pas de \"modules\""};

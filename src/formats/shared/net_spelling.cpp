@@ -89,6 +89,7 @@ std::string percent_decoded(std::string_view name) {
     return decoded;
 }
 
+/// Each look at the names is a pass over all nets, and nearly always the first is enough.
 std::string cell_suffix(const Netlist& netlist) {
     std::string suffix = "$g";
     const auto is_taken = [&] {

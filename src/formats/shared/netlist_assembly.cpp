@@ -60,6 +60,7 @@ void NetlistAssembly::check_port(std::string_view name, NetId net, Location wher
     if (name != builder_.name_of(net)) check_name(name, where);
 }
 
+/// Notes that a net has a driver; a second one is an error.
 void NetlistAssembly::drive(NetId id, Location where) {
     assert(index_of(id) < nets_.size() && nets_[index_of(id)].is_of_file);
     FileNet& net = nets_[index_of(id)];
@@ -112,6 +113,7 @@ NetId NetlistAssembly::gate(CellType type, std::span<const NetId> pins, NetId ow
     return output;
 }
 
+/// Nets that nothing drives, at their first mention.
 void NetlistAssembly::check_drivers(const Netlist& netlist) {
     for (std::size_t i = 0; i < nets_.size(); ++i) {
         if (!nets_[i].is_of_file || nets_[i].is_driven) continue;
@@ -120,6 +122,7 @@ void NetlistAssembly::check_drivers(const Netlist& netlist) {
     }
 }
 
+/// The last pin of all flip-flops must be one and the same input.
 void NetlistAssembly::find_clock(Netlist& netlist) {
     for (const Cell& cell : netlist.cells) {
         if (!row_of(cell.type).is_clocked) continue;

@@ -19,6 +19,7 @@ namespace grafwire {
 
 namespace {
 
+/// The text, part by part.
 class Stats {
   public:
     explicit Stats(const Netlist& netlist)
@@ -72,6 +73,7 @@ void Stats::write_cells() {
     }
 }
 
+/// Members of each component lie side by side (a counting sort by component).
 void Stats::find_components() {
     const std::size_t count = netlist_.cells.size();
     component_.resize(count);
@@ -97,6 +99,7 @@ void Stats::find_components() {
     }
 }
 
+/// A loop is named by the steps in it, or by its nets where it has none.
 void Stats::write_loop(std::size_t component) {
     constexpr std::size_t most_names = 8;
     std::vector<std::uint32_t> origins;
@@ -138,6 +141,7 @@ void Stats::write_loops() {
     }
 }
 
+/// The net with the most pins; of several the first.
 void Stats::write_fan_out() {
     std::vector<std::uint32_t> pins(netlist_.net_count());
     for (const NetId pin : netlist_.pins) ++pins[index_of(pin)];
@@ -147,6 +151,8 @@ void Stats::write_fan_out() {
                    netlist_.names[static_cast<NetId>(most - pins.begin())]);
 }
 
+/// The longest way through cells that are in no loop, counted from inputs, constants and clocked
+/// cells.
 void Stats::write_depth() {
     std::vector<std::uint32_t> depth(netlist_.cells.size());
     std::uint32_t deepest = 0;

@@ -12,7 +12,7 @@
 namespace grafwire {
 
 /// Writes the cells of a netlist as Verilog: a gate primitive each, or an instance of a helper
-/// module (verilog_helpers.h) for what has a memory or knows of time.
+/// module for what has a memory or knows of time.
 class VerilogCells {
   public:
     VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets,
@@ -38,5 +38,27 @@ class VerilogCells {
     const DelayModel& delays_;
     std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
 };
+
+/// Writes the helper modules for the cells with memory or timing that the netlist has; nothing
+/// where it has none.
+void append_verilog_helpers(std::string& out, const Netlist& netlist, const DelayModel& delays,
+                            std::string_view prefix);
+
+/// Whether the netlist needs the macros GRAFWIRE_START and GRAFWIRE_INSTANT: where it has initial
+/// values to hold at first (other than flip-flops') or delays to count.
+bool needs_verilog_start(const Netlist& netlist);
+
+/// Writes the defaults of those macros.
+void append_verilog_start(std::string& out, const DelayModel& delays);
+
+/// Visits the cells of some modules in order.
+template <typename Visit>
+void for_each_cell(const Netlist& netlist, std::span<const Module> modules, const Visit& visit) {
+    for (const Module& module : modules) {
+        for (std::uint32_t i = 0; i < module.cell_count; ++i) {
+            visit(netlist.cells.items()[module.first_cell + i]);
+        }
+    }
+}
 
 }  // namespace grafwire

@@ -9,7 +9,7 @@
 
 #include "formats/shared/append.h"
 #include "formats/shared/net_spelling.h"
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
@@ -51,6 +51,7 @@ constexpr std::string_view keywords[] = {
 };
 // clang-format on
 
+/// A simple identifier (IEEE 1364-2005, 3.7).
 bool is_simple(std::string_view name) {
     if (name.empty() || (!is_ascii_letter(name.front()) && name.front() != '_')) return false;
     for (const char c : name) {
@@ -59,6 +60,7 @@ bool is_simple(std::string_view name) {
     return true;
 }
 
+/// What no escaped identifier can hold, and the two characters that preprocessors stop at.
 bool is_unsafe(char c) {
     return is_control_or_blank(c) || c == '`' || c == '"';
 }

@@ -14,11 +14,9 @@
 #include <vector>
 
 #include "formats/shared/append.h"
-#include "formats/shared/blocks.h"
 #include "formats/shared/helper_cells.h"
 #include "formats/shared/net_spelling.h"
 #include "formats/verilog/verilog_cells.h"
-#include "formats/verilog/verilog_helpers.h"
 #include "formats/verilog/verilog_names.h"
 
 namespace grafwire {
@@ -27,6 +25,58 @@ namespace {
 
 constexpr std::size_t modules_per_block = 200;
 
+/// Some consecutive modules of a netlist, and the nets between them and the rest: for tools that
+/// are slow on one long module.
+struct NetlistBlock {
+    std::span<const Module> modules;
+    std::vector<NetId> inputs;   ///< read here, driven elsewhere, in the order of first use
+    std::vector<NetId> outputs;  ///< driven here, read elsewhere or an output of the netlist
+    bool has_scan_timer = false;
+};
+
+/// The netlist in blocks of at most so many modules.
+/// In three passes over the cells: which block drives a net, which others read it, and what of each
+/// block is therefore seen outside. The cost is linear in the number of pins.
+std::vector<NetlistBlock> cut_into_blocks(const Netlist& netlist, std::size_t modules_per_block) {
+    constexpr std::uint32_t no_block = 0xffffffffU;
+    std::vector<NetlistBlock> blocks;
+    std::vector<std::uint32_t> driver(netlist.net_count(), no_block);
+    const std::span<const Module> all = netlist.modules;
+    for (std::size_t first = 0; first < all.size(); first += modules_per_block) {
+        const std::size_t count = std::min(modules_per_block, all.size() - first);
+        const auto number = static_cast<std::uint32_t>(blocks.size());
+        NetlistBlock block{all.subspan(first, count), {}, {}, false};
+        for_each_cell(netlist, block.modules, [&](const Cell& cell) {
+            driver[index_of(cell.output)] = number;
+            block.has_scan_timer |= counts_scans(cell.type);
+        });
+        blocks.push_back(std::move(block));
+    }
+    // Block after block, so the last block that was found to read a net is all there is to
+    // remember.
+    std::vector<std::uint32_t> reader(netlist.net_count(), no_block);
+    std::vector<std::uint8_t> leaves(netlist.net_count());
+    for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+        for_each_cell(netlist, blocks[number].modules, [&](const Cell& cell) {
+            for (const NetId pin : netlist.pins_of(cell)) {
+                const std::size_t net = index_of(pin);
+                if (driver[net] == number || reader[net] == number) continue;
+                reader[net] = number;
+                leaves[net] = 1;
+                blocks[number].inputs.push_back(pin);
+            }
+        });
+    }
+    for (const Port& port : netlist.outputs) leaves[index_of(port.net)] = 1;
+    for (NetlistBlock& block : blocks) {
+        for_each_cell(netlist, block.modules, [&](const Cell& cell) {
+            if (leaves[index_of(cell.output)] != 0) block.outputs.push_back(cell.output);
+        });
+    }
+    return blocks;
+}
+
+/// The file: head, top module, blocks if there are many modules, helper modules.
 class VerilogWriter {
   public:
     VerilogWriter(const Netlist& netlist, Time scan_period, const DelayModel& delays)
@@ -169,6 +219,7 @@ void VerilogWriter::write_aliases() {
     }
 }
 
+/// Nets that no list of ports declares, a line for each module.
 void VerilogWriter::write_wires(const Module& module,
                                 const std::vector<std::uint8_t>& is_declared) {
     std::string_view separator = "  wire ";
@@ -229,6 +280,7 @@ void VerilogWriter::write_instance(const NetlistBlock& block, std::size_t number
     out_ += ");\n";
 }
 
+/// A Verilog module for some modules of the netlist; what crosses its border is a port.
 void VerilogWriter::write_block(const NetlistBlock& block, std::size_t number) {
     out_ += "\nmodule ";
     write_block_name(number);
@@ -251,6 +303,7 @@ void VerilogWriter::write_block(const NetlistBlock& block, std::size_t number) {
     out_ += "endmodule\n";
 }
 
+/// The top module instantiates the blocks and has no cells of its own.
 void VerilogWriter::write_in_blocks() {
     declared_.resize(netlist_.net_count());
     const std::vector<NetlistBlock> blocks = cut_into_blocks(netlist_, modules_per_block);

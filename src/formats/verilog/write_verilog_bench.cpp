@@ -9,16 +9,17 @@
 
 #include "formats/shared/append.h"
 #include "formats/shared/helper_cells.h"
-#include "formats/verilog/verilog_helpers.h"
+#include "formats/verilog/verilog_cells.h"
 #include "formats/verilog/verilog_names.h"
 #include "formats/verilog/write_verilog.h"
 #include "netlist/passes/counted_timers.h"
-#include "text/csv.h"
+#include "text/escape.h"
 
 namespace grafwire {
 
 namespace {
 
+/// The file, from front to back; time is what the stimuli count, `start_` later in the simulation.
 class BenchWriter {
   public:
     BenchWriter(const Netlist& netlist, const Bench& bench, Time scan_period,
@@ -71,6 +72,7 @@ std::string BenchWriter::write() {
     return std::move(out_);
 }
 
+/// The macros must be set before the netlist is compiled, so the bench says if it comes too late.
 void BenchWriter::write_head() {
     out_ += "// Test bench for ";
     append_comment(out_, netlist_.name);
@@ -90,6 +92,7 @@ void BenchWriter::write_head() {
     append(out_, "`timescale 1ps/1ps\n\nmodule ", module_, ";\n");
 }
 
+/// Inputs and outputs as two words, so that names need not be spelled in the tasks.
 void BenchWriter::write_instance() {
     const std::vector<bool> values = starting_inputs(netlist_, bench_);
     append(out_, "  reg [", std::max<std::size_t>(values.size(), 1) - 1, ":0] in;\n");
@@ -122,6 +125,7 @@ void BenchWriter::write_instance() {
     out_ += ");\n";
 }
 
+/// Prints a row, and stops a simulation that does not come to rest.
 void BenchWriter::write_row_task() {
     append(out_, "\n  task row;\n    begin\n      for (i = 0; i < ", netlist_.outputs.size(),
            "; i = i + 1) $write(\",%b\", out[i]);\n      $write(\"\\n\");\n    end\n  endtask\n");
@@ -163,6 +167,7 @@ void BenchWriter::write_comparison(std::size_t row) {
     append(out_, "    compare(", width, "'b", expected, ", ", width, "'b", known, ");\n");
 }
 
+/// `time_ms,X0,X1`: a CSV within texts of Verilog, so a name is quoted twice.
 void BenchWriter::write_header_row() {
     if (needs_verilog_start(netlist_)) {
         out_ +=
@@ -181,6 +186,7 @@ void BenchWriter::write_header_row() {
     out_ += "    $write(\"\\n\");\n";
 }
 
+/// No delay is written where that moment has come already.
 void BenchWriter::wait_until(Time moment) {
     if (moment > now_) append(out_, "    #(64'd", moment - now_, ");\n");
     now_ = std::max(now_, moment);
@@ -192,11 +198,12 @@ void BenchWriter::write_cycles(Time half_period) {
     now_ += half_period * 2 * bench_.clock_cycles;
 }
 
+/// Inputs change, the clock ticks if there is one, and after the settling time a row is taken.
 void BenchWriter::write_event(const BenchEvent& event) {
     append(out_, "    // ", format_milliseconds(event.at), " ms\n");
     wait_until(event.at);
     append(out_, "    instant = 64'd", start_ + event.at, ";\n    changes = 0;\n");
-    for (const Bench::Assignment& assignment : event.assignments) {
+    for (const Stimuli::Assignment& assignment : event.assignments) {
         append(out_, "    in[", assignment.input, "] = ", assignment.value ? '1' : '0', ";\n");
     }
     if (event.row == BenchEvent::no_row) return;

@@ -8,17 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/shared/messages.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
 
 constexpr std::size_t deepest = 20;
-
-/// Whether a byte of UTF-8 goes on with a character that has begun.
-bool continues_character(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-}
 
 /// Walks through a text and keeps the place of the last character read. The parser reads one
 /// character after the other and looks ahead by none where an object begins, so the place is that
@@ -37,7 +33,7 @@ class PlaceCounter {
         if (*next_ == '\n') {
             ++last_->line;
             last_->column = 0;
-        } else if (!continues_character(*next_)) {
+        } else if (begins_character(*next_)) {
             ++last_->column;
         }
         ++next_;
@@ -51,6 +47,8 @@ class PlaceCounter {
     Location* last_;
 };
 
+/// Makes the tree from the events of the parser: `open_` leads from the root to the value that is
+/// being read.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   public:
     JsonValue root;
@@ -92,6 +90,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     }
 
   private:
+    /// Where the next value goes: into the array, or under the key that was read last.
     JsonValue& place() {
         if (open_.empty()) return root;
         JsonValue& parent = *open_.back();
@@ -135,7 +134,7 @@ Location location_of(std::string_view text, std::size_t position) {
         if (byte == '\n') {
             ++where.line;
             where.column = 1;
-        } else if (i + 1 == text.size() || !continues_character(text[i + 1])) {
+        } else if (i + 1 == text.size() || begins_character(text[i + 1])) {
             ++where.column;
         }
     }

@@ -26,6 +26,7 @@ struct JsonValue {
     const JsonValue* find(std::string_view name) const;
 };
 
+/// A member of an object. Names may occur twice; the first is what find() gives.
 struct JsonMember {
     std::string name;
     JsonValue value;

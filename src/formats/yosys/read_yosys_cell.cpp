@@ -92,12 +92,15 @@ class YosysCellReader {
     NetId bit(std::string_view port);
     /// The same, inverted where the port is active low.
     NetId bit(std::string_view port, bool is_high);
+    /// The nets of a port of any width.
     std::vector<NetId> word(std::string_view port);
     /// The net that the cell drives, likewise.
     NetId output(std::string_view port);
+    /// The net of a further gate of this cell.
     NetId make(CellType type, std::vector<NetId> pins) {
         return assembly_.gate(type, pins, output_, cell_.where);
     }
+    /// The gate that drives the output of this cell.
     void drive(CellType type, const std::vector<NetId>& pins) {
         assembly_.add_cell(type, output_, pins, cell_.where, {initial_, {}});
     }
@@ -209,6 +212,7 @@ void YosysCellReader::add_comparison() {
     drive(is_equal ? CellType::and_gate : CellType::nand_gate, equal_bits);
 }
 
+/// `$logic_and`: each operand is 1 where any of its bits is.
 void YosysCellReader::add_logic_and() {
     const std::vector<NetId> a = word("A");
     const std::vector<NetId> b = word("B");
@@ -219,6 +223,8 @@ void YosysCellReader::add_logic_and() {
     drive(CellType::and_gate, {any(a), any(b)});
 }
 
+/// `S ? B : A` as a sum of two products. It has a spike of a gate delay where A and B are 1 and S
+/// falls, as any multiplexer of gates has.
 void YosysCellReader::add_mux() {
     const NetId a = bit("A");
     const NetId b = bit("B");
@@ -243,6 +249,8 @@ void YosysCellReader::add_and_or() {
     drive(or_first ? CellType::nand_gate : CellType::nor_gate, {first, second});
 }
 
+/// A table becomes a cover of its ones or of its zeros, whichever are fewer; add_cover() finds the
+/// gate that it may be.
 void YosysCellReader::add_lut() {
     const std::vector<NetId> inputs = word("A");
     const std::string_view table = cell_.parameter("LUT");
@@ -305,6 +313,7 @@ void YosysCellReader::add_flip_flop() {
     drive(CellType::flip_flop, {data, clock});
 }
 
+/// `$dff` of one bit.
 void YosysCellReader::add_word_flip_flop() {
     const NetId data = bit("D");
     const NetId clock = bit("CLK");
@@ -313,6 +322,7 @@ void YosysCellReader::add_word_flip_flop() {
     drive(CellType::flip_flop, {data, clock});
 }
 
+/// A latch that is transparent at one level of its enable.
 void YosysCellReader::add_latch() {
     const bool is_word = cell_.type == "$dlatch";
     const NetId data = bit("D");
@@ -334,6 +344,7 @@ void YosysCellReader::add_set_reset() {
           {make(CellType::and_gate, {set, assembly_.inverted(reset, cell_.where)}), reset});
 }
 
+/// A black box of our own (helper_cells.h).
 void YosysCellReader::add_helper(CellType type) {
     CellDetails details;
     for (const std::string_view name : helper_parameter_names()) {

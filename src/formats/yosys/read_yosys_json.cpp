@@ -23,10 +23,13 @@ namespace say = messages::formats;
 
 using Kind = JsonValue::Kind;
 
+/// Yosys writes a flag as a number or as 32 bits.
 bool is_set(const JsonValue* attribute) {
     return attribute != nullptr && attribute->text.find('1') != std::string::npos;
 }
 
+/// Reads the top module. Bits are numbers; their names come from three places, of which the first
+/// counts: ports, names that the source had, names that Yosys made up.
 class YosysReader {
   public:
     explicit YosysReader(Diagnostics& diagnostics)
@@ -94,6 +97,7 @@ NetId YosysReader::net_of(const JsonValue& bit, Location where) {
     return net;
 }
 
+/// `hidden`: those that Yosys made up. A word gives its bits names such as `w[3]`.
 void YosysReader::read_net_names(const JsonValue& net_names, bool hidden) {
     for (const auto& [name, value] : net_names.members) {
         const JsonValue* hide = value.find("hide_name");
@@ -107,6 +111,7 @@ void YosysReader::read_net_names(const JsonValue& net_names, bool hidden) {
     }
 }
 
+/// The attribute `init` has a character a bit, the highest first.
 void YosysReader::read_initial_values(const JsonValue& net_names) {
     for (const auto& [name, value] : net_names.members) {
         const JsonValue* bits = value.find("bits");
@@ -123,6 +128,7 @@ void YosysReader::read_initial_values(const JsonValue& net_names) {
     }
 }
 
+/// An output that is tied to a constant gets a cell for it, since a port needs a net.
 void YosysReader::read_port(const std::string& name, const JsonValue& port) {
     const JsonValue* bits = port.find("bits");
     const std::string& direction = port.find("direction")->text;
@@ -161,6 +167,7 @@ void YosysReader::read_ports(const JsonValue& ports, std::string_view direction)
     }
 }
 
+/// A bit is the number of a net, or a constant; `x` and `z` are refused.
 bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell) {
     for (const auto& [port, bits] : connections.members) {
         YosysCell::Connection connection{port, {}, {}};
@@ -182,6 +189,7 @@ bool YosysReader::read_connections(const JsonValue& connections, YosysCell& cell
     return true;
 }
 
+/// An initial value at the output of a memory is that of the memory.
 void YosysReader::add_cell(YosysCell cell, const JsonValue& connections) {
     Logic initial = Logic::unknown;
     const JsonValue* output = is_yosys_memory(cell.type) ? connections.find("Q") : nullptr;

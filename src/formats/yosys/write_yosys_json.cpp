@@ -39,6 +39,7 @@ void append_json_text(std::string& out, std::string_view text) {
     }
 }
 
+/// The cells of Yosys for a type.
 struct CellForm {
     std::string_view gate;  ///< of two inputs (of one, for types of one pin)
     std::string_view word;  ///< of any number
@@ -76,6 +77,8 @@ constexpr bool is_black_box(CellType type) {
     return form_of(type).gate.empty();
 }
 
+/// The file, written from front to back: nets are numbered as in the netlist, so nothing has to be
+/// kept.
 class JsonWriter {
   public:
     explicit JsonWriter(const Netlist& netlist)
@@ -135,6 +138,7 @@ std::string JsonWriter::write() {
     return std::move(out_);
 }
 
+/// `"X0": { "direction": "output", "bits": [ 7 ] }`
 void JsonWriter::write_ports() {
     out_ += "      \"ports\": {";
     std::string_view separator = "\n";
@@ -153,6 +157,7 @@ void JsonWriter::write_ports() {
     out_ += "\n      },\n";
 }
 
+/// A cell is called like the net that it drives, with the suffix for cells.
 void JsonWriter::write_cells() {
     out_ += "      \"cells\": {";
     std::string_view separator = "\n";
@@ -173,6 +178,7 @@ void JsonWriter::write_cell(const Cell& cell, const Module& module) {
     out_ += " } }";
 }
 
+/// Where a cell comes from, and the parameters of a black box.
 void JsonWriter::write_attributes(const Cell& cell, const Module& module) {
     out_ += ", \"attributes\": { \"module\": \"";
     append_json_text(out_, module.name);
@@ -191,6 +197,7 @@ void JsonWriter::write_attributes(const Cell& cell, const Module& module) {
     out_ += " }";
 }
 
+/// A word-level cell over all pins; a NAND compares them with ones.
 void JsonWriter::write_word(const Cell& cell, const Module& module) {
     const bool is_comparison = cell.type == CellType::nand_gate;
     append(out_, form_of(cell.type).word,
@@ -216,6 +223,7 @@ void JsonWriter::write_word(const Cell& cell, const Module& module) {
     out_ += " ]";
 }
 
+/// A cell of Yosys's gate library where it has the right number of inputs.
 void JsonWriter::write_gate(const Cell& cell, const Module& module) {
     const CellForm form = form_of(cell.type);
     if (form.gate.empty()) return write_black_box(cell, module);
@@ -242,6 +250,7 @@ void JsonWriter::write_gate(const Cell& cell, const Module& module) {
     out_ += " ]";
 }
 
+/// A cell that Yosys has not, by the names of its pins.
 void JsonWriter::write_black_box(const Cell& cell, const Module& module) {
     append(out_, helpers_, row_of(cell.type).name, "\", \"parameters\": {}");
     write_attributes(cell, module);
@@ -260,6 +269,7 @@ void JsonWriter::write_black_box(const Cell& cell, const Module& module) {
     out_ += " ]";
 }
 
+/// Every net by its name, with its initial value, and every output port that is called otherwise.
 void JsonWriter::write_net_names() {
     out_ += "      \"netnames\": {";
     std::string_view separator = "\n";
@@ -290,6 +300,7 @@ void JsonWriter::write_net_names() {
     out_ += "\n      }\n";
 }
 
+/// The ports of a black box, which Yosys asks for.
 void JsonWriter::write_black_box_module(const CellTypeRow& row) {
     append(out_, ",\n    \"", helpers_, row.name,
            "\": {\n      \"attributes\": { \"blackbox\": 1 },\n      \"ports\": {\n");

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 #include "text/utf8.h"
 
 namespace grafwire::ladder {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ladder/ladder.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::ladder {
 

@@ -5,7 +5,7 @@
 
 #include "ladder/draw/layout.h"
 #include "ladder/draw/write_drawings.h"
-#include "text/xml.h"
+#include "text/escape.h"
 
 namespace grafwire::ladder {
 

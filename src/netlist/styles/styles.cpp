@@ -15,13 +15,32 @@ namespace {
 
 // A new style is a file style_NAME.cpp, its name and its maker in styles.h, and a row here.
 constexpr auto rows = std::to_array<StyleRow>({
-    {Style::gates, "gates", "phase modules of AND, OR and NOT gates", CdxForm::successor, false,
+    {Style::gates,
+     "gates",
+     {"phase modules of AND, OR and NOT gates", "modules de phase en portes ET, OU et NON"},
+     CdxForm::successor,
+     false,
      make_gates},
-    {Style::nand, "nand", "set-priority latches of NAND gates", CdxForm::successor, false,
+    {Style::nand,
+     "nand",
+     {"set-priority latches of NAND gates", "bascules de portes NON-ET, priorité à l'activation"},
+     CdxForm::successor,
+     false,
      make_nand},
-    {Style::nor, "nor", "reset-priority latches of NOR gates", CdxForm::successor, false, make_nor},
-    {Style::clocked, "clocked", "a D flip-flop per step on a common clock", CdxForm::transition,
-     true, make_clocked},
+    {Style::nor,
+     "nor",
+     {"reset-priority latches of NOR gates",
+      "bascules de portes NON-OU, priorité à la désactivation"},
+     CdxForm::successor,
+     false,
+     make_nor},
+    {Style::clocked,
+     "clocked",
+     {"a D flip-flop per step on a common clock",
+      "une bascule D par étape, sur une horloge commune"},
+     CdxForm::transition,
+     true,
+     make_clocked},
 });
 
 constexpr bool stand_in_order() {

@@ -8,6 +8,7 @@
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "text/diagnostics.h"
+#include "text/message.h"
 
 namespace grafwire {
 
@@ -29,10 +30,10 @@ Netlist make_clocked(const Grafcet& grafcet, const Equations& equations, const D
 /// What the program knows of a style.
 struct StyleRow {
     Style style;
-    std::string_view name;         ///< as users ask for it and as reports call it
-    std::string_view description;  ///< for the help: what a step is made of
-    CdxForm default_cdx;           ///< where the user does not say
-    bool has_registers;            ///< for counters
+    std::string_view name;  ///< as users ask for it and as reports call it
+    Message<> description;  ///< for the help: what a step is made of
+    CdxForm default_cdx;    ///< where the user does not say
+    bool has_registers;     ///< for counters
     /// From equations to a netlist without comments.
     Netlist (*make)(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 };

@@ -8,7 +8,7 @@
 #include "plc/shared/source_text.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
-#include "iec/keywords.h"
+#include "iec/identifiers.h"
 #include "plc/iec/messages.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"

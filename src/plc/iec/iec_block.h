@@ -8,7 +8,7 @@
 
 #include "program/program.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 #include "text/safe_names.h"
 
 namespace grafwire {

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "iec/literals.h"
 #include "plc/iec/iec_block.h"
 #include "plc/iec/languages.h"

@@ -9,7 +9,7 @@
 #include <functional>
 #include <span>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "iec/literals.h"
 #include "iec/operators.h"
 #include "plc/iec/iec_block.h"

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <span>
 
-#include "grafcet/relations.h"
-#include "grafcet/sum_range.h"
+#include "grafcet/expression.h"
+#include "grafcet/grafcet.h"
 #include "plc/pl7/messages.h"
 #include "plc/shared/program_needs.h"
 #include "program/messages.h"

@@ -8,7 +8,7 @@
 #include "plc/pl7/pl7_objects.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -5,7 +5,7 @@
 #include "plc/pl7/pl7_objects.h"
 #include "plc/pl7/pl7_rungs.h"
 #include "program/program.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

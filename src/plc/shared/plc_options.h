@@ -4,7 +4,7 @@
 
 #include "s7/addresses/cpu.h"
 #include "s7/addresses/io_assignment.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire {
 

@@ -12,7 +12,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "program/bit_names.h"
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire {
 

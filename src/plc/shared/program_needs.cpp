@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "program/bit_names.h"
 
 namespace grafwire {

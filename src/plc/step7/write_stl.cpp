@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"
 #include "plc/step7/messages.h"

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "text/characters.h"
+#include "text/utf8.h"
 
 namespace grafwire::s7 {
 

@@ -7,6 +7,7 @@
 #include "s7/addresses/messages.h"
 #include "s7/addresses/operand_text.h"
 #include "s7/generate/messages.h"
+#include "text/nearest_name.h"
 
 namespace grafwire::s7 {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "program/messages.h"
 #include "s7/generate/messages.h"
 
@@ -25,7 +25,8 @@ class SumSurvey {
     SumSurvey(const Grafcet& grafcet, const ScanProgram& program, Diagnostics& diagnostics)
         : grafcet_(grafcet), diagnostics_(diagnostics) {
         for (const Counter& counter : grafcet.counters) {
-            note({counter.low, counter.high}, say::counter_too_wide, counter.name, counter.where);
+            note({counter.low, counter.high}, say::counter_too_wide,
+                 Localized::same_in_both(counter.name), counter.where);
         }
         for (const std::vector<Statement>& section : program.sections) {
             for (const Statement& statement : section) survey(statement);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "grafcet/sum_range.h"
+#include "grafcet/grafcet.h"
 #include "program/program.h"
 #include "s7/generate/addresses.h"
 #include "s7/generate/condition_writer.h"

@@ -7,7 +7,7 @@
 #include "s7/addresses/io_assignment.h"
 #include "s7/listing.h"
 #include "text/diagnostics.h"
-#include "text/language.h"
+#include "text/message.h"
 
 namespace grafwire::s7 {
 

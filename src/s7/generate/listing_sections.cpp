@@ -66,7 +66,7 @@ void ListingBuild::main_program() {
     call(5, say::call_5());
     call(6, say::call_6());
     call(8, say::call_8());
-    networks_.add(Part::skeleton, "", {make(Operation::main_end)});
+    networks_.add(Part::skeleton, Localized(), {make(Operation::main_end)});
 }
 
 void ListingBuild::subroutine(int number, const Message<>& comment) {
@@ -81,7 +81,7 @@ void ListingBuild::call(int number, const Localized& comment) {
 }
 
 void ListingBuild::end_subroutine() {
-    networks_.add(Part::skeleton, "", {make(Operation::return_)});
+    networks_.add(Part::skeleton, Localized(), {make(Operation::return_)});
 }
 
 void ListingBuild::nothing(const Message<>& comment) {
@@ -235,7 +235,7 @@ void ListingBuild::reset_timers() {
 void ListingBuild::make_begin() {
     const TableLayout& layout = addresses_.layout();
     subroutine(1, say::subroutine_1);
-    call(10, "Tpulse");
+    call(10, Localized::same_in_both("Tpulse"));
     std::vector<Instruction> copying{make(Operation::load, {always_on()})};
     std::uint32_t done = 0;
     for (std::uint32_t words = layout.step_bytes / 2; words != 0;) {
@@ -247,10 +247,11 @@ void ListingBuild::make_begin() {
         done += 2 * count;
         words -= count;
     }
-    networks_.add(Part::skeleton, "Tp = Ts", std::move(copying));
+    networks_.add(Part::skeleton, Localized::same_in_both("Tp = Ts"), std::move(copying));
     std::vector<Instruction> clearing{make(Operation::load, {always_on()})};
     fill(0, layout.first_byte(BitKind::activate), 4 * layout.step_bytes, clearing);
-    networks_.add(Part::skeleton, "Ta = Td = Tf1 = Tf0 = 0", std::move(clearing));
+    networks_.add(Part::skeleton, Localized::same_in_both("Ta = Td = Tf1 = Tf0 = 0"),
+                  std::move(clearing));
     end_subroutine();
 }
 
@@ -277,7 +278,7 @@ void ListingBuild::make_evolution() {
 /// Orders, Ts, enclosures, AUdur, Tpulse, and stored actions. The formula of forcing stands in
 /// every program, as in the skeleton; where nothing is forced it leaves Ts as it is.
 void ListingBuild::make_orders() {
-    call(10, "Tpulse");
+    call(10, Localized::same_in_both("Tpulse"));
     const std::vector<Statement>& statements = program_.section(SectionKind::orders);
     const auto force = [&] {
         formula(say::formula_of_forcing(), BitKind::step, BitKind::forced_off, BitKind::forced_on,
@@ -295,7 +296,7 @@ void ListingBuild::make_orders() {
         if (is_table(statement, TableOperation::force)) {
             force();
         } else if (is_table(statement, TableOperation::pulse)) {
-            call(10, "Tpulse");
+            call(10, Localized::same_in_both("Tpulse"));
         } else {
             write(statement);
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grafcet/relations.h"
+#include "grafcet/expression.h"
 #include "s7/listing.h"
 
 namespace grafwire::s7 {

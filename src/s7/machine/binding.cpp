@@ -11,6 +11,7 @@
 #include "s7/addresses/operand_text.h"
 #include "s7/machine/decoded.h"
 #include "s7/machine/messages.h"
+#include "text/nearest_name.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {

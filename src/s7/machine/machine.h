@@ -9,8 +9,8 @@
 #include "logic/logic.h"
 #include "s7/addresses/cpu.h"
 #include "s7/listing.h"
-#include "text/location.h"
 #include "text/message.h"
+#include "text/source.h"
 #include "text/time.h"
 
 namespace grafwire::s7 {

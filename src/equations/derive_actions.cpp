@@ -103,6 +103,7 @@ StoredWrite step_write(const Grafcet& grafcet, Equations& equations, const Actio
     return write;
 }
 
+/// Init keeps transitions from being cleared, and their actions from being run.
 StoredWrite clearing_write(const Grafcet& grafcet, Equations& equations,
                            const ClearingAction& action) {
     Expressions& pool = equations.expressions;
@@ -116,6 +117,7 @@ StoredWrite clearing_write(const Grafcet& grafcet, Equations& equations,
     return write;
 }
 
+/// In the order of execution: deactivation, clearing, activation, event.
 Targets writes_by_target(const Grafcet& grafcet, Equations& equations) {
     Targets targets(grafcet);
     const auto add_of_steps = [&](Trigger trigger) {

@@ -1,17 +1,40 @@
-// The object is written piece by piece, one line per step, so that no tree of the whole report is
-// ever in memory.
+// The forms of the report that programs read: CSV, a row per variable, and JSON, one object with
+// everything. The object is written piece by piece, one line per step, so that no tree of the whole
+// report is ever in memory.
 
 #include <nlohmann/json.hpp>
 
-#include "equations/report/reports.h"
+#include "equations/report/report_parts.h"
 #include "grafcet/write_grafcet.h"
+#include "text/escape.h"
 
 namespace grafwire {
 
 namespace {
 
+/// A text as one field of a row.
+std::string field(const std::string& text) {
+    std::string quoted;
+    append_csv_field(quoted, text);
+    return quoted;
+}
+
+/// The right-hand side of every output, in the order of declaration.
+std::vector<ExprId> output_values(Reported& reported) {
+    std::vector<ExprId> values(reported.grafcet.outputs.size(), no_expr);
+    for (const OutputEquation& output : reported.equations.outputs) {
+        values[index_of(output.output)] = output.value;
+    }
+    for (const StoredEquation& stored : reported.equations.stored) {
+        if (stored.target.kind != VariableKind::output) continue;
+        values[stored.target.index] = stored_expression(stored, reported.pool);
+    }
+    return values;
+}
+
 using Json = nlohmann::ordered_json;
 
+/// What makes a write happen, by the name that stands in JSON.
 const char* cause_name(StoredWrite::Cause cause) {
     switch (cause) {
         case StoredWrite::Cause::deactivation:
@@ -26,6 +49,7 @@ const char* cause_name(StoredWrite::Cause cause) {
     return "event";
 }
 
+/// Members of the object, one after the other; each list has an item a line.
 class JsonReport {
   public:
     JsonReport(Reported& reported, bool with_minimised)
@@ -56,6 +80,7 @@ class JsonReport {
     std::string shown(ExprId id) const { return write_expression(grafcet_, reported_.pool, id); }
 
     template <typename Item>
+    /// `"steps": [`, an item a line, `]`.
     void list(const char* name, std::size_t count, Item item) {
         text_ += ",\n  \"";
         text_ += name;
@@ -71,6 +96,7 @@ class JsonReport {
         if (id != no_expr) object[key] = shown(id);
     }
 
+    /// `{"name": "X0", "initial": true, "cax": "…", …}`; parts that the step has not are left out.
     Json step(std::size_t index) {
         const StepId id = grafcet_.steps.id_at(index);
         const ExprId x = step_expression(equations_, id, reported_.pool);
@@ -104,6 +130,7 @@ class JsonReport {
         return object;
     }
 
+    /// A stored output, var or counter with its writes in the order of execution.
     Json stored(std::size_t index) {
         const StoredEquation& stored = equations_.stored[index];
         Json object;
@@ -155,6 +182,28 @@ class JsonReport {
 };
 
 }  // namespace
+
+std::string write_csv_report(Reported& reported) {
+    const Grafcet& grafcet = reported.grafcet;
+    const auto formula = [&](ExprId id) {
+        return field(write_expression(grafcet, reported.pool, id));
+    };
+    std::string csv = "variable,CAX,CDX,X\n";
+    for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
+        const StepId id = grafcet.steps.id_at(i);
+        const ExprId x = step_expression(reported.equations, id, reported.pool);
+        const TableConditions step = table_conditions(reported.equations, id, reported.pool);
+        csv += field("X" + grafcet.steps[id].name);
+        for (const ExprId part : {step.cax, step.cdx, x}) csv += "," + formula(part);
+        csv += '\n';
+    }
+    const std::vector<ExprId> values = output_values(reported);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        csv += field(grafcet.outputs[grafcet.outputs.id_at(i)].name) + ",,," + formula(values[i]) +
+               "\n";
+    }
+    return csv;
+}
 
 std::string write_json_report(Reported& reported, bool with_minimised) {
     return JsonReport(reported, with_minimised).write();

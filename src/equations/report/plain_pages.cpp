@@ -1,0 +1,196 @@
+// The pages whose formulas stand in the notation of the `.grafcet` language: plain text, with
+// aligned columns, and Markdown. A table of text is kept until its end, since the widths of its
+// columns are known only then; Markdown aligns by itself and is written as it comes.
+
+#include <algorithm>
+
+#include "equations/report/page.h"
+#include "equations/report/report_parts.h"
+#include "grafcet/write_grafcet.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+/// A page whose formulas are in the notation of the `.grafcet` language.
+class PlainPage : public Page {
+  public:
+    PlainPage(const Grafcet& grafcet, const Expressions& pool) : grafcet_(grafcet), pool_(pool) {}
+
+    std::string expression(ExprId id) const override {
+        return write_expression(grafcet_, pool_, id);
+    }
+    std::string name(Variable variable) const override { return shown_name(grafcet_, variable); }
+    std::string of_step(std::string_view quantity, StepId step) const override {
+        return quoted_where_needed(std::string(quantity) + grafcet_.steps[step].name);
+    }
+    std::string held(StepId step) const override {
+        return "/" + of_step("CDX", step) + "." + of_step("X", step);
+    }
+    std::string write(Variable target, const StoredWrite& write) const override {
+        return write_text(grafcet_, pool_, target, write);
+    }
+
+  private:
+    const Grafcet& grafcet_;
+    const Expressions& pool_;
+};
+
+/// Columns are aligned up to this width; a cell that is wider pushes its own row only, so that one
+/// long formula does not pad a million rows.
+constexpr std::size_t widest_aligned = 40;
+
+/// Plain text: aligned columns, a blank line between blocks.
+class TextPage : public PlainPage {
+  public:
+    TextPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
+
+    void title(std::string_view text) override { line(text); }
+    void heading(std::string_view text) override {
+        text_ += '\n';
+        line(text);
+        after_block_ = false;
+    }
+    void paragraph(std::string_view text) override {
+        separate();
+        line(text);
+        after_block_ = false;
+    }
+
+    void begin_table(const std::vector<Cell>& head) override {
+        separate();
+        rows_.assign(1, head);
+    }
+    void row(const std::vector<Cell>& cells) override { rows_.push_back(cells); }
+    void end_table() override {
+        std::vector<std::size_t> widths(rows_.front().size(), 0);
+        for (const std::vector<Cell>& row : rows_) {
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const std::size_t width = count_code_points(row[i].text);
+                if (width <= widest_aligned) widths[i] = std::max(widths[i], width);
+            }
+        }
+        for (const std::vector<Cell>& row : rows_) add_row(row, widths);
+        rows_.clear();
+        after_block_ = true;
+    }
+
+    void begin_equations() override {
+        separate();
+        after_block_ = true;
+    }
+    void equation(const std::string& left, const std::string& right) override {
+        line("  " + left + " = " + right);
+    }
+    void end_equations() override {}
+
+    std::string finish() override { return std::move(text_); }
+
+  private:
+    // A blank line between one table or group of equations and what follows it.
+    void separate() {
+        if (after_block_) text_ += '\n';
+    }
+
+    void line(std::string_view text) {
+        text_ += text;
+        text_ += '\n';
+    }
+
+    void add_row(const std::vector<Cell>& row, const std::vector<std::size_t>& widths) {
+        text_ += ' ';
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            text_ += ' ';
+            text_ += row[i].text;
+            const std::size_t width = count_code_points(row[i].text);
+            const std::size_t padding = width < widths[i] ? widths[i] - width : 0;
+            if (i + 1 < row.size()) text_.append(padding + 1, ' ');
+        }
+        text_.erase(text_.find_last_not_of(' ') + 1);
+        text_ += '\n';
+    }
+
+    std::string text_;
+    bool after_block_ = false;
+    std::vector<std::vector<Cell>> rows_;  ///< of the table that is open
+};
+
+/// Words with everything escaped that Markdown would read as markup.
+std::string escaped(std::string_view words) {
+    std::string text;
+    for (const char c : words) {
+        if (std::string_view("\\`*_{}[]<>#|~&$").find(c) != std::string_view::npos) text += '\\';
+        text += c;
+    }
+    return text;
+}
+
+/// A formula as a code span, fenced by more backticks than it contains in a row.
+std::string code_span(std::string_view formula) {
+    std::size_t longest = 0;
+    std::size_t run = 0;
+    for (const char c : formula) {
+        run = c == '`' ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    const std::string fence(longest + 1, '`');
+    const std::string_view space = longest > 0 ? " " : "";
+    return fence + std::string(space) + std::string(formula) + std::string(space) + fence;
+}
+
+/// In a table a bar ends the cell even within a code span.
+std::string cell_text(const Page::Cell& cell) {
+    if (!cell.is_formula) return escaped(cell.text);
+    std::string text;
+    for (const char c : code_span(cell.text)) {
+        if (c == '|') text += '\\';
+        text += c;
+    }
+    return text;
+}
+
+/// Markdown: formulas are code spans, equations a list.
+class MarkdownPage : public PlainPage {
+  public:
+    MarkdownPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
+
+    void title(std::string_view text) override { text_ += "# " + escaped(text) + "\n"; }
+    void heading(std::string_view text) override { text_ += "\n## " + escaped(text) + "\n"; }
+    void paragraph(std::string_view text) override { text_ += "\n" + escaped(text) + "\n"; }
+
+    void begin_table(const std::vector<Cell>& head) override {
+        text_ += '\n';
+        row(head);
+        for (std::size_t i = 0; i < head.size(); ++i) text_ += "|---";
+        text_ += "|\n";
+    }
+    void row(const std::vector<Cell>& cells) override {
+        for (const Cell& cell : cells) text_ += "| " + cell_text(cell) + " ";
+        text_ += "|\n";
+    }
+    void end_table() override {}
+
+    void begin_equations() override { text_ += '\n'; }
+    void equation(const std::string& left, const std::string& right) override {
+        text_ += "- " + code_span(left + " = " + right) + "\n";
+    }
+    void end_equations() override {}
+
+    std::string finish() override { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+}  // namespace
+
+std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<TextPage>(grafcet, pool);
+}
+
+std::unique_ptr<Page> markdown_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<MarkdownPage>(grafcet, pool);
+}
+
+}  // namespace grafwire

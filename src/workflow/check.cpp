@@ -1,0 +1,292 @@
+// The checks of a netlist, a ladder diagram and a listing. All go the same way: see whether the
+// question makes sense, compare with the reference in every case that can be reached, explain the
+// witness if there is one. They differ in what explores (`check_equivalence` for gates, which have
+// no scans of their own, `check_scans` for programs) and in who explains.
+
+#include "workflow/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/check_equivalence.h"
+#include "check/coverage.h"
+#include "check/netlist_witness.h"
+#include "check/partial_inputs.h"
+#include "check/scan_check.h"
+#include "evolution/run.h"
+#include "explain/explain.h"
+#include "explain/write_explanation.h"
+#include "grafcet/messages.h"
+#include "laddercheck/ladder_device.h"
+#include "plcopen/messages.h"
+#include "plcopen/read_ladder.h"
+#include "s7/addresses/messages.h"
+#include "s7check/explain_listing.h"
+#include "s7check/fault_localization.h"
+#include "s7check/listing_device.h"
+#include "simulate/simulate.h"
+#include "text/utf8.h"
+#include "workflow/messages.h"
+
+namespace grafwire {
+
+namespace {
+
+namespace say = messages::workflow;
+
+/// Whether the chart gives a check something to say; why not goes into `messages`.
+bool is_worth_checking(const Chart& chart, const std::string& file, bool has_modes,
+                       Diagnostics& messages) {
+    if (!can_ever_act(chart.grafcet)) {
+        messages.error(code::no_steps, {}, say::nothing_ever_happens(visible(file)));
+        return false;
+    }
+    if (!Assumptions(chart.grafcet).can_hold(unassigned_inputs(chart.grafcet, has_modes))) {
+        messages.error(code::contradicting_assumptions, {}, say::assumptions_leave_no_input());
+        return false;
+    }
+    return true;
+}
+
+/// The options of the explorations.
+CheckOptions check_options(const CheckRequest& request) {
+    CheckOptions options;
+    options.max_cases = request.max_cases;
+    options.changes = request.changes;
+    options.delays = request.subject.delays;
+    options.progress = request.progress;
+    options.keep_going = request.keep_going;
+    return options;
+}
+
+/// Of the way through the gates, what a report for people shows.
+constexpr std::size_t most_links = 36;
+
+/// The files that show a witness: stimuli, what reference and netlist make of them, the
+/// explanation.
+std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
+                                        const CellDelays& delays, const Witness& witness,
+                                        const std::string& explanation) {
+    const Stimuli& stimuli = witness.stimuli;
+    const RunResult run = witness.scan_period == 0
+                              ? run_until_stable(grafcet, stimuli)
+                              : run_scans(grafcet, stimuli, witness.scan_period);
+    SimulateOptions options;
+    options.waveform = true;
+    options.scan_period = witness.scan_period;
+    const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
+    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
+            {"witness.txt", explanation},
+            {"expected.csv", write_csv(run.trace)},
+            {"expected.vcd", write_vcd(run.trace, grafcet.name)},
+            {"got.csv", write_csv(simulated.trace)},
+            {"got.vcd", simulated.waveform}};
+}
+
+/// Explains the witness, with its files beside it if they are wanted.
+void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
+                     const CheckRequest& request) {
+    const CellDelays delays = cell_delays(netlist, request.subject.delays);
+    const Witness& witness = *judgement.result.witness;
+    const Netlist powered = with_power_up(netlist, witness.power_up);
+    const Explanation explanation = explain(grafcet, powered, delays, witness);
+    const auto text_in = [&](Language language, std::size_t links) {
+        return write_explanation(grafcet, powered, witness, explanation,
+                                 {language, links, request.subject.against});
+    };
+    judgement.explained.text = text_in(request.language, most_links);
+    for (const Netlist::InitialValue& initial : witness.power_up) {
+        judgement.explained.power_up.emplace_back(netlist.names[initial.net], initial.value);
+    }
+    if (explanation.cause) judgement.explained.cause = identifier_of(explanation.cause->kind);
+    judgement.explained.lines = lines_of(text_in(Language::english, 0));
+    if (request.with_files) {
+        judgement.witness_files =
+            files_of_witness(grafcet, powered, delays, witness, text_in(request.language, 0));
+    }
+}
+
+}  // namespace
+
+PowerUp power_up_of(const Chart& chart, const Netlist& netlist, bool is_from_elsewhere) {
+    const Grafcet& grafcet = chart.grafcet;
+    const NetId init = map_ports(grafcet, netlist).inputs[grafcet.inputs.size()];
+    if (init != no_net) return PowerUp::init;
+    if (!is_from_elsewhere) return PowerUp::initial_values;
+    return netlist.starts_initially ? PowerUp::given : PowerUp::unknown;
+}
+
+/// The period of a clocked netlist is part of the verdict, and so is how many inputs change at once
+/// in one without a clock; the report names both.
+std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlist,
+                                       const CheckRequest& request, Diagnostics& messages) {
+    if (!is_worth_checking(chart, request.subject.file, netlist.has_modes, messages)) {
+        return std::nullopt;
+    }
+    Judgement judgement{request.subject, {}, {}, {}};
+    CheckSubject& subject = judgement.subject;
+    if (netlist.is_clocked()) {
+        subject.period = request.period ? format_duration(*request.period) : "every";
+    } else {
+        subject.changes = request.changes;
+    }
+    subject.power_up = power_up_of(chart, netlist, !subject.against.empty());
+    subject.warnings = chart.warnings;
+    // Compare it with the reference in every reachable case.
+    CheckOptions options = check_options(request);
+    options.scan_period = request.period;
+    judgement.result = check_equivalence(chart.grafcet, netlist, options);
+    // Explain a difference.
+    if (judgement.result.witness) add_explanation(judgement, chart.grafcet, netlist, request);
+    return judgement;
+}
+
+// Programs.
+
+namespace {
+
+/// The files that show the witness of a program: stimuli, what reference and program make of them,
+/// the explanation.
+std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
+                                      const Witness& witness, const std::string& explanation) {
+    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
+    const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+            {"witness.txt", explanation},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
+            {"got.csv", write_csv(got)},
+            {"got.vcd", write_vcd(got, grafcet.name)}};
+}
+
+/// Compares a program with the reference after every scan, in every state that can be reached.
+/// `explain` puts a witness into words.
+std::optional<Judgement> check_device(
+    const Chart& chart, const ScannedDevice& device, const CheckRequest& request,
+    Diagnostics& messages, const std::function<std::string(const Witness&, Language)>& explain) {
+    const Grafcet& grafcet = chart.grafcet;
+    if (!is_worth_checking(chart, request.subject.file, device.has_modes(), messages)) {
+        return std::nullopt;
+    }
+    const Time period = request.period ? *request.period : natural_period(grafcet, device);
+    Judgement judgement{request.subject, {}, {}, {}};
+    CheckSubject& subject = judgement.subject;
+    subject.is_program = true;
+    subject.period = format_duration(period);
+    subject.power_up = device.has_modes() ? PowerUp::init : PowerUp::initial_values;
+    subject.warnings = chart.warnings;
+    judgement.result = check_scans(grafcet, device, period, check_options(request));
+    if (const auto& witness = judgement.result.witness) {
+        judgement.explained.text = explain(*witness, request.language);
+        judgement.explained.lines = lines_of(explain(*witness, Language::english));
+        if (request.with_files) {
+            judgement.witness_files =
+                files_of_scans(grafcet, device, *witness, judgement.explained.text);
+        }
+    }
+    return judgement;
+}
+
+/// Whether every step and output has its variable; what is missing goes into `messages`.
+bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnostics& messages) {
+    if (!names.missing.empty()) {
+        messages.error(code::bad_ladder, {},
+                       say::missing_variables(request.subject.against,
+                                              fmt::format("{}", fmt::join(names.missing, ", "))));
+        return false;
+    }
+    if (!names.missing_inputs.empty()) {
+        messages.warning(
+            code::bad_ladder, {},
+            say::missing_inputs(request.subject.against,
+                                fmt::format("{}", fmt::join(names.missing_inputs, ", "))));
+    }
+    return true;
+}
+
+/// Init, AUdur and AUdoux have addresses, all of them or none; AUdoux needs none where it has
+/// nothing to switch off.
+bool has_all_modes_or_none(const Grafcet& grafcet, const s7::Binding& binding) {
+    const bool has_continuous =
+        std::any_of(grafcet.actions.begin(), grafcet.actions.end(),
+                    [](const Action& action) { return action.kind == ActionKind::continuous; });
+    const auto first = binding.inputs.end() - control_input_count;
+    const auto end = binding.inputs.end() - (has_continuous ? 0 : 1);
+    const auto count =
+        std::count_if(first, end, [](const auto& operand) { return operand.has_value(); });
+    return count == 0 || count == end - first;
+}
+
+}  // namespace
+
+std::optional<ladder::Ladder> read_ladder(const SourceFile& source, const std::string& program,
+                                          Diagnostics& diagnostics) {
+    auto ladder = plcopen::read_ladder(source, diagnostics, program);
+    diagnostics.sort_by_place();
+    return ladder;
+}
+
+std::optional<Judgement> check_ladder(const Chart& chart, const ladder::Ladder& ladder,
+                                      const CheckRequest& request, Diagnostics& messages) {
+    const LadderNames names = find_names(chart.grafcet, ladder);
+    if (!can_compare(request, names, messages)) return std::nullopt;
+    const LadderDevice device(chart.grafcet, ladder, names);
+    return check_device(chart, device, request, messages,
+                        [&](const Witness& witness, Language language) {
+                            return device.explain(witness, language);
+                        });
+}
+
+std::optional<Judgement> check_listing(const Chart& chart, const s7::Listing& listing, s7::Cpu cpu,
+                                       const s7::Binding& binding, const CheckRequest& request,
+                                       Diagnostics& messages) {
+    const Grafcet& grafcet = chart.grafcet;
+    if (!has_all_modes_or_none(grafcet, binding)) {
+        messages.error(code::unassigned_name, {}, say::modes_all_or_none());
+        return std::nullopt;
+    }
+    const ListingDevice device(listing, cpu, binding);
+    std::optional<Diagnosis> diagnosis;
+    std::optional<ScannedDevice::Stop> stop;
+    bool is_sought = false;
+    const auto explain = [&](const Witness& witness, Language language) {
+        // Find what the difference comes from, once.
+        if (!is_sought) {
+            diagnosis = localize_fault(grafcet, listing, cpu, binding, witness);
+            stop = last_scan(grafcet, device, witness).stop;
+            is_sought = true;
+        }
+        return explain_listing_witness(grafcet, listing, witness, diagnosis, stop, language);
+    };
+    return check_device(chart, device, request, messages, explain);
+}
+
+// Reports.
+
+namespace {
+
+std::string text(const Judgement& judgement, const Chart& chart, double, Language language) {
+    return write_check_text(judgement.subject, chart.grafcet, judgement.result, judgement.explained,
+                            language);
+}
+
+std::string json(const Judgement& judgement, const Chart& chart, double, Language) {
+    return write_check_json(judgement.subject, chart.grafcet, judgement.result,
+                            judgement.explained);
+}
+
+std::string junit(const Judgement& judgement, const Chart& chart, double seconds, Language) {
+    return write_check_junit(judgement.subject, chart.grafcet, judgement.result,
+                             judgement.explained, seconds);
+}
+
+constexpr ReportRow table[] = {{"text", text}, {"json", json}, {"junit", junit}};
+
+}  // namespace
+
+std::span<const ReportRow> report_forms() {
+    return table;
+}
+
+}  // namespace grafwire
