@@ -1,3 +1,7 @@
+// The variables of a diagram made from a chart: `X10` of a step, `T0` of a transition, `X10_before`
+// and `X10_pulse`, `↑dcy` of an edge, `5s/X13` of a time condition while that is no longer than
+// sixteen characters. Two that would have the same name get a number: `timer0_2`.
+
 #include "ladder/chart_variables.h"
 
 #include <fmt/format.h>

@@ -12,10 +12,8 @@ namespace grafwire::plcopen {
 void write_ladder_body(const ladder::Ladder& ladder, const std::vector<std::string>& names,
                        pugi::xml_node body);
 
-/// The sequential function chart of a GRAFCET: its interface and its body. What SFC cannot say
-/// stands in comments (sfc/remarks.h).
-void write_sfc_interface(const sfc::Plan& plan, const sfc::Names& names, Language language,
-                         pugi::xml_node pou);
+/// The sequential function chart of a GRAFCET. What SFC cannot say stands in comments
+/// (sfc/remarks.h).
 void write_sfc_body(const sfc::Plan& plan, const sfc::Names& names, Language language,
                     pugi::xml_node body);
 

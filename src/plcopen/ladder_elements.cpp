@@ -1,3 +1,7 @@
+// The elements of an LD body, before any of them is a contact of a rung: each with what stands in
+// it and what its inlets are fed by, taken from the connections alone. Where elements lie on the
+// page decides nothing but the order of networks and which comment belongs to which.
+
 #include "plcopen/ladder_elements.h"
 
 #include <algorithm>

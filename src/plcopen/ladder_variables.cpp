@@ -1,3 +1,11 @@
+// The variables that a program of a project declares, and those of its configuration that it can
+// see.
+//
+// Names are compared without regard to case, as IEC 61131-3 wants it; a local variable hides a
+// global one of the same name. A TIME with a value is a constant for the presets of timers. A
+// variable of any other type is remembered by its type alone: it is an error only where the diagram
+// uses it.
+
 #include "plcopen/ladder_variables.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// A ladder diagram out of a PLCopen project, in the order of its steps: the program is found, its
+// variables are read, the elements of its body, then the networks that they make. Variables
+// and elements are both read before any error ends it, so that one run tells all of theirs.
+
 #include "plcopen/read_ladder.h"
 
 #include <algorithm>

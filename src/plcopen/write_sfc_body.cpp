@@ -10,7 +10,6 @@
 #include "plcopen/bodies.h"
 #include "sfc/actions.h"
 #include "sfc/layout.h"
-#include "sfc/observer.h"
 #include "sfc/remarks.h"
 #include "sfc/structured_text.h"
 

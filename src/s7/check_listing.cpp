@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "s7/instruction_set.h"
+#include "s7/listing.h"
 #include "s7/messages.h"
-#include "s7/outline.h"
 
 namespace grafwire::s7 {
 

@@ -2,7 +2,7 @@
 // and within what the controller has of that area (cpu.h).
 
 #include "s7/addresses/messages.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
 #include "s7/messages.h"

@@ -1,6 +1,9 @@
+// A line of a listing as words: `  125 LD    "start" // Start` is an offset, a mnemonic, a quoted
+// name and a comment. Commas count as blanks, for some tools print them between operands.
+
 #include "s7/listing_lines.h"
 
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/instruction_set.h"
 #include "s7/messages.h"
 #include "text/nearest_name.h"

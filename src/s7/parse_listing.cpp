@@ -10,7 +10,7 @@
 #include <map>
 
 #include "s7/addresses/messages.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/check_listing.h"
 #include "s7/instruction_set.h"
 #include "s7/listing_items.h"

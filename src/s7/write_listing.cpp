@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/instruction_set.h"
 
 namespace grafwire::s7 {

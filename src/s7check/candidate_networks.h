@@ -7,7 +7,6 @@
 #include "s7/listing.h"
 #include "s7/machine/binding.h"
 #include "s7/machine/machine.h"
-#include "s7/outline.h"
 #include "s7check/fault_localization.h"
 
 namespace grafwire {

@@ -19,7 +19,7 @@
 #include <algorithm>
 
 #include "explain/explanation_writer.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/write_listing.h"
 #include "s7check/candidate_networks.h"
 #include "s7check/messages.h"

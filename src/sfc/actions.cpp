@@ -3,10 +3,20 @@
 // on an event under N. The statements are right whether or not an action is executed once more
 // after its step (the standard's final scan), and whether or not the P1 of an initial step is
 // executed in the first scan, which a GRAFCET does not do.
+//
+// The end of a scan in the sequential function chart, in the order of the table method: time
+// conditions (SBR 6), outputs with conditions (SBR 8); then what the next scan compares with. The
+// operands of edges are kept from the outside inwards, since an outer one reads the edges within it
+// as they were in this scan, and the copies after all of them.
+//
+// With two delays a TON runs while the operand and the value differ, one for either change: a
+// return of the operand before the end stops it, as it must.
 
 #include "sfc/actions.h"
 
 #include <fmt/format.h>
+
+#include <map>
 
 #include "iec/literals.h"
 #include "sfc/messages.h"
@@ -111,12 +121,102 @@ void ActionsOfStep::add(const Action& action) {
                           statement);
 }
 
+class Observer {
+  public:
+    Observer(const Plan& plan, const Names& names, Language language)
+        : plan_(plan),
+          grafcet_(*plan.grafcet),
+          names_(names),
+          text_(plan, names),
+          language_(language) {}
+
+    std::string make() {
+        begin(say::times_for_next_scan);
+        for (std::size_t i = 0; i < plan_.times.size(); ++i) {
+            if (plan_.times[i]) time_condition(i);
+        }
+        begin(say::outputs_with_conditions);
+        assign_outputs();
+        begin(say::compared_next);
+        for (auto item = names_.before.rbegin(); item != names_.before.rend(); ++item) {
+            assign(item->second, text_.expression(item->first, reading_at_start));
+        }
+        for (const auto& [variable, name] : names_.copies) assign(name, text_.variable(variable));
+        for (const auto& [i, name] : names_.time_copies) assign(name, names_.times[i]);
+        if (plan_.has_start_bit) assign(names_.started, "TRUE");
+        return std::move(text_so_far_);
+    }
+
+  private:
+    /// A heading, where anything follows under it.
+    void begin(const Message<>& heading) { heading_ = heading.in(language_); }
+    void add(const std::string& line) {
+        if (!heading_.empty()) text_so_far_ += "(* " + heading_ + " *)\n";
+        heading_.clear();
+        text_so_far_ += line + "\n";
+    }
+    void assign(const std::string& name, const std::string& value) {
+        add(fmt::format("{} := {};", name, value));
+    }
+    void time_condition(std::size_t i);
+    void assign_outputs();
+
+    const Plan& plan_;
+    const Grafcet& grafcet_;
+    const Names& names_;
+    StructuredText text_;
+    Language language_;
+    std::string text_so_far_;
+    std::string heading_;
+};
+
+void Observer::time_condition(std::size_t i) {
+    const Expressions& pool = grafcet_.expressions;
+    const TimeCondition& condition = pool.time_condition_of(pool.time_conditions()[i]);
+    const std::string& bit = names_.times[i];
+    const auto start_timer = [&](const std::string& timer, const std::string& input, Time delay) {
+        add(fmt::format("{}(IN := {}, PT := {});", timer, input, iec::time_literal(delay)));
+    };
+    const std::string& timer = names_.timers[i];
+    if (condition.off_delay == 0) {
+        start_timer(timer, text_.expression(condition.operand), condition.on_delay);
+        assign(bit, timer + ".Q");
+        return;
+    }
+    const std::string operand = text_.expression(condition.operand, {}, true);
+    const std::string& off_timer = names_.off_timers[i];
+    start_timer(timer, fmt::format("{} AND NOT {}", operand, bit), condition.on_delay);
+    add(fmt::format("IF {}.Q THEN {} := TRUE; END_IF;", timer, bit));
+    start_timer(off_timer, fmt::format("NOT {} AND {}", operand, bit), condition.off_delay);
+    add(fmt::format("IF {}.Q THEN {} := FALSE; END_IF;", off_timer, bit));
+}
+
+void Observer::assign_outputs() {
+    std::map<OutputId, std::string> values;
+    for (const Action& action : grafcet_.actions) {
+        if (action.kind != ActionKind::continuous) continue;
+        if (plan_.observed_outputs.count(action.output) == 0) continue;
+        std::string& value = values[action.output];
+        if (!value.empty()) value += " OR ";
+        const std::string active = names_.steps[index_of(action.step)] + ".X";
+        value +=
+            action.expression == no_expr
+                ? active
+                : fmt::format("({} AND {})", active, text_.expression(action.expression, {}, true));
+    }
+    for (const auto& [output, value] : values) assign(names_.outputs[index_of(output)], value);
+}
+
 }  // namespace
 
 std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
                                          Language language) {
     if (index_of(step) >= plan.grafcet->steps.size()) return {};
     return ActionsOfStep(plan, names, step, language).make();
+}
+
+std::string observer_text(const Plan& plan, const Names& names, Language language) {
+    return Observer(plan, names, language).make();
 }
 
 }  // namespace grafwire::sfc

@@ -22,4 +22,8 @@ struct ActionBlockEntry {
 std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
                                          Language language);
 
+/// The statements of the step `observe`, to be executed after all other actions of a scan; empty
+/// where there is nothing to observe. Comments are in the language.
+std::string observer_text(const Plan& plan, const Names& names, Language language);
+
 }  // namespace grafwire::sfc

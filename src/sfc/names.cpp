@@ -1,3 +1,7 @@
+// Identifiers for a chart in SFC. What the chart declares comes first and keeps its name where that
+// is an identifier; an edge, a time condition or a copy is named after its expression where that is
+// short (`dcy_before`, `n5s_X13`), else after its number.
+
 #include "sfc/names.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// Expressions of a chart in Structured Text. An edge is written as what it is, the operand now and
+// not before, for R_TRIG would need an instance that is called in every scan; in the first scan
+// there is none. Where a statement must read what held when the scan began, it reads a copy.
+
 #include "sfc/structured_text.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7check/candidate_networks.h"
 #include "support/listings.h"
 

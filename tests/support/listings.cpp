@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 
 namespace grafwire::testing {
 

@@ -2,9 +2,8 @@
 //
 // Parentheses stand round every compound operand, and round comparisons where a language needs
 // them: in Pascal `a and b < c` means `(a and b) < c`. `a ⊕ /b` gets them round the negation as
-// well, since
-// `!b` beside `^` reads like a mistake. Two sides of a comparison that are the same sum, `n < n`,
-// are settled here: compilers warn of them.
+// well, since `!b` beside `^` reads like a mistake. Two sides of a comparison that are the same
+// sum, `n < n`, are settled here: compilers warn of them.
 
 #include "plc/shared/condition_text.h"
 

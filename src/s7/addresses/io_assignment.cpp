@@ -10,7 +10,7 @@
 
 #include "grafcet/lexer.h"
 #include "s7/addresses/messages.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "text/utf8.h"
 #include "trace/line_cursor.h"
 

@@ -5,7 +5,7 @@
 
 #include "grafcet/write_grafcet.h"
 #include "s7/addresses/messages.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/generate/messages.h"
 #include "text/nearest_name.h"
 

@@ -11,13 +11,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "grafcet/expression.h"
 #include "s7/generate/messages.h"
-#include "s7/generate/relations.h"
+#include "s7/listing.h"
 #include "s7/make_instruction.h"
 
 namespace grafwire::s7 {
 
 namespace {
+
+// The controllers compare with =, >= and <= only; <>, < and > are the complements of these.
+
+constexpr bool is_complement(Relation relation) {
+    return relation == Relation::not_equal || relation == Relation::less ||
+           relation == Relation::greater;
+}
+
+/// Of a relation that is no complement.
+constexpr Compare compare_of(Relation relation) {
+    if (relation == Relation::equal) return Compare::equal;
+    return relation == Relation::less_equal ? Compare::less_equal : Compare::greater_equal;
+}
 
 using Kind = Condition::Kind;
 

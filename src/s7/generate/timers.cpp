@@ -1,3 +1,10 @@
+// Which timer counts which delay.
+//
+// A controller has few timers of 1 ms, more of 10 ms and most of 100 ms, and a preset goes up to
+// 32767. A delay takes the coarsest that counts it exactly, and a finer one where those have run
+// out; so delays that need a fine timer choose first, and `1s` does not take the last timer of 1 ms
+// from `1.003s`.
+
 #include "s7/generate/timers.h"
 
 #include <algorithm>

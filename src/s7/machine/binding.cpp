@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "s7/addresses/messages.h"
-#include "s7/addresses/operand_text.h"
+#include "s7/addresses/operand.h"
 #include "s7/machine/decoded.h"
 #include "s7/machine/messages.h"
 #include "text/nearest_name.h"

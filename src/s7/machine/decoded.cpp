@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "s7/instruction_set.h"
-#include "s7/outline.h"
+#include "s7/listing.h"
 
 namespace grafwire::s7 {
 

@@ -1,4 +1,7 @@
-#include "s7/outline.h"
+// A listing as what is executed: one row of instructions, and the blocks that they form. The check
+// of the flow of control, the machine and the search for a mistake all start from it.
+
+#include "s7/listing.h"
 
 namespace grafwire::s7 {
 

@@ -1,4 +1,11 @@
-#include "s7/addresses/operand_text.h"
+// Operands as they are written.
+//
+// Both spellings are read everywhere, whatever the listing is written in: `E0.4` and `I0.4` are the
+// same bit, `K10` and `10` the same constant. `VW20` is told from a name by its letters and digits
+// alone; a text that only looks like an address (`V0.9`) is reported as a wrong one, not as an
+// unknown name.
+
+#include "s7/addresses/operand.h"
 
 #include <fmt/format.h>
 
