@@ -15,6 +15,7 @@ libcadical-dev       /usr/include/cadical.hpp
 libcli11-dev         /usr/include/CLI/CLI.hpp
 libfmt-dev           /usr/include/fmt/core.h
 libpugixml-dev       /usr/include/pugixml.hpp
+libutf8proc-dev      /usr/include/utf8proc.h
 ninja-build          /usr/bin/ninja
 nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
 '

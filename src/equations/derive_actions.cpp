@@ -35,6 +35,11 @@ void derive_outputs(const Grafcet& grafcet, Equations& equations) {
         const ExprId value = and_not_control(equations, sums[id], ControlInput::au_doux);
         equations.outputs.push_back({id, sums[id], value});
     }
+    for (std::size_t i = 0; i < grafcet.vars.size(); ++i) {
+        const VarId id = grafcet.vars.id_at(i);
+        if (!grafcet.vars[id].is_held()) continue;
+        equations.held.push_back({id, translated(equations, grafcet.vars[id].held)});
+    }
 }
 
 namespace {
@@ -167,7 +172,9 @@ void derive_stored(const Grafcet& grafcet, Equations& equations) {
     for (std::size_t i = 0; i < grafcet.outputs.size(); ++i) {
         if (grafcet.outputs[grafcet.outputs.id_at(i)].stored) add(VariableKind::output, i);
     }
-    for (std::size_t i = 0; i < grafcet.vars.size(); ++i) add(VariableKind::var, i);
+    for (std::size_t i = 0; i < grafcet.vars.size(); ++i) {
+        if (!grafcet.vars[grafcet.vars.id_at(i)].is_held()) add(VariableKind::var, i);
+    }
     for (std::size_t i = 0; i < grafcet.counters.size(); ++i) add(VariableKind::counter, i);
 }
 

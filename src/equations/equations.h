@@ -60,6 +60,12 @@ struct StoredWrite {
     Location where;
 };
 
+/// A var that steps hold: an internal bit, which AUdoux leaves alone.
+struct HeldEquation {
+    VarId var{};
+    ExprId value = no_expr;
+};
+
 /// A stored output, var or counter with all the writes to it (a var may have none).
 ///
 ///   set   = OR over the writes of trigger . value  . /(triggers of later writes)
@@ -102,7 +108,9 @@ struct Equations {
     Table<StepId, StepEquation> steps;
     /// Continuous and undriven outputs, in the order declared.
     std::vector<OutputEquation> outputs;
-    /// Stored outputs, then all vars, then counters that are written.
+    /// In the order declared. Whoever reads such a var holds its value in place.
+    std::vector<HeldEquation> held;
+    /// Stored outputs, then all vars with a memory, then counters that are written.
     std::vector<StoredEquation> stored;
 };
 

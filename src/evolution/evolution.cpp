@@ -178,6 +178,12 @@ OutputValues Evolution::outputs(const EvolutionState& state, const EvolutionInpu
     return outputs;
 }
 
+bool Evolution::var(VarId var, const EvolutionState& state, const EvolutionInputs& inputs) const {
+    const Var& item = grafcet_->vars[var];
+    if (!item.is_held()) return state.vars.test(index_of(var));
+    return Evaluator(*grafcet_, *tables_, state, inputs).value(item.held);
+}
+
 std::vector<TransitionId> Evolution::cleared_by_scan(const EvolutionState& state,
                                                      const EvolutionInputs& inputs,
                                                      Time now) const {

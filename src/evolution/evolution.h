@@ -95,6 +95,9 @@ class Evolution {
 
     /// SBR 8: the outputs in a state under these inputs.
     OutputValues outputs(const EvolutionState& state, const EvolutionInputs& inputs) const;
+    /// The value of a var: its bit, or where steps hold it that of the present situation and
+    /// inputs, as outputs have theirs.
+    bool var(VarId var, const EvolutionState& state, const EvolutionInputs& inputs) const;
 
     /// The transitions cleared by a scan of this state under these inputs, in table order; the
     /// state itself is left alone. For telling in words what happened.

@@ -81,7 +81,10 @@ class Runner {
         trace.values.insert(trace.values.end(), inputs.begin(), inputs.end());
         add_bits(state_.situation);
         add_bits(evolution_.outputs(state_, {player_.inputs()}));
-        add_bits(state_.vars);
+        for (std::size_t i = 0; i < grafcet_.vars.size(); ++i) {
+            const bool value = evolution_.var(grafcet_.vars.id_at(i), state_, {inputs});
+            trace.values.push_back(value ? 1 : 0);
+        }
         trace.values.insert(trace.values.end(), state_.counters.begin(), state_.counters.end());
         assert(trace.values.size() == trace.times.size() * trace.columns.size());
     }

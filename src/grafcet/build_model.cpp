@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <functional>
 
 #include "grafcet/checking.h"
 
@@ -86,6 +87,7 @@ class ModelBuilder {
         for (std::uint32_t block = 0; block < draft_.blocks.size(); ++block) {
             if (!draft_.blocks[block].is_expansion) add_steps(block);
         }
+        definition_ids_.assign(draft_.definitions.size(), no_expr);
         for (const DraftAssumption& assumption : draft_.assumptions) {
             grafcet_.assumptions.push_back({build(assumption.expression), assumption.where});
         }
@@ -93,6 +95,7 @@ class ModelBuilder {
         for (std::uint32_t block = 0; block < draft_.blocks.size(); ++block) {
             if (!draft_.blocks[block].is_expansion) add_transitions(block);
         }
+        finish_held_vars();
         mark_stored_outputs();
         return std::move(grafcet_);
     }
@@ -100,7 +103,47 @@ class ModelBuilder {
   private:
     std::string string_of(const Word& word) const { return std::string(draft_.text(word)); }
     ExprId build(const DraftExpression& expression) {
-        return build_expression(draft_, expression, node_ids_, graph_ids_, grafcet_.expressions);
+        const auto value_of = [this](std::uint32_t index) { return definition(index); };
+        return build_expression(draft_, expression, node_ids_, graph_ids_, value_of,
+                                grafcet_.expressions);
+    }
+
+    /// What a name stands for, which is built where it is first read, as if it stood there. Names
+    /// read names no deeper than expressions are nested.
+    ExprId definition(std::uint32_t index) {
+        if (definition_ids_[index] == no_expr) {
+            const DraftDefinition& item = draft_.definitions[index];
+            const ExprId value = item.is_held ? held(item) : build(item.expression);
+            definition_ids_[index] = value;
+        }
+        return definition_ids_[index];
+    }
+
+    void finish_held_vars() {
+        std::uint32_t var = 0;
+        for (const DraftDeclaration& item : draft_.declarations) {
+            if (item.kind != VariableKind::var) continue;
+            if (item.held != none) grafcet_.vars[VarId{var}].held = definition(item.held);
+            ++var;
+        }
+    }
+
+    /// The OR, over the steps that hold a var, of their conditions.
+    ExprId held(const DraftDefinition& item) {
+        std::vector<ExprId> alternatives;
+        for (const std::uint32_t i : item.actions) {
+            const DraftAction& action = draft_.actions[i];
+            const ExprId step =
+                grafcet_.expressions.variable({VariableKind::step, node_ids_[action.node]});
+            if (action.expression.empty()) {
+                alternatives.push_back(step);
+            } else {
+                const ExprId both[] = {step, build(action.expression)};
+                alternatives.push_back(grafcet_.expressions.conjunction(both));
+            }
+        }
+        return alternatives.size() == 1 ? alternatives.front()
+                                        : grafcet_.expressions.disjunction(alternatives);
     }
 
     void add_declarations() {
@@ -111,7 +154,7 @@ class ModelBuilder {
                     grafcet_.outputs.add({string_of(item.name), false, where});
                     break;
                 case VariableKind::var:
-                    grafcet_.vars.add({string_of(item.name), where});
+                    grafcet_.vars.add({string_of(item.name), where, no_expr});
                     break;
                 case VariableKind::counter:
                     grafcet_.counters.add({string_of(item.name), item.low, item.high, where});
@@ -243,7 +286,12 @@ class ModelBuilder {
         action.trigger = item.trigger;
         action.step = step;
         action.where = item.where;
-        if (item.kind == ActionKind::continuous) action.output = OutputId{item.resolved};
+        if (item.held != none) {
+            action.kind = ActionKind::held;
+            action.var = VarId{item.resolved};
+        } else if (item.kind == ActionKind::continuous) {
+            action.output = OutputId{item.resolved};
+        }
         if (item.kind == ActionKind::stored) action.write = write_of(draft_.writes[item.write]);
         if (!item.expression.empty()) action.expression = build(item.expression);
         if (item.kind == ActionKind::order) {
@@ -354,6 +402,7 @@ class ModelBuilder {
     std::vector<std::uint32_t> node_ids_;    ///< the StepId or MacroId of each of Draft::nodes
     std::vector<std::uint32_t> graph_ids_;   ///< the GraphId of each block that is a graph
     std::vector<std::uint32_t> step_nodes_;  ///< the node of each step
+    std::vector<ExprId> definition_ids_;     ///< what each of Draft::definitions stands for
     Grafcet grafcet_;
 };
 
@@ -361,7 +410,9 @@ class ModelBuilder {
 
 ExprId build_expression(const Draft& draft, const DraftExpression& expression,
                         const std::vector<std::uint32_t>& node_ids,
-                        const std::vector<std::uint32_t>& graph_ids, Expressions& expressions) {
+                        const std::vector<std::uint32_t>& graph_ids,
+                        const std::function<ExprId(std::uint32_t)>& definition,
+                        Expressions& expressions) {
     std::vector<ExprId> stack;
     for (const std::uint32_t i : expression) {
         const ExpressionNode& node = draft.expression_nodes[i];
@@ -370,10 +421,14 @@ ExprId build_expression(const Draft& draft, const DraftExpression& expression,
                 stack.push_back(expressions.constant(node.value != 0));
                 break;
             case ExprKind::variable:
+                if (node.definition != none) {
+                    stack.push_back(definition(node.definition));
+                    break;
+                }
                 stack.push_back(expressions.variable(variable_of(node, node_ids, graph_ids)));
                 break;
             case ExprKind::time_condition: {
-                const TimeCondition& time = draft.times[node.value];
+                const DraftTime& time = draft.times[node.value];
                 stack.back() =
                     expressions.time_condition({time.on_delay, stack.back(), time.off_delay});
                 break;

@@ -17,15 +17,9 @@ namespace grafwire {
 
 namespace say = messages::grafcet;
 
-namespace {
-
-/// Tokens after which a line that may be a transition is no longer looked at.
-constexpr int longest_look_ahead = 64;
-
-}  // namespace
-
 void ChartParser::parse_file() {
     reserve();
+    recognise();
     if (at(TokenKind::kw_grafcet)) parse_header();
     while (!at(TokenKind::end)) parse_item();
 }
@@ -55,6 +49,7 @@ void ChartParser::parse_header() {
 /// A declaration, a graph or an expansion. What belongs inside a graph, or at the beginning of the
 /// file, is named as such; the reader is told where it belongs rather than what was expected here.
 void ChartParser::parse_item() {
+    recognise();
     if (at(TokenKind::kw_graph) || at(TokenKind::kw_expansion)) return parse_block();
     bool is_good = true;
     if (at_declaration()) {
@@ -68,9 +63,14 @@ void ChartParser::parse_item() {
     } else if (at(TokenKind::right_brace)) {
         is_good = fail(say::brace_closes_nothing());
         take();
+    } else if (at(TokenKind::slash)) {
+        is_good = fail(say::remark_begins_otherwise());
+        take();
     } else if (at_block_item()) {
         is_good = fail(say::stands_inside_graph(reserved_word(token().kind)));
         take();
+    } else if (at(TokenKind::left_parenthesis)) {
+        is_good = refuse_parenthesis();
     } else {
         is_good = fail_expecting(say::declaration_or_graph());
         take();
@@ -82,6 +82,8 @@ void ChartParser::parse_item() {
 bool ChartParser::parse_declaration() {
     if (at(TokenKind::kw_counter)) return parse_counter();
     if (at(TokenKind::kw_assume)) return parse_assumption();
+    if (at(TokenKind::kw_define)) return parse_define();
+    if (at(TokenKind::kw_time)) return parse_time();
     const bool is_output = at(TokenKind::kw_output);
     const bool is_var = at(TokenKind::kw_var);
     const Message<>& what = is_output ? say::an_output : is_var ? say::a_var : say::an_input;
@@ -97,11 +99,49 @@ bool ChartParser::parse_declaration() {
             builder_.add_input(read);
         }
         is_counter_.add(read.text, false);
+        declare_variable(read);
     } while (take_if(TokenKind::comma));
     if (at_name() && !token().first_on_line) {
         return fail_expecting(say::comma_between_names());
     }
     return true;
+}
+
+/// A declared name that is also the word for an operator is read as the name.
+void ChartParser::declare_variable(const Name& read) {
+    declare(read);
+    const TokenKind keyword = keyword_in_context(read.text);
+    if (keyword == TokenKind::kw_and || keyword == TokenKind::kw_or ||
+        keyword == TokenKind::kw_not || keyword == TokenKind::kw_xor) {
+        diagnostics().warning(code::name_is_operator, read.where,
+                              say::word_is_operator(quoted(read.text), reserved_word(keyword)));
+    }
+}
+
+/// `define ready = v0 . h0`
+bool ChartParser::parse_define() {
+    take();
+    Name read;
+    if (!parse_name(read, say::name_of_condition, false)) return false;
+    declare_variable(read);
+    expression_.clear();
+    const bool is_good =
+        expect(TokenKind::equal, say::equal_and_condition) && parse_expression(*this, expression_);
+    builder_.add_definition(read, expression_);
+    return is_good;
+}
+
+/// `time T3 = 300ms`
+bool ChartParser::parse_time() {
+    take();
+    Name read;
+    if (!parse_name(read, say::name_of_duration, false)) return false;
+    declare(read, true);
+    std::optional<Time> value;
+    bool is_good = expect(TokenKind::equal, say::equal_and_duration);
+    if (is_good) is_good = parse_duration_token(*this, value);
+    builder_.add_time(read, value.value_or(0));
+    return is_good;
 }
 
 /// `counter n : 0..9`
@@ -110,6 +150,7 @@ bool ChartParser::parse_counter() {
     Name read;
     if (!parse_name(read, say::a_counter, false)) return false;
     is_counter_.add(read.text, true);
+    declare_variable(read);
     std::int64_t low = 0;
     std::int64_t high = 0;
     const bool is_good = expect(TokenKind::colon, say::colon_and_range) && parse_bound(low) &&
@@ -141,12 +182,55 @@ bool ChartParser::parse_assumption() {
 }
 
 void ChartParser::recover_in_file() {
-    while (!at(TokenKind::end) && !at_file_item()) take();
+    while (!at(TokenKind::end)) {
+        if (token().first_on_line) recognise();
+        if (at_file_item()) return;
+        take();
+    }
+}
+
+/// At the beginning of a part: reads a word as a keyword where it may be one and no name may stand.
+/// A name begins a transition, in which a comma or an arrow follows; after a keyword comes a name,
+/// after `assume` a condition. True where the token is a keyword.
+bool ChartParser::recognise() {
+    if (!at(TokenKind::word)) return !reserved_word(token().kind).empty();
+    const TokenKind keyword = this->keyword();
+    Lexer lexer = ahead();
+    const TokenKind next = keyword == TokenKind::end ? TokenKind::end : lexer.next(nullptr).kind;
+    const bool has_name = is_name(next) || next == TokenKind::digits_and_letters;
+    bool is_keyword = has_name;
+    switch (keyword) {
+        case TokenKind::kw_assume:
+            is_keyword = next != TokenKind::comma && next != TokenKind::arrow;
+            break;
+        case TokenKind::kw_initial:
+            is_keyword = has_name || next == TokenKind::kw_step;
+            break;
+        case TokenKind::kw_grafcet:
+        case TokenKind::kw_input:
+        case TokenKind::kw_output:
+        case TokenKind::kw_var:
+        case TokenKind::kw_counter:
+        case TokenKind::kw_define:
+        case TokenKind::kw_time:
+        case TokenKind::kw_graph:
+        case TokenKind::kw_expansion:
+        case TokenKind::kw_step:
+        case TokenKind::kw_macro:
+        case TokenKind::kw_entry:
+        case TokenKind::kw_exit:
+            break;
+        default:
+            return false;
+    }
+    if (is_keyword) read_as(keyword);
+    return is_keyword;
 }
 
 bool ChartParser::at_declaration() const {
     return at(TokenKind::kw_input) || at(TokenKind::kw_output) || at(TokenKind::kw_var) ||
-           at(TokenKind::kw_counter) || at(TokenKind::kw_assume);
+           at(TokenKind::kw_counter) || at(TokenKind::kw_assume) || at(TokenKind::kw_define) ||
+           at(TokenKind::kw_time);
 }
 
 bool ChartParser::at_file_item() const {
@@ -172,16 +256,20 @@ void ChartParser::parse_block() {
         expect(TokenKind::left_brace, is_expansion ? say::brace_of_expansion : say::brace_of_graph);
     if (!has_header) {
         if (read.text.empty()) read.where = keyword;
-        while (!at(TokenKind::end) && !at(TokenKind::left_brace) && !at_file_item() &&
-               !at_block_item()) {
+        while (!at(TokenKind::end) && !at(TokenKind::left_brace)) {
+            if (token().first_on_line) recognise();
+            if (at_file_item() || at_block_item()) break;
             take();
         }
         take_if(TokenKind::left_brace);
     }
     has_blocks_ = true;
     const BlockId id = is_expansion ? builder_.add_expansion(read) : builder_.add_graph(read);
-    while (!at(TokenKind::end) && !at(TokenKind::right_brace) && !at(TokenKind::kw_graph) &&
-           !at(TokenKind::kw_expansion) && !at(TokenKind::kw_grafcet)) {
+    while (!at(TokenKind::end) && !at(TokenKind::right_brace)) {
+        recognise();
+        if (at(TokenKind::kw_graph) || at(TokenKind::kw_expansion) || at(TokenKind::kw_grafcet)) {
+            break;
+        }
         parse_block_item({id, is_expansion});
     }
     if (take_if(TokenKind::right_brace) || !has_header) return;
@@ -201,16 +289,34 @@ void ChartParser::parse_block_item(OpenBlock block) {
         is_good = parse_macro(block.id);
     } else if (at(TokenKind::kw_entry) || at(TokenKind::kw_exit)) {
         is_good = parse_entry_or_exit(block);
+    } else if (at(TokenKind::left_parenthesis) && !token().first_on_line &&
+               previous_kind() != TokenKind::left_brace &&
+               previous_kind() != TokenKind::right_brace) {
+        is_good = refuse_parenthesis();
     } else if (at_name() || at(TokenKind::left_parenthesis) || at(TokenKind::arrow)) {
         is_good = parse_transition(block.id);
     } else if (at_declaration()) {
         fail(say::declaration_in_graph(reserved_word(token().kind)));
         is_good = parse_declaration();
     } else {
-        is_good = fail_expecting(say::step_or_transition());
+        is_good = at(TokenKind::slash) ? fail(say::remark_begins_otherwise())
+                                       : fail_expecting(say::step_or_transition());
         take();
     }
     if (!is_good) recover_in_block();
+}
+
+/// A parenthesis behind a complete part. What stands in it is left out, so that the next part is
+/// read as it is written.
+bool ChartParser::refuse_parenthesis() {
+    fail(say::parenthesis_out_of_place());
+    int depth = 0;
+    do {
+        if (at(TokenKind::left_parenthesis)) ++depth;
+        if (at(TokenKind::right_parenthesis)) --depth;
+        take();
+    } while (depth > 0 && !at(TokenKind::end) && !token().first_on_line);
+    return true;
 }
 
 /// Skips to what may begin the next part of the block: a reserved word, a transition, or at least a
@@ -218,7 +324,9 @@ void ChartParser::parse_block_item(OpenBlock block) {
 /// order that were being read, if it stands on their line.
 void ChartParser::recover_in_block() {
     bool is_continued = true;
-    while (!at(TokenKind::end) && !at_file_item() && !at_block_item()) {
+    while (!at(TokenKind::end)) {
+        if (token().first_on_line) recognise();
+        if (at_file_item() || at_block_item()) return;
         if (at(TokenKind::left_brace)) {
             open_brace_line_ = token().where.line;
         } else if (at(TokenKind::right_brace)) {
@@ -234,40 +342,21 @@ void ChartParser::recover_in_block() {
     }
 }
 
-/// Whether `[ (label) ] [ names ] ->` begins at the present token.
-bool ChartParser::looks_like_transition() const {
-    Lexer lexer = ahead();
-    Token next = token();
-    const auto is_name = [&next] {
-        return next.kind == TokenKind::word || next.kind == TokenKind::integer ||
-               next.kind == TokenKind::quoted;
-    };
-    if (next.kind == TokenKind::left_parenthesis) {
-        next = lexer.next(nullptr);
-        if (!is_name()) return false;
-        next = lexer.next(nullptr);
-        if (next.kind != TokenKind::right_parenthesis) return false;
-        next = lexer.next(nullptr);
-    }
-    for (int i = 0; i < longest_look_ahead && is_name(); ++i) {
-        next = lexer.next(nullptr);
-        if (next.kind != TokenKind::comma) break;
-        next = lexer.next(nullptr);
-    }
-    return next.kind == TokenKind::arrow;
-}
-
 /// `step 5 encloses G3{60} : H if a, set m`. The step is known to the builder once its name is
 /// read.
 bool ChartParser::parse_step(BlockId block) {
-    const bool is_initial = take_if(TokenKind::kw_initial);
-    if (!take_if(TokenKind::kw_step) && !is_initial) return false;
+    bool is_initial = take_if(TokenKind::kw_initial);
+    if (!take_keyword(TokenKind::kw_step) && !is_initial) return false;
+    if (at(TokenKind::word) && keyword() == TokenKind::kw_initial) {  // `étape initiale 0`
+        Lexer lexer = ahead();
+        if (is_name(lexer.next(nullptr).kind)) is_initial = take_keyword(TokenKind::kw_initial);
+    }
     Name read;
     if (!parse_name(read, say::name_of_step, true)) return false;
     const GrafcetBuilder::StepKey step = builder_.add_step(block, read, is_initial);
     std::optional<NamedEnclosure> enclosure;
     bool is_good = true;
-    while (is_good && at(TokenKind::kw_encloses)) {
+    while (is_good && (at(TokenKind::kw_encloses) || keyword() == TokenKind::kw_encloses)) {
         if (enclosure) {
             diagnostics().error(code::encloses_twice, token().where,
                                 encloses_twice_message(read.text));
@@ -375,11 +464,13 @@ bool ChartParser::parse_side(std::vector<Name>& names, bool is_preceding) {
 bool ChartParser::parse_condition(NamedTransition& transition) {
     if (take_if(TokenKind::colon)) {
         take_if(TokenKind::equal);
-    } else if (!expect(TokenKind::assign, say::comma_or_condition)) {
-        return false;
+    } else if (!take_if(TokenKind::assign)) {
+        const bool is_elsewhere = token().first_on_line || at(TokenKind::end);
+        return fail_at(is_elsewhere ? previous_end() : token().where,
+                       say::expected(say::comma_or_condition(), shown()));
     }
     if (!parse_expression(*this, transition.condition)) return false;
-    if (!take_if(TokenKind::kw_do)) return true;
+    if (!take_keyword(TokenKind::kw_do)) return true;
     do {
         NamedWrite write;
         if (!parse_write(write, nullptr)) return false;
@@ -400,9 +491,11 @@ bool ChartParser::parse_actions(GrafcetBuilder::StepKey step) {
 bool ChartParser::parse_action(GrafcetBuilder::StepKey step) {
     const Location where = token().where;
     if (at(TokenKind::kw_set) || at(TokenKind::kw_reset)) return parse_stored(step, nullptr);
+    if (at(TokenKind::left_bracket)) return fail(say::action_in_brackets());
     const bool is_integer = at(TokenKind::integer);
     Name read;
     if (!parse_name(read, say::an_action, true)) return false;
+    if (refuse_action(read)) return false;
     if (at(TokenKind::left_brace)) return parse_order(step, read);
     if (is_integer) {
         diagnostics().error(code::unexpected_token, where,
@@ -411,9 +504,31 @@ bool ChartParser::parse_action(GrafcetBuilder::StepKey step) {
     }
     if (at(TokenKind::assign)) return parse_stored(step, &read);
     expression_.clear();
-    if (take_if(TokenKind::kw_if) && !parse_expression(*this, expression_)) return false;
+    if (take_keyword(TokenKind::kw_if) && !parse_expression(*this, expression_)) return false;
     builder_.add_continuous(step, read, expression_, where);
     return true;
+}
+
+/// Actions as other notations write them, behind their first name: `F/G1:{1}`, `V = 1`, `S V`.
+/// False where it is none of these.
+bool ChartParser::refuse_action(const Name& read) {
+    if (at(TokenKind::equal)) {
+        fail(say::action_with_value(read.text));
+        return true;
+    }
+    if (at(TokenKind::slash) && (read.text == "F" || read.text == "f")) {
+        take();
+        fail_at(read.where, say::order_written(at_name() ? name().text : "G1"));
+        return true;
+    }
+    const bool is_set = read.text == "S" || read.text == "s";
+    const bool is_reset = read.text == "R" || read.text == "r";
+    if ((is_set || is_reset) && at_name() && !token().first_on_line &&
+        keyword() == TokenKind::end) {
+        fail_at(read.where, say::qualifier_written(is_set ? "set" : "reset", name().text));
+        return true;
+    }
+    return false;
 }
 
 /// `target` is the name before `:=` if it has been read already.
@@ -422,8 +537,8 @@ bool ChartParser::parse_stored(GrafcetBuilder::StepKey step, const Name* target)
     if (!parse_write(write, target)) return false;
     Trigger trigger = Trigger::activation;
     expression_.clear();
-    if (take_if(TokenKind::kw_on) && !take_if(TokenKind::kw_activation)) {
-        trigger = take_if(TokenKind::kw_deactivation) ? Trigger::deactivation : Trigger::event;
+    if (take_keyword(TokenKind::kw_on) && !take_keyword(TokenKind::kw_activation)) {
+        trigger = take_keyword(TokenKind::kw_deactivation) ? Trigger::deactivation : Trigger::event;
         if (trigger == Trigger::event && !parse_expression(*this, expression_)) return false;
     }
     builder_.add_stored(step, write, trigger, expression_);

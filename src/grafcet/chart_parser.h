@@ -38,10 +38,14 @@ class ChartParser : private TokenReader {
     void parse_item();
     bool parse_declaration();
     bool parse_counter();
+    void declare_variable(const Name& read);
+    bool parse_define();
+    bool parse_time();
     bool parse_bound(std::int64_t& value);
     bool parse_assumption();
     // After an error: to what may begin the next part.
     void recover_in_file();
+    bool recognise();
     bool at_declaration() const;
     bool at_file_item() const;
     bool at_block_item() const;
@@ -50,7 +54,6 @@ class ChartParser : private TokenReader {
     void parse_block();
     void parse_block_item(OpenBlock block);
     void recover_in_block();
-    bool looks_like_transition() const;
     bool parse_step(BlockId block);
     bool parse_enclosure(std::optional<NamedEnclosure>& enclosure);
     bool parse_macro(BlockId block);
@@ -58,6 +61,8 @@ class ChartParser : private TokenReader {
     bool parse_transition(BlockId block);
     bool parse_side(std::vector<Name>& names, bool is_preceding);
     bool parse_condition(NamedTransition& transition);
+    bool refuse_parenthesis();
+    bool refuse_action(const Name& read);
     bool parse_actions(GrafcetBuilder::StepKey step);
     bool parse_action(GrafcetBuilder::StepKey step);
     bool parse_stored(GrafcetBuilder::StepKey step, const Name* target);
@@ -80,6 +85,9 @@ class ChartParser : private TokenReader {
 
 /// A Boolean expression. It is empty if it has not been understood.
 bool parse_expression(TokenReader& tokens, NamedExpression& expression);
+
+/// A duration, which may be too long, in picoseconds.
+bool parse_duration_token(TokenReader& tokens, std::optional<Time>& value);
 
 /// A sum of counters and numbers.
 bool parse_sum(TokenReader& tokens, NamedSum& sum);

@@ -145,11 +145,12 @@ class PartsCheck {
 
     /// From the operands up, as the nodes stand; a few nodes cannot be too deep.
     void check_depth(const DraftExpression& expression) {
-        if (expression.count <= deepest_nesting) return;
+        if (expression.count <= deepest_nesting && draft_.definitions.empty()) return;
         std::vector<std::pair<ExprKind, std::uint32_t>> stack;
         for (const std::uint32_t i : expression) {
             const ExpressionNode& node = draft_.expression_nodes[i];
-            std::uint32_t levels = 1;
+            std::uint32_t levels =
+                node.definition == none ? 1 : draft_.definitions[node.definition].levels + 1;
             for (std::uint32_t left = operand_count(node); left > 0; --left) {
                 const auto [kind, below] = stack.back();
                 stack.pop_back();
@@ -171,7 +172,7 @@ class PartsCheck {
         }
         for (const ExpressionNode& node : draft_.expression_nodes) {
             if (node.kind == ExprKind::time_condition) {
-                const TimeCondition& time = draft_.times[node.value];
+                const DraftTime& time = draft_.times[node.value];
                 const auto is_duration = [](Time t) { return t >= 0 && t < never; };
                 if (is_duration(time.on_delay) && is_duration(time.off_delay)) continue;
                 checking_.error(code::duration_out_of_range, node.word.where, say::bad_delay());

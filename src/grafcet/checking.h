@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "grafcet/draft.h"
@@ -16,9 +19,14 @@ struct Names {
     struct Declared {
         Variable variable;
         std::uint32_t declaration = none;  ///< place in Draft::declarations; none: a control input
+        std::uint32_t definition = none;   ///< of Draft::definitions: what it stands for
+        std::uint32_t duration = none;     ///< of Draft::durations
     };
     NameTable<Declared> variables;
-    NameTable<std::uint32_t> nodes;       ///< of Draft::nodes
+    NameTable<std::uint32_t> nodes;  ///< of Draft::nodes
+    /// Steps of a name that is used before: by block and name, so that the transitions of that
+    /// block are not said to leave it.
+    std::map<std::pair<std::uint32_t, std::string_view>, std::uint32_t> later_nodes;
     NameTable<std::uint32_t> graphs;      ///< of Draft::blocks
     NameTable<std::uint32_t> expansions;  ///< of Draft::blocks
 };
@@ -81,6 +89,8 @@ struct Checking {
 void collect_names(const Checking& checking);
 /// Joins macro-steps and expansions; finds the graph of every block.
 void resolve_expansions(const Checking& checking);
+/// The names that stand for conditions: what they read, and that none stands for itself.
+void resolve_definitions(const Checking& checking);
 void resolve_transitions(const Checking& checking);
 /// Actions, orders, enclosures and the expressions in them.
 void resolve_actions(const Checking& checking);
@@ -112,12 +122,18 @@ Localized sum_too_long_message();
 Localized encloses_twice_message(std::string_view step);
 Localized outside_of_expansion_message(bool is_entry);
 
+/// Warns of defined names and durations that nothing reads; of a draft without errors.
+void warn_unread(const Checking& checking);
+
 /// The model of a draft without errors.
 Grafcet build_model(const Draft& draft);
-/// The expression in a model whose steps and so on have the numbers given by `node_ids`.
+/// The expression in a model whose steps and so on have the numbers given by `node_ids`;
+/// `definition`: what a name of Draft::definitions stands for.
 ExprId build_expression(const Draft& draft, const DraftExpression& expression,
                         const std::vector<std::uint32_t>& node_ids,
-                        const std::vector<std::uint32_t>& graph_ids, Expressions& expressions);
+                        const std::vector<std::uint32_t>& graph_ids,
+                        const std::function<ExprId(std::uint32_t)>& definition,
+                        Expressions& expressions);
 
 template <typename Accept>
 void resolve_steps(const Checking& checking, Range<> list, const Accept& accept) {

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <utility>
+
 #include "grafcet/checking.h"
 #include "grafcet/lexer.h"
 #include "grafcet/messages.h"
@@ -46,29 +49,107 @@ void check_counter(const Checking& checking, const DraftDeclaration& counter) {
 }
 
 /// Declared variables share one table with the control inputs, which nobody may declare.
-void collect_variables(const Checking& checking) {
+/// The continuous actions by the names that they are on.
+class ContinuousActions {
+  public:
+    explicit ContinuousActions(const Draft& draft) {
+        for (std::uint32_t i = 0; i < draft.actions.size(); ++i) {
+            const DraftAction& action = draft.actions[i];
+            if (action.kind != ActionKind::continuous) continue;
+            const auto [place, is_new] = places_.add(draft.text(action.name), size_of(of_name_));
+            if (is_new) of_name_.emplace_back();
+            of_name_[place].push_back(i);
+        }
+    }
+    /// Null where there is none.
+    const std::vector<std::uint32_t>* on(std::string_view name) const {
+        const std::uint32_t* place = places_.find(name);
+        return place == nullptr ? nullptr : &of_name_[*place];
+    }
+
+  private:
+    NameTable<std::uint32_t> places_;
+    std::vector<std::vector<std::uint32_t>> of_name_;
+};
+
+/// A name that a variable has already.
+void report_variable_twice(const Checking& checking, const Word& word,
+                           const Names::Declared& first) {
     const Draft& draft = checking.draft;
+    if (first.declaration != none) {
+        report_twice(checking, say::variable_twice, word,
+                     draft.declarations[first.declaration].name.where);
+    } else if (first.definition != none) {
+        report_twice(checking, say::variable_twice, word,
+                     draft.definitions[first.definition].name.where);
+    } else if (first.duration != none) {
+        report_twice(checking, say::variable_twice, word,
+                     draft.durations[first.duration].name.where);
+    } else {
+        checking.error(code::duplicate_name, word.where,
+                       say::control_input_declared(checking.shown(word)));
+    }
+}
+
+/// A var that steps hold: it stands for the OR of the actions on it.
+void add_held(const Checking& checking, std::uint32_t declaration, std::uint32_t var,
+              const std::vector<std::uint32_t>& actions) {
+    Draft& draft = checking.draft;
+    const Word& name = draft.declarations[declaration].name;
+    const std::uint32_t index = size_of(draft.definitions);
+    const auto [first, is_new] = checking.names.variables.add(
+        draft.text(name), Names::Declared{{VariableKind::var, var}, declaration, index});
+    if (!is_new) return report_variable_twice(checking, name, first);
+    DraftDefinition definition;
+    definition.name = name;
+    definition.is_held = true;
+    definition.actions = actions;
+    draft.declarations[declaration].held = index;
+    draft.definitions.push_back(std::move(definition));
+}
+
+/// Defined conditions and durations share one space of names with the variables.
+void collect_definitions(const Checking& checking) {
+    const Draft& draft = checking.draft;
+    const auto add = [&checking, &draft](const Word& name, const Names::Declared& declared) {
+        const auto [first, is_new] = checking.names.variables.add(draft.text(name), declared);
+        if (!is_new) report_variable_twice(checking, name, first);
+    };
+    for (std::uint32_t i = 0; i < draft.definitions.size(); ++i) {
+        if (!draft.definitions[i].is_held) add(draft.definitions[i].name, {{}, none, i});
+    }
+    for (std::uint32_t i = 0; i < draft.durations.size(); ++i) {
+        add(draft.durations[i].name, {{}, none, none, i});
+    }
+}
+
+void collect_variables(const Checking& checking) {
+    Draft& draft = checking.draft;
     auto& variables = checking.names.variables;
     constexpr std::string_view controls[control_input_count] = {"Init", "AUdur", "AUdoux"};
     for (std::uint32_t i = 0; i < control_input_count; ++i) {
         variables.add(controls[i], Names::Declared{{VariableKind::control, i}, none});
     }
     std::uint32_t counts[5] = {};
+    const auto count_of = [&counts](VariableKind kind) -> std::uint32_t& {
+        return counts[static_cast<std::size_t>(kind)];
+    };
+    const ContinuousActions actions(draft);
     for (std::uint32_t i = 0; i < draft.declarations.size(); ++i) {
-        const DraftDeclaration& declaration = draft.declarations[i];
+        DraftDeclaration& declaration = draft.declarations[i];
         if (declaration.kind == VariableKind::counter) check_counter(checking, declaration);
-        std::uint32_t& count = counts[static_cast<std::size_t>(declaration.kind)];
+        const auto* held_by = declaration.kind == VariableKind::var
+                                  ? actions.on(draft.text(declaration.name))
+                                  : nullptr;
+        if (held_by != nullptr) {
+            add_held(checking, i, count_of(VariableKind::var)++, *held_by);
+            continue;
+        }
+        std::uint32_t& count = count_of(declaration.kind);
         const auto [first, is_new] = variables.add(draft.text(declaration.name),
                                                    Names::Declared{{declaration.kind, count}, i});
         ++count;
-        if (is_new) continue;
-        if (first.declaration == none) {
-            checking.error(code::duplicate_name, declaration.name.where,
-                           say::control_input_declared(checking.shown(declaration.name)));
-        } else {
-            report_twice(checking, say::variable_twice, declaration.name,
-                         draft.declarations[first.declaration].name.where);
-        }
+        if (!is_new) report_variable_twice(checking, declaration.name, first);
     }
 }
 
@@ -88,17 +169,81 @@ void collect_blocks(const Checking& checking) {
 }
 
 /// Steps and macro-steps share their names over all graphs.
+/// Two blocks that number their steps alike make one message, however many steps they share.
+class StepsTwice {
+  public:
+    explicit StepsTwice(const Checking& checking) : checking_(checking) {}
+
+    void add(std::uint32_t node, std::uint32_t first) {
+        const Draft& draft = checking_.draft;
+        const std::uint32_t block = draft.nodes[node].block;
+        const std::uint32_t other = draft.nodes[first].block;
+        if (block == other) {
+            report_twice(checking_, say::step_twice, draft.nodes[node].name,
+                         draft.nodes[first].name.where);
+            return;
+        }
+        of_blocks_[{block, other}].push_back({node, first});
+    }
+
+    void report() const {
+        const Draft& draft = checking_.draft;
+        for (const auto& [blocks, steps] : of_blocks_) {
+            const auto& [node, first] = steps.front();
+            if (steps.size() == 1) {
+                report_twice(checking_, say::step_twice, draft.nodes[node].name,
+                             draft.nodes[first].name.where);
+                continue;
+            }
+            checking_
+                .error(
+                    code::duplicate_name, draft.nodes[node].name.where,
+                    say::steps_of_two_graphs(checking_.shown_block(blocks.first),
+                                             checking_.shown_block(blocks.second), names_of(steps)))
+                .notes.push_back({draft.nodes[first].name.where, say::first_declared_here()});
+        }
+    }
+
+  private:
+    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+    std::string names_of(const Pairs& steps) const {
+        constexpr std::size_t most_shown = 5;
+        std::string names;
+        for (std::size_t i = 0; i < steps.size() && i < most_shown; ++i) {
+            if (i != 0) names += ", ";
+            names += checking_.draft.text(checking_.draft.nodes[steps[i].first].name);
+        }
+        return steps.size() > most_shown ? names + ", …" : names;
+    }
+
+    const Checking& checking_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Pairs> of_blocks_;
+};
+
+/// `X1` as a step: its variable is XX1, where X1 was most likely meant.
+void warn_doubled_x(const Checking& checking, const Word& name) {
+    const std::string_view text = checking.draft.text(name);
+    if (text.size() < 2 || text[0] != 'X' || !is_integer(text.substr(1))) return;
+    checking.diagnostics.warning(code::step_named_like_variable, name.where,
+                                 say::step_named_like_variable(checking.shown(name), text));
+}
+
 void collect_nodes(const Checking& checking) {
-    const Draft& draft = checking.draft;
+    Draft& draft = checking.draft;
     auto& nodes = checking.names.nodes;
     nodes.reserve(draft.nodes.size());
+    StepsTwice twice(checking);
     for (std::uint32_t i = 0; i < draft.nodes.size(); ++i) {
         const Word& name = draft.nodes[i].name;
         const auto [first, is_new] = nodes.add(draft.text(name), i);
         if (!is_new) {
-            report_twice(checking, say::step_twice, name, draft.nodes[first].name.where);
+            twice.add(i, first);
+            checking.names.later_nodes[{draft.nodes[i].block, draft.text(name)}] = i;
         }
+        warn_doubled_x(checking, name);
     }
+    twice.report();
 }
 
 /// The rank that a label spells, or none: `01` is a name of its own.
@@ -191,6 +336,7 @@ void check_clashes(const Checking& checking) {
 
 void collect_names(const Checking& checking) {
     collect_variables(checking);
+    collect_definitions(checking);
     collect_blocks(checking);
     collect_nodes(checking);
     collect_labels(checking);
@@ -247,6 +393,9 @@ void Suggestions::make(List& list, Meant meant) {
         }
     }
     if (meant != Meant::variable) return;
+    for (const DraftDefinition& definition : draft_.definitions) {
+        if (!definition.is_held) list.names.push_back(draft_.text(definition.name));
+    }
     list.names.insert(list.names.end(), more_.begin(), more_.end());
     step_variables_.reserve(draft_.nodes.size() + draft_.blocks.size());
     for (const DraftNode& node : draft_.nodes) {

@@ -87,7 +87,16 @@ DraftExpression Draft::add(const NamedExpression& expression) {
         added.word = add(node.name);
         expression_nodes.push_back(added);
     }
-    times.insert(times.end(), expression.times().begin(), expression.times().end());
+    for (const NamedExpression::NamedTimeCondition& time : expression.times()) {
+        const Word on_name = add(time.on_delay.name.value_or(Name{}));
+        const Word off_name = add(time.off_delay.name.value_or(Name{}));
+        DraftTime added;
+        added.on_delay = time.on_delay.time;
+        added.off_delay = time.off_delay.time;
+        added.on_name = on_name;
+        added.off_name = off_name;
+        times.push_back(added);
+    }
     for (const NamedExpression::NamedComparison& comparison : expression.comparisons()) {
         const Range<> left = add(comparison.left);
         comparisons.push_back({left, add(comparison.right), comparison.relation});

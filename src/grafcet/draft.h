@@ -26,6 +26,7 @@ struct Word {
 struct ExpressionNode {
     ExprKind kind = ExprKind::constant;
     VariableKind variable = VariableKind::input;  ///< resolved
+    std::uint32_t definition = none;              ///< resolved: of Draft::definitions, if it is one
     bool inside_time = false;                     ///< within the operand of a time condition
     /// n-ary: number of operands; constant: its value; time condition, comparison: place in
     /// Draft::times, Draft::comparisons; variable, resolved: its index (a step or macro-step: of
@@ -55,6 +56,37 @@ struct DraftComparison {
     Relation relation = Relation::equal;
 };
 
+/// The durations of a time condition, or the names of such.
+struct DraftTime {
+    Time on_delay = 0;                  ///< resolved where it has a name
+    Time off_delay = 0;                 ///< likewise
+    Word on_name;                       ///< without a text: none
+    Word off_name;                      ///< likewise
+    std::uint32_t on_duration = none;   ///< resolved: of Draft::durations
+    std::uint32_t off_duration = none;  ///< likewise
+};
+
+/// A name that stands for a condition: one that is defined, or a var that steps hold by continuous
+/// actions.
+struct DraftDefinition {
+    Word name;
+    DraftExpression expression;  ///< of a defined name
+    bool is_held = false;
+    std::vector<std::uint32_t> actions;  ///< those that hold it, of Draft::actions
+    // Resolved, with what the names in it stand for:
+    bool has_edge = false;     ///< outside of time conditions
+    bool is_of_plant = true;   ///< reads inputs and control inputs alone, as they are
+    std::uint32_t size = 0;    ///< how many parts it has when written out
+    std::uint32_t levels = 0;  ///< how deep it is nested
+    bool is_read = false;
+};
+
+struct DraftDuration {
+    Word name;
+    Time time = 0;
+    bool is_read = false;
+};
+
 struct DraftAssumption {
     DraftExpression expression;
     Location where;
@@ -81,7 +113,8 @@ struct DraftAction {
     DraftExpression expression;  ///< after `if` or `on`
     Range<> steps;               ///< order: of Draft::words
     Location where;
-    std::uint32_t resolved = none;  ///< output, or block of the graph
+    std::uint32_t resolved = none;  ///< output, var that it holds, or block of the graph
+    std::uint32_t held = none;      ///< on a var: what that stands for, of Draft::definitions
 };
 
 /// What a step encloses.
@@ -131,6 +164,7 @@ struct DraftDeclaration {
     Word name;
     std::int64_t low = 0;
     std::int64_t high = 0;
+    std::uint32_t held = none;  ///< resolved, var that steps hold: of Draft::definitions
 };
 
 std::uint32_t size_of(const auto& items) {
@@ -168,6 +202,9 @@ struct Draft {
     Word title;
     std::vector<DraftDeclaration> declarations;
     std::vector<DraftAssumption> assumptions;
+    std::vector<DraftDefinition> definitions;  ///< those of the text, then the vars that are held
+    std::vector<std::uint32_t> definitions_inwards;  ///< resolved: each behind those that it reads
+    std::vector<DraftDuration> durations;
     std::vector<DraftBlock> blocks;
     std::vector<DraftNode> nodes;              ///< steps and macro-steps
     std::vector<DraftTransition> transitions;  ///< the place is the rank
@@ -176,7 +213,7 @@ struct Draft {
     std::vector<DraftEnclosure> enclosures;
     std::vector<Word> words;
     std::vector<ExpressionNode> expression_nodes;
-    std::vector<TimeCondition> times;  ///< without their operands
+    std::vector<DraftTime> times;
     std::vector<DraftComparison> comparisons;
     std::vector<DraftTerm> terms;
 

@@ -44,9 +44,15 @@ struct Output {
     Location where;
 };
 
+/// An internal variable. Stored actions change it; or steps hold it by continuous actions, as a bit
+/// that has no memory: then it is the OR of the conditions under which they are active, and
+/// expressions that read it hold that value in its place.
 struct Var {
     std::string name;
     Location where;
+    ExprId held = no_expr;  ///< what it is where steps hold it
+
+    bool is_held() const { return held != no_expr; }
 };
 
 /// A counter holds low..high inclusive and starts at low.
@@ -129,7 +135,8 @@ struct Write {
     SumId sum = none;        ///< of `:=` to a counter
 };
 
-enum class ActionKind : std::uint8_t { continuous, stored, order };
+/// `held`: a continuous action on a var.
+enum class ActionKind : std::uint8_t { continuous, stored, order, held };
 enum class Trigger : std::uint8_t { activation, deactivation, event };
 
 /// An action associated with a step.
@@ -138,6 +145,7 @@ struct Action {
     Trigger trigger = Trigger::activation;  ///< of a stored action
     StepId step{};
     OutputId output{};  ///< of a continuous action
+    VarId var{};        ///< of an action that holds one
     ExprId expression =
         no_expr;  ///< continuous: its condition or no_expr; stored on event: the event
     Write write;  ///< of a stored action

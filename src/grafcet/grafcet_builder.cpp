@@ -27,6 +27,7 @@ namespace {
 void check(const Checking& checking) {
     collect_names(checking);
     resolve_expansions(checking);
+    resolve_definitions(checking);
     for (const DraftAssumption& assumption : checking.draft.assumptions) {
         resolve_expression(checking, assumption.expression, ExpressionUse::assumption);
     }
@@ -128,6 +129,17 @@ void GrafcetBuilder::add_counter(Name name, std::int64_t low, std::int64_t high)
 
 void GrafcetBuilder::add_assumption(const NamedExpression& expression, Location where) {
     draft_->assumptions.push_back({draft_->add(expression), where});
+}
+
+void GrafcetBuilder::add_definition(Name name, const NamedExpression& condition) {
+    DraftDefinition definition;
+    definition.name = draft_->add(name);
+    definition.expression = draft_->add(condition);
+    draft_->definitions.push_back(std::move(definition));
+}
+
+void GrafcetBuilder::add_time(Name name, Time duration) {
+    draft_->durations.push_back({draft_->add(name), duration});
 }
 
 BlockId GrafcetBuilder::add_graph(Name name) {
@@ -255,7 +267,10 @@ std::optional<Grafcet> GrafcetBuilder::finish() {
         const Checking checking{draft, names, suggestions, diagnostics_};
         check(checking);
         if (!is_refused()) check_parts(checking);
-        if (!is_refused()) grafcet = build_model(draft);
+        if (!is_refused()) {
+            warn_unread(checking);
+            grafcet = build_model(draft);
+        }
     }
     if (grafcet) {
         assert(fault_of(*grafcet).empty());
@@ -299,7 +314,7 @@ void add_assumption(Grafcet& grafcet, const NamedExpression& expression, Locatio
     if (diagnostics.has_errors()) return;
     const std::size_t first_here = grafcet.assumptions.size();
     grafcet.assumptions.push_back(
-        {build_expression(draft, added, {}, {}, grafcet.expressions), where});
+        {build_expression(draft, added, {}, {}, {}, grafcet.expressions), where});
     refuse_contradictions(grafcet, first_here, diagnostics);
 }
 

@@ -37,6 +37,15 @@ struct NamedTerm {
 };
 using NamedSum = std::vector<NamedTerm>;
 
+/// A delay of a time condition: a duration, or the name of one.
+struct Delay {
+    Delay(Time duration = 0) : time(duration) {}
+    Delay(Name of_duration) : name(of_duration) {}
+
+    Time time = 0;
+    std::optional<Name> name;
+};
+
 /// A Boolean expression in postfix order, the order in which a parser finishes its parts: operands
 /// stand before their operator. `a . /b` is made by
 ///
@@ -63,8 +72,8 @@ class NamedExpression {
         return add({kind, operands, {{}, where}}, operands);
     }
     /// `on_delay/operand/off_delay` of the last expression.
-    NamedExpression& time_condition(Time on_delay, Time off_delay, Location where = {}) {
-        times_.push_back({on_delay, no_expr, off_delay});
+    NamedExpression& time_condition(Delay on_delay, Delay off_delay, Location where = {}) {
+        times_.push_back({on_delay, off_delay});
         const auto place = static_cast<std::uint32_t>(times_.size() - 1);
         return add({ExprKind::time_condition, place, {{}, where}}, 1);
     }
@@ -87,13 +96,17 @@ class NamedExpression {
         std::uint32_t value = 0;
         Name name;  ///< of a variable; else only the place
     };
+    struct NamedTimeCondition {
+        Delay on_delay;
+        Delay off_delay;
+    };
     struct NamedComparison {
         NamedSum left;
         Relation relation = Relation::equal;
         NamedSum right;
     };
     const std::vector<Node>& nodes() const { return nodes_; }
-    const std::vector<TimeCondition>& times() const { return times_; }  ///< without operands
+    const std::vector<NamedTimeCondition>& times() const { return times_; }
     const std::vector<NamedComparison>& comparisons() const { return comparisons_; }
 
   private:
@@ -106,7 +119,7 @@ class NamedExpression {
     }
 
     std::vector<Node> nodes_;
-    std::vector<TimeCondition> times_;
+    std::vector<NamedTimeCondition> times_;
     std::vector<NamedComparison> comparisons_;
     std::size_t open_ = 0;  ///< expressions that nothing has joined yet
 };
@@ -159,6 +172,10 @@ class GrafcetBuilder {
     /// Holds low..high inclusive.
     void add_counter(Name name, std::int64_t low, std::int64_t high);
     void add_assumption(const NamedExpression& expression, Location where);
+    /// A name for a condition: whoever reads it reads the condition.
+    void add_definition(Name name, const NamedExpression& condition);
+    /// A name for a duration, which stands in time conditions.
+    void add_time(Name name, Time duration);
 
     BlockId add_graph(Name name);
     BlockId add_expansion(Name name);
@@ -170,7 +187,8 @@ class GrafcetBuilder {
     StepKey add_exit(BlockId expansion, Name name);
     void add_macro(BlockId block, Name name, std::optional<Name> expansion);
 
-    /// `where` is the place of the whole action, `condition` empty for one without a condition.
+    /// On an output, or on a var, which it holds. `where` is the place of the whole action,
+    /// `condition` empty for one without a condition.
     void add_continuous(StepKey step, Name output, const NamedExpression& condition,
                         Location where);
     /// `event` belongs to the trigger of that name.

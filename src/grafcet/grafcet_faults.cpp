@@ -96,6 +96,12 @@ class FaultSearch {
                 return false;
             }
         }
+        for (const Var& var : g_.vars) {
+            if (!require(!var.is_held() || is_expression(var.held), "var {} stands for nothing",
+                         var.name)) {
+                return false;
+            }
+        }
         for (const Assumption& assumption : g_.assumptions) {
             if (!require(is_of_plant(assumption.expression), "an assumption is not over inputs")) {
                 return false;
@@ -353,6 +359,10 @@ class FaultSearch {
         switch (action.kind) {
             case ActionKind::continuous:
                 return is_in(action.output, g_.outputs) && action.order == none &&
+                       (action.expression == no_expr || is_expression(action.expression));
+            case ActionKind::held:
+                return is_in(action.var, g_.vars) && g_.vars[action.var].is_held() &&
+                       action.order == none &&
                        (action.expression == no_expr || is_expression(action.expression));
             case ActionKind::stored:
                 return is_write(action.write) && action.order == none &&

@@ -22,11 +22,11 @@ namespace say = messages::grafcet;
 
 namespace {
 
-constexpr std::array<std::string_view, 27> reserved_words = {
-    "activation", "and",   "assume",    "counter", "deactivation", "do",    "encloses",
-    "entry",      "exit",  "expansion", "fall",    "grafcet",      "graph", "if",
-    "initial",    "input", "macro",     "not",     "on",           "or",    "output",
-    "reset",      "rise",  "set",       "step",    "var",          "xor"};
+constexpr std::array<std::string_view, 29> reserved_words = {
+    "activation", "and",   "assume",    "counter", "deactivation", "define", "do",    "encloses",
+    "entry",      "exit",  "expansion", "fall",    "grafcet",      "graph",  "if",    "initial",
+    "input",      "macro", "not",       "on",      "or",           "output", "reset", "rise",
+    "set",        "step",  "time",      "var",     "xor"};
 
 constexpr auto first_reserved = static_cast<std::size_t>(TokenKind::kw_activation);
 static_assert(static_cast<std::size_t>(TokenKind::kw_xor) - first_reserved + 1 ==
@@ -34,8 +34,59 @@ static_assert(static_cast<std::size_t>(TokenKind::kw_xor) - first_reserved + 1 =
 
 constexpr std::array<std::string_view, 5> units = {"min", "us", "ms", "s", "h"};
 
+/// U+0305, which stands behind the character that it is drawn over.
+constexpr std::string_view overline = "\u0305";
+
 bool is_ascii(char c) {
     return static_cast<unsigned char>(c) < 0x80;
+}
+
+/// The words that are keywords where nothing else could be meant; all are compared in lower case.
+struct WordInContext {
+    std::string_view word;
+    TokenKind keyword;
+};
+constexpr WordInContext words_in_context[] = {
+    {"compteur", TokenKind::kw_counter},
+    {"debut", TokenKind::kw_entry},
+    {"definir", TokenKind::kw_define},
+    {"desactivation", TokenKind::kw_deactivation},
+    {"duree", TokenKind::kw_time},
+    {"début", TokenKind::kw_entry},
+    {"définir", TokenKind::kw_define},
+    {"désactivation", TokenKind::kw_deactivation},
+    {"durée", TokenKind::kw_time},
+    {"englobe", TokenKind::kw_encloses},
+    {"entree", TokenKind::kw_input},
+    {"entrée", TokenKind::kw_input},
+    {"et", TokenKind::kw_and},
+    {"etape", TokenKind::kw_step},
+    {"faire", TokenKind::kw_do},
+    {"fin", TokenKind::kw_exit},
+    {"graphe", TokenKind::kw_graph},
+    {"initiale", TokenKind::kw_initial},
+    {"non", TokenKind::kw_not},
+    {"ou", TokenKind::kw_or},
+    {"si", TokenKind::kw_if},
+    {"sortie", TokenKind::kw_output},
+    {"suppose", TokenKind::kw_assume},
+    {"sur", TokenKind::kw_on},
+    {"variable", TokenKind::kw_var},
+    {"étape", TokenKind::kw_step},
+};
+
+/// In small letters, for the letters that keywords have.
+std::string small_letters(std::string_view word) {
+    std::string small;
+    for (std::size_t at = 0; at < word.size(); ++at) {
+        if (word.substr(at, 2) == "É") {
+            small += "é";
+            ++at;
+        } else {
+            small += lower_case(word[at]);
+        }
+    }
+    return small;
 }
 
 /// The reserved word, or `word`. Most names are put aside by their length or first letter.
@@ -92,6 +143,17 @@ std::string_view reserved_word(TokenKind kind) {
 
 bool is_reserved_word(std::string_view text) {
     return keyword_of(text) != TokenKind::word;
+}
+
+TokenKind keyword_in_context(std::string_view word) {
+    constexpr std::size_t longest = 16;
+    if (word.size() < 2 || word.size() > longest) return TokenKind::end;
+    const std::string small = small_letters(word);
+    for (const WordInContext& row : words_in_context) {
+        if (row.word == small) return row.keyword;
+    }
+    const TokenKind kind = keyword_of(small);
+    return kind == TokenKind::word ? TokenKind::end : kind;
 }
 
 bool is_plain_word(std::string_view text) {
@@ -187,6 +249,7 @@ Token Lexer::word(Token token) {
     const std::string_view text = text_.substr(start, at_ - start);
     token.kind = keyword_of(text);
     token.length = static_cast<std::uint32_t>(text.size());
+    token.is_overlined = text.find(overline) != text.npos;
     return token;
 }
 
@@ -202,12 +265,19 @@ Token Lexer::number(Token token) {
     if (end + 1 < text_.size() && text_[end] == '.' && is_digit(text_[end + 1])) {
         end = digits_from(end + 2);
     }
+    TokenKind kind = TokenKind::integer;
+    std::size_t token_end = whole_end;
     for (const std::string_view unit : units) {
-        if (text_.substr(end, unit.size()) == unit) {
-            return finish(token, TokenKind::duration, end + unit.size() - at_);
-        }
+        if (text_.substr(end, unit.size()) != unit) continue;
+        kind = TokenKind::duration;
+        token_end = end + unit.size();
+        break;
     }
-    return finish(token, TokenKind::integer, whole_end - at_);
+    if (name_character(text_, token_end) == 0) return finish(token, kind, token_end - at_);
+    word(token);
+    token.kind = TokenKind::digits_and_letters;
+    token.length = static_cast<std::uint32_t>(at_ - token.offset);
+    return token;
 }
 
 /// Ends at the second quotation mark, or with the line, which is an error: a text that lacks its
@@ -270,6 +340,15 @@ bool Lexer::symbol(Token& token) {
                                          {"&", TokenKind::ampersand},
                                          {"/", TokenKind::slash},
                                          {"!", TokenKind::exclamation},
+                                         {"→", TokenKind::arrow},
+                                         {"≤", TokenKind::less_equal},
+                                         {"≥", TokenKind::greater_equal},
+                                         {"≠", TokenKind::not_equal},
+                                         {"·", TokenKind::dot},
+                                         {"⋅", TokenKind::dot},
+                                         {"∧", TokenKind::ampersand},
+                                         {"∨", TokenKind::bar},
+                                         {"¬", TokenKind::exclamation},
                                          {"↑", TokenKind::up_arrow},
                                          {"↓", TokenKind::down_arrow},
                                          {"⊕", TokenKind::circled_plus}};
@@ -279,6 +358,11 @@ bool Lexer::symbol(Token& token) {
         token.length = static_cast<std::uint32_t>(candidate.text.size());
         at_ += candidate.text.size();
         column_ += static_cast<std::uint32_t>(count_code_points(candidate.text));
+        if (token.kind == TokenKind::right_parenthesis &&
+            text_.substr(at_, overline.size()) == overline) {
+            token.is_overlined = true;
+            at_ += overline.size();
+        }
         return true;
     }
     return false;
@@ -306,12 +390,97 @@ void Lexer::report_unexpected(const Token& token, Diagnostics* diagnostics) {
     const Localized shown =
         is_visible ? grafwire::quoted(text_.substr(token.offset, std::max(first.length, 1U)))
                    : say::character_code(static_cast<std::uint32_t>(first.value));
-    diagnostics->error(code::unexpected_character, token.where, say::unexpected_character(shown));
+    Localized message = say::unexpected_character(shown);
+    if (first.value == U'\'' || first.value == U'\u2019') message = say::negation_before();
+    if (first.value == U'^') message = say::rise_written();
+    diagnostics->error(code::unexpected_character, token.where, std::move(message));
 }
 
 TokenReader::TokenReader(std::string_view source, Diagnostics& diagnostics)
     : source_(source), diagnostics_(diagnostics), lexer_(source) {
     take();
+}
+
+void TokenReader::take() {
+    previous_kind_ = token_.kind;
+    previous_end_ = lexer_.place();
+    token_ = lexer_.next(&diagnostics_);
+    if (at(TokenKind::digits_and_letters)) report_digits_and_letters();
+}
+
+/// Reported once, however often the name is used; it goes on as the name that was meant.
+void TokenReader::report_digits_and_letters() {
+    token_.kind = TokenKind::word;
+    if (!reported_.insert(text()).second) return;
+    diagnostics_.error(code::unexpected_token, token_.where,
+                       say::digits_and_letters(shown(), text()));
+}
+
+bool TokenReader::take_keyword(TokenKind wanted) {
+    if (!at(wanted) && keyword() != wanted) return false;
+    take();
+    return true;
+}
+
+TokenKind TokenReader::keyword() const {
+    if (!reserved_word(token_.kind).empty()) return token_.kind;
+    if (!at(TokenKind::word) || token_.is_overlined) return TokenKind::end;
+    const bool is_ascii_text = is_ascii(text());
+    const std::string composed = is_ascii_text ? std::string() : normalised(text());
+    const std::string_view word = is_ascii_text ? text() : std::string_view(composed);
+    const TokenKind kind = keyword_in_context(word);
+    if (kind == TokenKind::end || declared_.find(word) != declared_.end()) return TokenKind::end;
+    return token_.first_on_line && looks_like_transition() ? TokenKind::end : kind;
+}
+
+void TokenReader::declare(Name name, bool is_time) {
+    if (keyword_in_context(name.text) != TokenKind::end) declared_.emplace(name.text);
+    if (is_time) times_.emplace(name.text);
+}
+
+bool TokenReader::at_time_name() {
+    if (times_.empty() || !(at(TokenKind::word) || at(TokenKind::quoted))) return false;
+    return times_.find(name().text) != times_.end();
+}
+
+bool TokenReader::looks_like_transition() const {
+    constexpr int longest_look_ahead = 64;
+    Lexer lexer = ahead();
+    Token next = token();
+    const auto is_name_token = [&next] {
+        return is_name(next.kind) || next.kind == TokenKind::digits_and_letters;
+    };
+    if (next.kind == TokenKind::left_parenthesis) {
+        next = lexer.next(nullptr);
+        if (!is_name_token()) return false;
+        next = lexer.next(nullptr);
+        if (next.kind != TokenKind::right_parenthesis) return false;
+        next = lexer.next(nullptr);
+    }
+    for (int i = 0; i < longest_look_ahead && is_name_token(); ++i) {
+        next = lexer.next(nullptr);
+        if (next.kind != TokenKind::comma) break;
+        next = lexer.next(nullptr);
+    }
+    return next.kind == TokenKind::arrow;
+}
+
+Name TokenReader::name() {
+    return {normalised_text(token_), token_.where};
+}
+
+std::string_view TokenReader::normalised_text(const Token& token) {
+    const std::string_view text = source_.substr(token.offset, token.length);
+    if (is_ascii(text)) return text;
+    std::string plain(text);
+    if (token.kind != TokenKind::quoted && token.is_overlined) {
+        for (std::size_t at = plain.find(overline); at != plain.npos; at = plain.find(overline)) {
+            plain.erase(at, overline.size());
+        }
+    }
+    plain = normalised(plain);
+    if (plain == text) return text;
+    return spelled_.emplace_back(std::move(plain));
 }
 
 bool TokenReader::take_if(TokenKind kind) {
@@ -331,6 +500,9 @@ bool TokenReader::expect(TokenKind kind, const Message<>& expected) {
 bool TokenReader::parse_name(Name& read, const Message<>& what, bool may_be_integer) {
     const bool is_name =
         at(TokenKind::word) || at(TokenKind::quoted) || (may_be_integer && at(TokenKind::integer));
+    if (is_name && token_.is_overlined) {
+        fail(say::overlined_name(what()));
+    }
     if (is_name && token_.length != 0) {
         read = name();
         take();
@@ -379,7 +551,11 @@ Localized TokenReader::shown() const {
 }
 
 bool TokenReader::fail(Localized message) {
-    diagnostics_.error(code::unexpected_token, token_.where, std::move(message));
+    return fail_at(token_.where, std::move(message));
+}
+
+bool TokenReader::fail_at(Location where, Localized message) {
+    diagnostics_.error(code::unexpected_token, where, std::move(message));
     return false;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,10 +17,11 @@ namespace grafwire {
 /// the parser knows that.
 enum class TokenKind : std::uint8_t {
     end,
-    word,      ///< a name that begins with a letter and is no reserved word
-    integer,   ///< digits
-    quoted,    ///< text in quotation marks
-    duration,  ///< `1.5s`
+    word,                ///< a name that begins with a letter and is no reserved word
+    integer,             ///< digits
+    digits_and_letters,  ///< `1S1`: what may have been meant as a name
+    quoted,              ///< text in quotation marks
+    duration,            ///< `1.5s`
     arrow,
     assign,
     colon,
@@ -52,6 +56,7 @@ enum class TokenKind : std::uint8_t {
     kw_assume,
     kw_counter,
     kw_deactivation,
+    kw_define,
     kw_do,
     kw_encloses,
     kw_entry,
@@ -72,6 +77,7 @@ enum class TokenKind : std::uint8_t {
     kw_rise,
     kw_set,
     kw_step,
+    kw_time,
     kw_var,
     kw_xor,
 };
@@ -80,6 +86,7 @@ enum class TokenKind : std::uint8_t {
 struct Token {
     TokenKind kind = TokenKind::end;
     bool first_on_line = false;
+    bool is_overlined = false;  ///< a word or `)` with a combining overline: NOT on paper
     /// The bytes of the token; of a quoted text those between the quotation marks.
     std::uint32_t offset = 0;
     std::uint32_t length = 0;
@@ -95,6 +102,8 @@ class Lexer {
 
     /// Reports to `diagnostics` unless it is null.
     Token next(Diagnostics* diagnostics);
+    /// The end of the last token.
+    Location place() const { return {line_, column_}; }
 
   private:
     void skip_space();
@@ -125,6 +134,10 @@ bool is_letter(char32_t code_point);
 /// The spelling of a reserved word, empty for all other kinds.
 std::string_view reserved_word(TokenKind kind);
 bool is_reserved_word(std::string_view text);
+/// What else a word means where a keyword may stand and a name may not: the French keywords, with
+/// and without accents, and all of them in capitals; `et`, `ou`, `non` and the like. `end` where it
+/// means nothing else. The word is normalised.
+TokenKind keyword_in_context(std::string_view word);
 
 /// Whether the language reads the text as a name without quotes: letters, digits and `_` after a
 /// letter, and not reserved.
@@ -144,34 +157,64 @@ class TokenReader {
     const Token& token() const { return token_; }
     /// The tokens behind the present one.
     Lexer ahead() const { return lexer_; }
+    /// The kind of the token before the present one, and where it ended.
+    TokenKind previous_kind() const { return previous_kind_; }
+    Location previous_end() const { return previous_end_; }
     Diagnostics& diagnostics() { return diagnostics_; }
 
     bool at(TokenKind kind) const { return token_.kind == kind; }
-    bool at_name() const {
-        return at(TokenKind::word) || at(TokenKind::integer) || at(TokenKind::quoted);
+    bool at_name() const { return is_name(token_.kind); }
+    static bool is_name(TokenKind kind) {
+        return kind == TokenKind::word || kind == TokenKind::integer || kind == TokenKind::quoted;
     }
-    void take() { token_ = lexer_.next(&diagnostics_); }
+    void take();
     bool take_if(TokenKind kind);
+    /// The same of a keyword that may be written as keyword_in_context() says.
+    bool take_keyword(TokenKind keyword);
     bool expect(TokenKind kind, const Message<>& expected);
     bool parse_name(Name& name, const Message<>& what, bool may_be_integer);
     bool parse_names(std::vector<Name>& names, const Message<>& what, bool may_be_integer);
     /// Expects a token of digits. A number that is too large is reported and read as 0.
     bool parse_number(std::int64_t& value);
 
-    Name name() const { return {text(), token_.where}; }
-    /// The text of the token.
+    /// Whether `[ (label) ] [ names ] ->` begins at the present token.
+    bool looks_like_transition() const;
+    /// What the token means as a keyword; `end` for a name. A word that begins the next transition
+    /// on a line of its own is a name, and so is one that has been declared.
+    TokenKind keyword() const;
+    /// From now on this word is a name wherever it stands; `is_time`: that of a duration.
+    void declare(Name name, bool is_time = false);
+    /// Whether the token is the name of a duration.
+    bool at_time_name();
+    /// Reads the present word as that keyword.
+    void read_as(TokenKind keyword) { token_.kind = keyword; }
+
+    /// The token as a name, normalised, as long as the reader lives.
+    Name name();
+    std::string_view source() const { return source_; }
+    /// The bytes of the token.
     std::string_view text() const { return source_.substr(token_.offset, token_.length); }
     /// The token as it is shown in messages.
     Localized shown() const;
     /// Reports an unexpected token.
     bool fail(Localized message);
+    bool fail_at(Location where, Localized message);
     bool fail_expecting(const Localized& expected);
 
   private:
+    std::string_view normalised_text(const Token& token);
+    void report_digits_and_letters();
+
     std::string_view source_;
     Diagnostics& diagnostics_;
     Lexer lexer_;
     Token token_;
+    TokenKind previous_kind_ = TokenKind::end;
+    Location previous_end_{1, 1};
+    std::deque<std::string> spelled_;      ///< names that are not as they stand in the source
+    std::set<std::string_view> reported_;  ///< names that begin with a digit
+    std::set<std::string, std::less<>> declared_;  ///< names that mean something else in context
+    std::set<std::string, std::less<>> times_;     ///< names of durations
 };
 
 }  // namespace grafwire

@@ -41,6 +41,11 @@ inline constexpr Code constant_receptivity{"constant-receptivity"};
 inline constexpr Code event_without_edge{"event-without-edge"};
 inline constexpr Code unused_name{"unused-name"};
 inline constexpr Code conflicting_writes{"conflicting-writes"};
+inline constexpr Code circle_of_definitions{"circle-of-definitions"};
+inline constexpr Code held_and_stored{"held-and-stored"};
+inline constexpr Code not_a_duration{"not-a-duration"};
+inline constexpr Code name_is_operator{"name-is-operator"};
+inline constexpr Code step_named_like_variable{"step-named-like-variable"};
 }  // namespace code
 
 /// What is said of charts, and how they are described.
@@ -186,14 +191,143 @@ inline constexpr Message<> relation{"one of = <> < <= > >= in the comparison",
                                     "l'un des signes = <> < <= > >= dans la comparaison"};
 inline constexpr Message<> end_of_comparison{"']' at the end of the comparison",
                                              "« ] » à la fin de la comparaison"};
-inline constexpr Message<Localized> number_as_condition{
-    "the number {} is no condition: the variable of a step 5 is X5, and counters are compared in "
-    "brackets, as in [c = 5]",
-    "le nombre {} n'est pas une condition : la variable d'une étape 5 est X5, et un compteur se "
-    "compare entre crochets, comme dans [c = 5]"};
+inline constexpr Message<Localized, std::string_view> number_as_condition{
+    "the number {0} is no condition: the variable of step {1} is X{1}, and counters are compared "
+    "in "
+    "brackets, as in [c = {1}]",
+    "le nombre {0} n'est pas une condition : la variable de l'étape {1} est X{1}, et un compteur "
+    "se "
+    "compare entre crochets, comme dans [c = {1}]"};
 inline constexpr Message<> a_condition{"a condition", "une condition"};
 inline constexpr Message<> operator_or_end{"an operator or the end of the expression",
                                            "un opérateur ou la fin de l'expression"};
+
+// Other notations, and how they are written here.
+inline constexpr Message<Localized, std::string_view> digits_and_letters{
+    "{0} begins with a digit and is neither a number nor a duration; a name that begins with a "
+    "digit "
+    "stands between quotation marks: \"{1}\"",
+    "{0} commence par un chiffre sans être un nombre ni une durée ; un nom qui commence par un "
+    "chiffre se met entre guillemets droits : \"{1}\""};
+inline constexpr Message<Localized> overlined_name{
+    "expected {}; an overline negates a condition, so remove it here",
+    "on attend ici {} ; une barre est la négation d'une condition, supprimez-la ici"};
+inline constexpr Message<> partly_overlined{
+    "the overline covers only a part of this name; put it over each letter, or write / before the "
+    "name",
+    "la barre ne couvre qu'une partie de ce nom ; mettez-la sur chaque lettre, ou écrivez / devant "
+    "le nom"};
+inline constexpr Message<> remark_begins_otherwise{"a remark begins with '#'",
+                                                   "une remarque commence par « # »"};
+inline constexpr Message<> parenthesis_out_of_place{
+    "a parenthesis cannot stand here: AND is written '.', as in a . (b + c); a priority is written "
+    "out, as in b . /a; a remark begins with '#'; the label of a transition begins its line",
+    "une parenthèse n'a pas de sens ici : ET s'écrit « . », comme dans a . (b + c) ; une priorité "
+    "s'écrit en toutes lettres, comme dans b . /a ; une remarque commence par « # » ; le repère "
+    "d'une transition est en début de ligne"};
+inline constexpr Message<> negation_before{
+    "NOT is written before what it negates: /a, or an overline over it",
+    "la négation s'écrit devant ce qu'elle porte : /a, ou par une barre au-dessus"};
+inline constexpr Message<> rise_written{"a rising edge is written ↑a or rise(a)",
+                                        "un front montant s'écrit ↑a ou rise(a)"};
+inline constexpr Message<std::string_view> edge_called{
+    "an edge is written ↑a or rise(a), ↓a or fall(a); '{}' is none",
+    "un front s'écrit ↑a ou rise(a), ↓a ou fall(a), et non « {} »"};
+inline constexpr Message<std::string_view, std::string_view> decimal_point{
+    "the decimal mark of a duration is a point: {}.{}",
+    "le séparateur décimal d'une durée est le point : {}.{}"};
+inline constexpr Message<std::string_view, std::string_view> space_before_unit{
+    "no space stands between a number and its unit: {0}{1}, as in {0}{1}/X5",
+    "pas d'espace entre un nombre et son unité : {0}{1}, comme dans {0}{1}/X5"};
+inline constexpr Message<std::string_view, std::string_view> time_condition_order{
+    "a time condition is written with the duration first and the variable behind it: {0}/{1}",
+    "une condition temporelle s'écrit avec la durée d'abord et la variable ensuite : {0}/{1}"};
+inline constexpr Message<> comparison_without_brackets{
+    "a variable is written alone where it is to be 1, with / where it is to be 0; counters are "
+    "compared in brackets, as in [n = 1]; how long step 3 has been active is 5s/X3",
+    "une variable s'écrit seule quand elle doit valoir 1, avec / quand elle doit valoir 0 ; un "
+    "compteur se compare entre crochets, comme dans [n = 1] ; la durée d'activité de l'étape 3 "
+    "s'écrit 5s/X3"};
+inline constexpr Message<> action_in_brackets{"actions stand without brackets: C := C + 1",
+                                              "une action s'écrit sans crochets : C := C + 1"};
+inline constexpr Message<std::string_view> action_with_value{
+    "a continuous action is the name alone, {0}: it is 1 while the step is active; a stored one is "
+    "set {0} or reset {0}",
+    "une action continue est le nom seul, {0} : elle vaut 1 tant que l'étape est active ; une "
+    "action "
+    "mémorisée s'écrit set {0} ou reset {0}"};
+inline constexpr Message<std::string_view, std::string_view> qualifier_written{
+    "a stored action is written {0} {1}", "une action mémorisée s'écrit {0} {1}"};
+inline constexpr Message<std::string_view> order_written{
+    "a forcing order names the graph and its situation: {0}{{10}}, {0}{{}} for none, {0}{{INIT}}, "
+    "{0}{{*}} to freeze",
+    "un ordre de forçage nomme le graphe et sa situation : {0}{{10}}, {0}{{}} pour la situation "
+    "vide, "
+    "{0}{{INIT}}, {0}{{*}} pour figer"};
+inline constexpr Message<Localized, std::string_view> word_is_operator{
+    "{} is also read as the operator '{}'; here the declared name counts",
+    "{} se lit aussi comme l'opérateur « {} » ; ici, c'est le nom déclaré qui compte"};
+
+// Names that stand for something.
+inline constexpr Message<> name_of_condition{"the name of a condition", "le nom d'une condition"};
+inline constexpr Message<> equal_and_condition{
+    "'=' and a condition, as in define ready = v0 . h0",
+    "« = » et une condition, comme dans define prêt = v0 . h0,"};
+inline constexpr Message<> name_of_duration{"the name of a duration", "le nom d'une durée"};
+inline constexpr Message<> equal_and_duration{"'=' and a duration, as in time T3 = 300ms",
+                                              "« = » et une durée, comme dans time T3 = 300ms,"};
+inline constexpr Message<> a_duration{"a duration, as in 300ms", "une durée, comme 300ms,"};
+inline constexpr Message<Localized> definition_named{"the defined name {}", "le nom défini {}"};
+inline constexpr Message<Localized> duration_named{"the duration {}", "la durée {}"};
+inline constexpr Message<Localized> circle_of_definitions{
+    "names stand for one another in a circle: {}; write one of them out",
+    "des noms se définissent l'un l'autre en boucle : {} ; écrivez l'un d'eux en toutes lettres"};
+inline constexpr Message<Localized> edge_behind_name{
+    "{} stands for a condition with an edge, which cannot stand in the condition of a continuous "
+    "action; use it in a transition condition or after 'on'",
+    "{} désigne une condition avec un front, qui ne peut pas conditionner une action continue ; "
+    "employez-le dans une réceptivité ou après « on »"};
+inline constexpr Message<Localized> no_plant_condition_behind_name{
+    "{} stands for more than inputs, and an assumption is over inputs and control inputs alone",
+    "{} ne désigne pas que des entrées, et une hypothèse ne porte que sur des entrées"};
+inline constexpr Message<> stands_for_this{"it stands for this", "il désigne ceci"};
+inline constexpr Message<Localized, std::uint32_t> definition_too_large{
+    "{} stands for an expression of more than {} parts; keep a part of it in a var",
+    "{} désigne une expression de plus de {} parties ; gardez-en une partie dans une variable "
+    "interne"};
+inline constexpr Message<Localized> definition_written{
+    "{} is a defined name, which no action changes; declare a var instead",
+    "{} est un nom défini, qu'aucune action ne modifie ; déclarez plutôt une variable interne"};
+inline constexpr Message<Localized, std::string_view> duration_read{
+    "{0} is a duration; it stands before '/', as in {1}/X5",
+    "{0} est une durée ; elle se place devant « / », comme dans {1}/X5"};
+inline constexpr Message<Localized> unknown_duration{
+    "unknown duration {}; declare it with time, as in time T3 = 300ms, or write an operator before "
+    "it",
+    "la durée {} est inconnue ; déclarez-la par time, comme dans time T3 = 300ms, ou écrivez un "
+    "opérateur devant"};
+inline constexpr Message<Localized> not_a_duration{
+    "{} is no duration; declare one with time, as in time T3 = 300ms",
+    "{} n'est pas une durée ; déclarez-en une par time, comme dans time T3 = 300ms"};
+inline constexpr Message<Localized> var_held_and_stored{
+    "{} is held by continuous actions and changed by stored ones; use one kind only",
+    "{} est tenue par des actions continues et modifiée par des actions mémorisées ; n'en utilisez "
+    "qu'une sorte"};
+inline constexpr Message<Localized> definition_unused{
+    "the condition {} is defined and never used",
+    "la condition {} est définie mais jamais utilisée"};
+inline constexpr Message<Localized> duration_unused{
+    "the duration {} is declared and never used", "la durée {} est déclarée mais jamais utilisée"};
+inline constexpr Message<Localized, std::string_view> step_named_like_variable{
+    "the variable of step {0} is X{1}; if X{1} is not what you mean, name the step without the X",
+    "la variable de l'étape {0} est X{1} ; si ce n'est pas ce que vous voulez, nommez l'étape sans "
+    "X"};
+inline constexpr Message<Localized, Localized, std::string> steps_of_two_graphs{
+    "{} and {} both have steps {}; step names are unique in the whole file, so number those of one "
+    "graph otherwise, as in 10, 11, …",
+    "{} et {} ont tous deux les étapes {} ; un nom d'étape est unique dans tout le fichier, "
+    "numérotez "
+    "donc autrement celles de l'un des deux, par exemple 10, 11, …"};
 
 // Contradictions of a whole chart.
 inline constexpr Message<> assumption_never_1{

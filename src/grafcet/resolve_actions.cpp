@@ -53,6 +53,7 @@ class ActionResolver {
     void resolve_action(DraftAction& action) {
         switch (action.kind) {
             case ActionKind::continuous:
+            case ActionKind::held:
                 resolve_continuous(action);
                 break;
             case ActionKind::order:
@@ -70,22 +71,41 @@ class ActionResolver {
     /// The target is an output. A var or a counter has a memory, which a continuous action has not.
     void resolve_continuous(DraftAction& action) {
         const auto* found = checking_.names.variables.find(draft_.text(action.name));
-        if (found != nullptr && found->variable.kind == VariableKind::output) {
+        if (found != nullptr && found->definition != none &&
+            draft_.definitions[found->definition].is_held) {
+            action.held = found->definition;
+            action.resolved = found->variable.index;
+        } else if (found != nullptr && (found->definition != none || found->duration != none)) {
+            report_fixed_target(action.name);
+        } else if (found != nullptr && found->variable.kind == VariableKind::output) {
             action.resolved = found->variable.index;
             std::optional<Location>& first = drives_[action.resolved].continuous;
             if (!first) first = action.where;
-        } else if (found != nullptr && (found->variable.kind == VariableKind::var ||
-                                        found->variable.kind == VariableKind::counter)) {
-            const bool is_var = found->variable.kind == VariableKind::var;
-            const auto& message = is_var ? say::continuous_on_var : say::continuous_on_counter;
-            checking_.error(code::continuous_on_internal, action.where,
-                            message(checking_.shown(action.name), draft_.text(action.name)));
+        } else if (found != nullptr && found->variable.kind == VariableKind::counter) {
+            checking_.error(
+                code::continuous_on_internal, action.where,
+                say::continuous_on_counter(checking_.shown(action.name), draft_.text(action.name)));
         } else {
             report_bad_target(action.name);
         }
         if (!action.expression.empty()) {
             resolve_expression(checking_, action.expression, ExpressionUse::condition);
         }
+    }
+
+    /// The name of a condition or of a duration.
+    void report_fixed_target(const Word& word) {
+        checking_.error(code::assignment_to_input, word.where,
+                        say::definition_written(checking_.shown(word)));
+    }
+
+    /// A stored action on a var that continuous actions hold.
+    void report_held_target(const DraftWrite& write, const DraftDefinition& held) {
+        checking_
+            .error(code::held_and_stored, write.target.where,
+                   say::var_held_and_stored(checking_.shown(write.target)))
+            .notes.push_back(
+                {draft_.actions[held.actions.front()].where, say::continuous_drives_here()});
     }
 
     /// A name that no action of any kind can be about.
@@ -116,8 +136,14 @@ class ActionResolver {
     void resolve_write(DraftWrite& write) {
         const auto* found = checking_.names.variables.find(draft_.text(write.target));
         const bool is_writable = found != nullptr && found->variable.kind != VariableKind::input &&
-                                 found->variable.kind != VariableKind::control;
-        if (!is_writable) {
+                                 found->variable.kind != VariableKind::control &&
+                                 found->definition == none && found->duration == none;
+        if (found != nullptr && found->definition != none &&
+            draft_.definitions[found->definition].is_held) {
+            report_held_target(write, draft_.definitions[found->definition]);
+        } else if (found != nullptr && (found->definition != none || found->duration != none)) {
+            report_fixed_target(write.target);
+        } else if (!is_writable) {
             report_bad_target(write.target);
         } else {
             write.resolved = found->variable;

@@ -49,9 +49,58 @@ void report_unknown(const Checking& checking, const Word& word) {
 }
 
 /// Declared variables come before those of steps, with which they cannot clash.
+/// A name that stands for a condition, which must suit the place of the name.
+void resolve_definition(const Checking& checking, ExpressionNode& node, std::uint32_t definition,
+                        ExpressionUse use) {
+    DraftDefinition& read = checking.draft.definitions[definition];
+    node.definition = definition;
+    read.is_read = true;
+    if (use == ExpressionUse::assumption && !read.is_of_plant) {
+        checking
+            .error(code::not_a_plant_condition, node.word.where,
+                   say::no_plant_condition_behind_name(checking.shown(node.word)))
+            .notes.push_back({read.name.where, say::stands_for_this()});
+    } else if (use == ExpressionUse::condition && read.has_edge && !node.inside_time) {
+        checking
+            .error(code::edge_in_condition, node.word.where,
+                   say::edge_behind_name(checking.shown(node.word)))
+            .notes.push_back({read.name.where, say::stands_for_this()});
+    }
+}
+
+/// The duration that a name in a time condition stands for.
+std::uint32_t resolve_duration(const Checking& checking, const Word& name, Time& time) {
+    if (name.length == 0) return none;
+    const auto* found = checking.names.variables.find(checking.draft.text(name));
+    if (found == nullptr) {
+        checking.error(code::unknown_name, name.where, say::unknown_duration(checking.shown(name)));
+    } else if (found->duration == none) {
+        checking.error(code::not_a_duration, name.where, say::not_a_duration(checking.shown(name)));
+    } else {
+        DraftDuration& duration = checking.draft.durations[found->duration];
+        duration.is_read = true;
+        time = duration.time;
+        return found->duration;
+    }
+    return none;
+}
+
+void resolve_times(const Checking& checking, DraftTime& time) {
+    time.on_duration = resolve_duration(checking, time.on_name, time.on_delay);
+    time.off_duration = resolve_duration(checking, time.off_name, time.off_delay);
+}
+
 void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
     const std::string_view name = checking.draft.text(node.word);
     if (const auto* found = checking.names.variables.find(name)) {
+        if (found->definition != none) {
+            return resolve_definition(checking, node, found->definition, use);
+        }
+        if (found->duration != none) {
+            checking.error(code::not_a_boolean, node.word.where,
+                           say::duration_read(checking.shown(node.word), name));
+            return;
+        }
         node.variable = found->variable.kind;
         node.value = found->variable.index;
     } else if (!resolve_step_variable(checking, name, node)) {
@@ -89,6 +138,7 @@ void resolve_node(const Checking& checking, ExpressionNode& node, ExpressionUse 
             check_edge(checking, node, use);
             break;
         case ExprKind::time_condition:
+            resolve_times(checking, checking.draft.times[node.value]);
             if (use == ExpressionUse::assumption) {
                 checking.error(code::not_a_plant_condition, node.word.where,
                                say::time_in_assumption());
@@ -115,6 +165,8 @@ void resolve_side(const Checking& checking, std::uint32_t block, Range<> list) {
     resolve_steps(checking, list, [&](std::uint32_t node, const Word& word) {
         const DraftNode& step = checking.draft.nodes[node];
         if (step.block == block) return true;
+        const auto& later = checking.names.later_nodes;
+        if (!later.empty() && later.count({block, checking.draft.text(word)}) != 0) return true;
         const bool is_expansion = checking.draft.blocks[block].is_expansion;
         const auto& message =
             is_expansion ? say::step_of_another_expansion : say::step_of_another_graph;

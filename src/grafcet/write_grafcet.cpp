@@ -175,7 +175,9 @@ class GrafcetWriter {
     void write_action(const Action& action) {
         switch (action.kind) {
             case ActionKind::continuous:
-                variable(grafcet_.outputs[action.output].name);
+            case ActionKind::held:
+                variable(action.kind == ActionKind::held ? grafcet_.vars[action.var].name
+                                                         : grafcet_.outputs[action.output].name);
                 if (action.expression == no_expr) break;
                 out_ += " if ";
                 expression(action.expression);

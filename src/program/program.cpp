@@ -269,6 +269,14 @@ void ProgramBuild::make_outputs() {
         section.assign({BitKind::output, o}, and_condition(std::move(gated)),
                        Localized::same_in_both(quoted_where_needed(output.name)), output.where);
     }
+    // Vars that steps hold are bits like these, but AUdoux leaves them alone. Nothing in the
+    // program reads them: whoever does has what they stand for in their place.
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) {
+        const Var& var = grafcet_.vars[VarId{v}];
+        if (!var.is_held()) continue;
+        section.assign({BitKind::var, v}, conditions_.of(var.held),
+                       Localized::same_in_both(quoted_where_needed(var.name)), var.where);
+    }
     for (std::uint32_t g = 0; g < grafcet_.graphs.size(); ++g) {
         std::vector<Condition> freezing;
         for (const Order& order : grafcet_.orders) {

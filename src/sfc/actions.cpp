@@ -81,7 +81,9 @@ class ActionsOfStep {
 };
 
 void ActionsOfStep::add_continuous(const Action& action, Form form) {
-    const std::string& output = names_.outputs[index_of(action.output)];
+    const std::string& output = action.kind == ActionKind::held
+                                    ? names_.vars[index_of(action.var)]
+                                    : names_.outputs[index_of(action.output)];
     if (form == Form::observed) {
         const std::string comment =
             action.expression == no_expr
@@ -106,7 +108,9 @@ void ActionsOfStep::add(const Action& action) {
     const std::size_t index = plan_.index_of_action(action);
     const Form form = plan_.forms[index];
     if (form == Form::beyond) return;
-    if (action.kind == ActionKind::continuous) return add_continuous(action, form);
+    if (action.kind == ActionKind::continuous || action.kind == ActionKind::held) {
+        return add_continuous(action, form);
+    }
     if (form == Form::set || form == Form::reset) {
         const char* qualifier = form == Form::set ? "S" : "R";
         actions_.push_back({qualifier, "", text_.variable(action.write.target), ""});
@@ -192,11 +196,13 @@ void Observer::time_condition(std::size_t i) {
 }
 
 void Observer::assign_outputs() {
-    std::map<OutputId, std::string> values;
+    std::map<OutputId, std::string> outputs;
+    std::map<VarId, std::string> vars;
     for (const Action& action : grafcet_.actions) {
-        if (action.kind != ActionKind::continuous) continue;
-        if (plan_.observed_outputs.count(action.output) == 0) continue;
-        std::string& value = values[action.output];
+        const bool is_held = action.kind == ActionKind::held;
+        if (!is_held && action.kind != ActionKind::continuous) continue;
+        if (!is_held && plan_.observed_outputs.count(action.output) == 0) continue;
+        std::string& value = is_held ? vars[action.var] : outputs[action.output];
         if (!value.empty()) value += " OR ";
         const std::string active = names_.steps[index_of(action.step)] + ".X";
         value +=
@@ -204,7 +210,8 @@ void Observer::assign_outputs() {
                 ? active
                 : fmt::format("({} AND {})", active, text_.expression(action.expression, {}, true));
     }
-    for (const auto& [output, value] : values) assign(names_.outputs[index_of(output)], value);
+    for (const auto& [output, value] : outputs) assign(names_.outputs[index_of(output)], value);
+    for (const auto& [var, value] : vars) assign(names_.vars[index_of(var)], value);
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ class Planner {
         for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
             const Action& action = grafcet_.actions[a];
             if (action.kind == ActionKind::continuous) drivers_[action.output].push_back(a);
+            if (action.kind == ActionKind::held) {
+                plan_.forms[a] = Form::observed;
+                plan_.has_held_vars = true;
+            }
             if (action.kind == ActionKind::stored) writers_[action.write.target].push_back(a);
         }
         for (const auto& [output, actions] : drivers_) choose_continuous(output, actions);
@@ -267,7 +271,7 @@ void Planner::walk_all() {
 }  // namespace
 
 bool Plan::has_observer() const {
-    return has_start_bit || !observed_outputs.empty() || !copies.empty() ||
+    return has_start_bit || has_held_vars || !observed_outputs.empty() || !copies.empty() ||
            std::find(times.begin(), times.end(), true) != times.end();
 }
 

@@ -64,8 +64,9 @@ struct Plan {
     std::vector<std::set<Variable>> copied_reads;
     std::set<std::uint32_t> controls;  ///< those of Init, AUdur and AUdoux that anything reads
     std::set<OutputId> observed_outputs;
-    std::vector<bool> edges;  ///< per edge: whether anything reads it
-    std::vector<bool> times;  ///< per time condition: whether anything reads its bit
+    bool has_held_vars = false;  ///< vars that steps hold, which are assigned there as well
+    std::vector<bool> edges;     ///< per edge: whether anything reads it
+    std::vector<bool> times;     ///< per time condition: whether anything reads its bit
     std::set<Variable> copies;
     std::set<std::size_t> time_copies;  ///< of the bits of time conditions
     bool has_start_bit = false;         ///< `started`: 0 in the first scan only

@@ -100,7 +100,7 @@ class RowReader {
         return names;
     }
     void add_net(NetId net) { sources_.push_back({{}, {net}, 0}); }
-    void add_named(const ByName& names, const std::string& name) {
+    void add_named(const ByName& names, std::string_view name) {
         const auto found = names.find(name);
         if (found == names.end()) {
             add_net(no_net);

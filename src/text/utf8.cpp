@@ -5,8 +5,11 @@
 
 #include "text/utf8.h"
 
+#include <utf8proc.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <cstring>
 
 #include "text/diagnostics.h"
@@ -139,6 +142,24 @@ bool check_utf8(std::string_view text, Diagnostics& diagnostics) {
         return false;
     }
     return true;
+}
+
+bool is_ascii(std::string_view text) {
+    return std::all_of(text.begin(), text.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+std::string normalised(std::string_view text) {
+    if (is_ascii(text)) return std::string(text);
+    utf8proc_uint8_t* result = nullptr;
+    const utf8proc_ssize_t size =
+        utf8proc_map(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                     static_cast<utf8proc_ssize_t>(text.size()), &result,
+                     static_cast<utf8proc_option_t>(UTF8PROC_STABLE | UTF8PROC_COMPOSE));
+    if (size < 0) return std::string(text);  // not UTF-8, or no memory
+    std::string composed(reinterpret_cast<const char*>(result), static_cast<std::size_t>(size));
+    std::free(result);
+    return composed;
 }
 
 }  // namespace grafwire

@@ -49,6 +49,13 @@ std::size_t count_code_points(std::string_view text);
 /// them meets a stray byte.
 bool check_utf8(std::string_view text, Diagnostics& diagnostics);
 
+/// The text in Unicode Normalisation Form C (Unicode Standard Annex 15), in which an accent and its
+/// letter are one character where there is one: texts that look the same are the same then. ASCII
+/// is in that form already. The text is well-formed UTF-8.
+std::string normalised(std::string_view text);
+/// Whether the text is ASCII, and so the same in every normalisation form.
+bool is_ascii(std::string_view text);
+
 /// The bytes of a byte-order mark at the beginning of the text: 0 or 3.
 std::size_t byte_order_mark_size(std::string_view text);
 

@@ -7,6 +7,7 @@
 
 #include "evolution/run.h"
 #include "netlist/styles/messages.h"
+#include "text/utf8.h"
 #include "workflow/messages.h"
 
 namespace grafwire {
@@ -47,6 +48,9 @@ std::optional<Against> against_of(std::string_view path) {
 }
 
 PortComparison fit_netlist(const Chart& chart, Netlist& netlist, bool starts_initially) {
+    for (std::vector<Port>* side : {&netlist.inputs, &netlist.outputs}) {
+        for (Port& port : *side) port.name = normalised(port.name);  // as the chart has its names
+    }
     PortComparison ports = compare_ports(chart.grafcet, netlist);
     if (ports.missing_outputs.empty()) {
         adopt_ports(chart.grafcet, netlist);

@@ -85,6 +85,12 @@ bool agrees_scan_by_scan(const Grafcet& grafcet, RandomSource& random) {
         std::vector<std::uint8_t> consulted_by_outputs(inputs.size());
         const OutputValues outputs = fast.outputs(state, {inputs, &consulted_by_outputs});
         if (bits(outputs) != naive.outputs(expected, inputs)) return false;
+        const std::vector<bool> held = naive.held_vars(expected, inputs);
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            const VarId var = grafcet.vars.id_at(i);
+            if (grafcet.vars[var].is_held() && fast.var(var, state, {inputs}) != held[i])
+                return false;
+        }
 
         for (int i = 0; i < 3; ++i) {
             EvolutionState again = before;

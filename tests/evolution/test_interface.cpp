@@ -84,7 +84,8 @@ graph G {
   (from)  -> 1 : a
 }
 graph H { initial 10 : I{20} }
-graph I { step 20  step 21  (over) 20 -> 21 : 1 }
+graph I { step 20  step 21
+(over) 20 -> 21 : 1 }
 )");
     const Evolution evolution(grafcet);
     InputValues inputs(grafcet.all_input_count(), 0);

@@ -21,7 +21,8 @@ graph Top {
   2 -> 0 : b . v
 }
 graph Mid { initial 10 : Low{INIT} macro M = cycle 10 -> M : a M -> 10 : a do n := n + 1 }
-graph Low { initial 20 step "a b" : lamp 20 -> "a b" : b (back) "a b" -> 20 : b }
+graph Low { initial 20 step "a b" : lamp 20 -> "a b" : b
+(back) "a b" -> 20 : b }
 graph In { step 30 : set v 30 -> : a }
 expansion cycle { entry E exit S E -> S : b }
 )";

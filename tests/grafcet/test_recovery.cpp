@@ -39,7 +39,7 @@ graph {
 3:10 error: expected an input, got ','
 5:10 error: expected ',' between the names, got 'm'
 6:11 error: expected ':' and the range, as in counter c : 0..9, got '0'
-8:1 error: expected a condition, got 'graph'
+7:11 error: expected a condition, got 'graph'
 10:3 error: expected an action, got 'step', a reserved word; to use it as a name write "step"
 11:3 error: unknown variable 'stap'
 12:3 error: expected ',' or '->', got 'macro'
@@ -139,7 +139,7 @@ TEST_CASE("characters that belong to no token") {
 input a, b-c
 graph G {
   initial 1 : a$b
-  1 → 1 : a ∧ b
+  1 ⇒ 1 : a ∩ b
   1 -> 1 : ﻿a ; b
   1 -> 1 : a  %% é_1
 }
@@ -147,8 +147,8 @@ graph G {
 4:15 error: 'a' is an input, which the GRAFCET reads and never writes; name an output, a var or a counter
 4:16 error: the character '$' has no meaning here; remove it, or write the name it belongs to between quotation marks
 5:3 error: expected ',' or '->', got '1'
-5:5 error: the character '→' has no meaning here; remove it, or write the name it belongs to between quotation marks
-5:13 error: the character '∧' has no meaning here; remove it, or write the name it belongs to between quotation marks
+5:5 error: the character '⇒' has no meaning here; remove it, or write the name it belongs to between quotation marks
+5:13 error: the character '∩' has no meaning here; remove it, or write the name it belongs to between quotation marks
 6:12 error: the character U+FEFF has no meaning here; remove it, or write the name it belongs to between quotation marks
 6:15 error: the character ';' has no meaning here; remove it, or write the name it belongs to between quotation marks
 7:3 error: expected ',' or '->', got '1'
@@ -192,11 +192,11 @@ graph G {
 }
 )") == R"(6:3 error: expected '/' after the duration, as in 5s/X13, got '1'
 6:14 error: expected '/' after the duration, as in 5s/X13, got '.'
-7:17 error: expected a duration after '/', as in 1s/X5/2s, or an operator before it, got 'b'
-8:13 error: expected a step, a transition or '}', got '/'
-9:12 error: the number '5' is no condition: the variable of a step 5 is X5, and counters are compared in brackets, as in [c = 5]
-10:12 error: the number '2' is no condition: the variable of a step 5 is X5, and counters are compared in brackets, as in [c = 5]
-12:1 error: expected a condition, got '}'
+7:17 error: unknown duration 'b'; declare it with time, as in time T3 = 300ms, or write an operator before it
+8:12 error: a time condition is written with the duration first and the variable behind it: 5s/a
+9:12 error: no space stands between a number and its unit: 5s, as in 5s/X5
+10:12 error: the number '2' is no condition: the variable of step 2 is X2, and counters are compared in brackets, as in [c = 2]
+11:15 error: expected a condition, got '}'
 )");
 }
 

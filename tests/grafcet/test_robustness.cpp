@@ -87,7 +87,8 @@ TEST_CASE("any bytes come back as a chart or as errors") {
 input a, "b c" output l, m var v counter n : -3..9
 assume /(a . "b c")
 graph G { initial 1 encloses H{5} : l if 3s/a/2s, set m on ↑a step 2 : K{*}, K{7, 8}, n := n - 1
-macro M = e (t) 1 -> M, 2 : [n > 3] + (a ⊕ v) do set v, n := 0 M, 2 -> 1 :=1 }
+macro M = e
+(t) 1 -> M, 2 : [n > 3] + (a ⊕ v) do set v, n := 0 M, 2 -> 1 :=1 }
 graph H { initial 5 5 -> 5 : rise(a) } graph K { step 7 step 8 7 -> 8 : 1 -> 7 : /X5 8 -> : XG }
 expansion e { entry E exit S E -> S : a and not v or a xor "b c" } # end
 )";

@@ -15,7 +15,12 @@ class ModelComparison {
     std::string difference() {
         if (a_.name != b_.name || a_.title != b_.title) return "name or title";
         if (!all(a_.inputs, b_.inputs, by_name)) return "inputs";
-        if (!all(a_.vars, b_.vars, by_name)) return "vars";
+        if (!all(a_.vars, b_.vars, [this](const Var& x, const Var& y) {
+                return x.name == y.name && x.is_held() == y.is_held() &&
+                       (!x.is_held() || same(x.held, y.held));
+            })) {
+            return "vars";
+        }
         if (!all(a_.outputs, b_.outputs, [](const Output& x, const Output& y) {
                 return x.name == y.name && x.stored == y.stored;
             })) {

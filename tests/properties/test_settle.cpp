@@ -64,7 +64,9 @@ RunResult run_by_hand(const Grafcet& grafcet, const Stimuli& stimuli) {
         row.insert(row.end(), inputs.begin(), inputs.end());
         append_bits(row, state.situation);
         append_bits(row, evolution.outputs(state, {inputs}));
-        append_bits(row, state.vars);
+        for (std::size_t i = 0; i < grafcet.vars.size(); ++i) {
+            row.push_back(evolution.var(grafcet.vars.id_at(i), state, {inputs}) ? 1 : 0);
+        }
         row.insert(row.end(), state.counters.begin(), state.counters.end());
 
         if (now >= stimuli.end) return result;

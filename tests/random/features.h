@@ -26,6 +26,7 @@ struct Features {
     bool assumptions = true;
     bool reads_controls = true;  ///< expressions read Init, AUdur, AUdoux
     bool odd_names = true;       ///< quoted and Unicode ones
+    bool named_parts = true;  ///< names for conditions and durations, vars that steps hold, French
     /// One graph of one token (but for simultaneous sequences): sequences, selections with
     /// conditions that exclude each other, levels of inputs only. Most of the rest does not apply.
     bool plain = false;

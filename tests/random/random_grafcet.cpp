@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "random/chart_plan.h"
+#include "random/named_parts.h"
 #include "random/plain_chart.h"
 #include "random/random_expression.h"
 
@@ -238,8 +239,10 @@ std::string ChartWriter::transition(const PlannedBlock& block, std::size_t from,
 }  // namespace
 
 std::string random_grafcet(RandomSource& random, const Features& features) {
-    if (features.plain) return plain_chart(random, features);
-    return ChartWriter(random, features).write();
+    const std::string chart =
+        features.plain ? plain_chart(random, features) : ChartWriter(random, features).write();
+    if (!features.named_parts) return chart;
+    return with_named_parts(chart, !features.plain && features.vars != 0);
 }
 
 }  // namespace grafwire::testing

@@ -82,7 +82,7 @@ TEST_CASE("conditions are written as one reads a ladder network aloud") {
 TEST_CASE("a condition deeper than the stack goes by way of working bits") {
     std::string deep = "a";
     for (int i = 0; i < 5; ++i) deep = "a + b.(" + deep + ")";
-    CHECK(part_of("input a, b\ngraph G0 { initial 0  (0) 0 -> 0 : " + deep + " }", 3) ==
+    CHECK(part_of("input a, b\ngraph G0 { initial 0\n(0) 0 -> 0 : " + deep + " }", 3) ==
           R"(-- // a part of (0) 0 -> 0 : a + b.(a + b.(a + b.(a + b.(a + b.a))))
   LD    E0.0
   LD    E0.1

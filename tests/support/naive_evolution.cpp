@@ -275,6 +275,17 @@ std::vector<bool> NaiveEvolution::outputs(const NaiveState& s, const InputValues
     return result;
 }
 
+std::vector<bool> NaiveEvolution::held_vars(const NaiveState& s, const InputValues& in) const {
+    std::vector<bool> result(g_.vars.size(), false);
+    for (const Action& a : g_.actions) {
+        if (a.kind == ActionKind::held && s.ts[index_of(a.step)] &&
+            (a.expression == no_expr || value(a.expression, s, in))) {
+            result[index_of(a.var)] = true;
+        }
+    }
+    return result;
+}
+
 bool NaiveEvolution::settle(NaiveState& s, const InputValues& in, Time now,
                             std::vector<std::string>& changing) const {
     std::vector<NaiveState> seen = {s};

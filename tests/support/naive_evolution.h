@@ -32,6 +32,8 @@ class NaiveEvolution {
     NaiveState start(const InputValues& inputs) const;
     void scan(NaiveState& state, const InputValues& inputs, Time now) const;
     std::vector<bool> outputs(const NaiveState& state, const InputValues& inputs) const;
+    /// Of each var that steps hold; 0 for the others.
+    std::vector<bool> held_vars(const NaiveState& state, const InputValues& inputs) const;
     std::vector<bool> cleared(NaiveState state, const InputValues& inputs) const;
     void end_delays(NaiveState& state, const InputValues& inputs, Time now) const;
     /// False where there is no stable situation; `changing` is filled then.

@@ -18,7 +18,7 @@ set_target_properties(grafwire_whole PROPERTIES
 target_compile_features(grafwire_whole INTERFACE cxx_std_17)
 target_include_directories(grafwire_whole INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(grafwire_whole PRIVATE fmt::fmt pugixml::pugixml cadical)
+target_link_libraries(grafwire_whole PRIVATE fmt::fmt pugixml::pugixml cadical utf8proc)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/grafwire/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/grafwire
   FILES_MATCHING PATTERN "*.h" PATTERN parts.h EXCLUDE

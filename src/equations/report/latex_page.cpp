@@ -218,6 +218,7 @@ class LatexPage : public Page {
         return LatexExpression(grafcet_, pool_).print(id);
     }
     std::string name(Variable variable) const override { return latex_name(grafcet_, variable); }
+    std::string name(VarId var) const override { return latex_identifier(grafcet_.vars[var].name); }
     std::string of_step(std::string_view quantity, StepId step) const override {
         return latex_of_step(grafcet_, quantity, step);
     }

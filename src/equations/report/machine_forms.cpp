@@ -68,6 +68,9 @@ class JsonReport {
                      .dump();
         list("steps", grafcet_.steps.size(), [&](std::size_t i) { return step(i); });
         list("outputs", equations_.outputs.size(), [&](std::size_t i) { return output(i); });
+        if (!equations_.held.empty()) {
+            list("held", equations_.held.size(), [&](std::size_t i) { return held(i); });
+        }
         list("stored", equations_.stored.size(), [&](std::size_t i) { return stored(i); });
         const UsedMemories used = used_memories(grafcet_, equations_);
         list("timeConditions", used.time_conditions.size(),
@@ -127,6 +130,14 @@ class JsonReport {
         Json object;
         object["name"] = grafcet_.outputs[output.output].name;
         object["equation"] = shown(output.value);
+        return object;
+    }
+
+    Json held(std::size_t index) const {
+        const HeldEquation& equation = equations_.held[index];
+        Json object;
+        object["name"] = grafcet_.vars[equation.var].name;
+        object["equation"] = shown(equation.value);
         return object;
     }
 

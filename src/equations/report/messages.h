@@ -40,6 +40,8 @@ inline constexpr Message<> steps{"Equations of the steps", "Équations des étap
 // Outputs and variables.
 
 inline constexpr Message<> outputs{"Outputs", "Sorties"};
+inline constexpr Message<> held{"Variables held by steps",
+                                "Variables internes tenues par des étapes"};
 inline constexpr Message<> stored{"Stored outputs and variables",
                                   "Sorties et variables mémorisées"};
 /// The same in both languages.

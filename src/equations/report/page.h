@@ -25,6 +25,7 @@ class Page {
 
     virtual std::string expression(ExprId id) const = 0;
     virtual std::string name(Variable variable) const = 0;
+    virtual std::string name(VarId var) const = 0;
     /// `CAX0`: a quantity of a step.
     virtual std::string of_step(std::string_view quantity, StepId step) const = 0;
     /// `/CDX0.X0`: the product that holds a step active.

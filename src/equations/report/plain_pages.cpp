@@ -22,6 +22,9 @@ class PlainPage : public Page {
         return write_expression(grafcet_, pool_, id);
     }
     std::string name(Variable variable) const override { return shown_name(grafcet_, variable); }
+    std::string name(VarId var) const override {
+        return quoted_where_needed(grafcet_.vars[var].name);
+    }
     std::string of_step(std::string_view quantity, StepId step) const override {
         return quoted_where_needed(std::string(quantity) + grafcet_.steps[step].name);
     }

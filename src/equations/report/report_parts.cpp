@@ -62,6 +62,7 @@ UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations) {
         for (const ExprId part : {step.cax, step.cdx, step.link}) marks.mark(part);
     }
     for (const OutputEquation& output : equations.outputs) marks.mark(output.sum);
+    for (const HeldEquation& held : equations.held) marks.mark(held.value);
     for (const StoredEquation& stored : equations.stored) {
         for (const StoredWrite& write : stored.writes) {
             marks.mark(write.trigger);

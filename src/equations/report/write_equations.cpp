@@ -120,6 +120,7 @@ class Report {
         conditions();
         steps();
         outputs();
+        held();
         stored();
         counters();
         memories();
@@ -184,6 +185,16 @@ class Report {
             page_.equation(
                 page_.name({VariableKind::output, static_cast<std::uint32_t>(output.output)}),
                 page_.expression(output.value));
+        }
+        page_.end_equations();
+    }
+
+    void held() {
+        if (equations_.held.empty()) return;
+        page_.heading(say::held.in(language_));
+        page_.begin_equations();
+        for (const HeldEquation& equation : equations_.held) {
+            page_.equation(page_.name(equation.var), page_.expression(equation.value));
         }
         page_.end_equations();
     }

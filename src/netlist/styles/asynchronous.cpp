@@ -164,24 +164,34 @@ void make_steps(AsynchronousBuild& build, const AsynchronousStyle& style) {
     }
 }
 
-/// Continuous outputs: a gate each over what the steps give it.
-void make_outputs(AsynchronousBuild& build) {
+/// Drives a net with the value of an equation: a sum of products, or one product.
+void drive(AsynchronousBuild& build, NetId net, ExprId value, const GateMaker& gates) {
     const Expressions& pool = build.equations.expressions;
-    for (const OutputEquation& equation : build.equations.outputs) {
-        const NetId net = build.nets.outputs[index_of(equation.output)];
-        const GateMaker gates = build.chart.add_module(build.grafcet.outputs[equation.output].name,
-                                                       build.chart.origin_of(equation.output));
-        if (is_constant(pool, equation.value, false)) {
-            gates.add_cell(CellType::low, net, {});
-        } else if (pool.kind(equation.value) == ExprKind::disjunction) {
-            std::vector<NetId> terms;
-            for (const ExprId term : terms_of(pool, equation.value)) {
-                terms.push_back(build.logic.net(term, gates));
-            }
-            gates.drive(net, CellType::or_gate, terms);
-        } else {
-            gates.drive(net, CellType::and_gate, build.logic.factors(equation.value, gates));
+    if (is_constant(pool, value, false)) {
+        gates.add_cell(CellType::low, net, {});
+    } else if (pool.kind(value) == ExprKind::disjunction) {
+        std::vector<NetId> terms;
+        for (const ExprId term : terms_of(pool, value)) {
+            terms.push_back(build.logic.net(term, gates));
         }
+        gates.drive(net, CellType::or_gate, terms);
+    } else {
+        gates.drive(net, CellType::and_gate, build.logic.factors(value, gates));
+    }
+}
+
+/// Outputs, then the vars that steps hold: nothing reads their nets, whoever reads such a var has
+/// its equation in place; they are there to be seen.
+void make_outputs(AsynchronousBuild& build) {
+    for (const OutputEquation& equation : build.equations.outputs) {
+        drive(build, build.nets.outputs[index_of(equation.output)], equation.value,
+              build.chart.add_module(build.grafcet.outputs[equation.output].name,
+                                     build.chart.origin_of(equation.output)));
+    }
+    for (const HeldEquation& equation : build.equations.held) {
+        drive(build, build.nets.vars[index_of(equation.var)], equation.value,
+              build.chart.add_module(build.grafcet.vars[equation.var].name,
+                                     build.chart.origin_of(equation.var)));
     }
 }
 

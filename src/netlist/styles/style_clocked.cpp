@@ -388,13 +388,20 @@ void make_registers(ClockedScan& scan) {
 
 /// Continuous outputs read everything as the flip-flops hold it once the scan is over.
 void make_outputs(ClockedScan& scan) {
+    const Grafcet& grafcet = scan.netlist.grafcet;
+    const auto drive = [&scan](NetId net, ExprId value, NumberedGates at) {
+        const NetId source = scan.logic.net(scan.now, value, at);
+        at.gates.add_cell(CellType::buffer, net, {&source, 1});
+    };
     for (const OutputEquation& equation : scan.netlist.equations.outputs) {
-        NumberedGates at =
-            scan.netlist.add_module(scan.netlist.grafcet.outputs[equation.output].name,
-                                    scan.netlist.chart.origin_of(equation.output));
-        const NetId source = scan.logic.net(scan.now, equation.value, at);
-        at.gates.add_cell(CellType::buffer, scan.now.outputs[index_of(equation.output)],
-                          {&source, 1});
+        drive(scan.now.outputs[index_of(equation.output)], equation.value,
+              scan.netlist.add_module(grafcet.outputs[equation.output].name,
+                                      scan.netlist.chart.origin_of(equation.output)));
+    }
+    for (const HeldEquation& equation : scan.netlist.equations.held) {
+        drive(scan.now.vars[index_of(equation.var)], equation.value,
+              scan.netlist.add_module(grafcet.vars[equation.var].name,
+                                      scan.netlist.chart.origin_of(equation.var)));
     }
 }
 

@@ -108,6 +108,7 @@ class AssignmentReader {
     }
 
     void add(IoAssignment::Entry entry, Location name_at) {
+        entry.name = normalised(entry.name);  // charts have their names so
         const auto [named, is_new] = by_name_.emplace(entry.name, name_at);
         if (!is_new) {
             error(code::duplicate_name, name_at, say::has_an_address(shortened(entry.name)))
