@@ -32,7 +32,8 @@ constexpr Command commands[] = {
      "grafwire plc examples/manipulator.grafcet --to s7-200 --io examples/s7-200/manipulator.io",
      declare_plc},
     {"s7", help::s7,
-     "grafwire s7 run LISTING.awl --stim FILE.stim --scan 10ms --io TABLE.io -o trace.csv",
+     "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim --scan 10ms "
+     "--io examples/s7-200/manipulator.io -o trace.csv",
      declare_s7},
 };
 

@@ -16,6 +16,7 @@
 
 #include "command/help.h"
 #include "command/messages.h"
+#include "command/wrapped_help.h"
 #include "text/nearest_name.h"
 #include "text/version.h"
 
@@ -293,7 +294,7 @@ ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command
         if (error.get_exit_code() == 0) {
             std::ostringstream text;
             app.exit(error, text, text);
-            read.help = text.str();
+            read.help = wrapped_help(text.str(), language);
         } else {
             read.problem = request_error(app, error);
         }
