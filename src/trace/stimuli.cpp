@@ -186,7 +186,7 @@ class StimuliReader {
     }
 
     std::optional<std::uint32_t> find_input(std::string_view name, Location where) {
-        const auto found = is_ascii(name) ? inputs_.find(name) : inputs_.find(normalised(name));
+        const auto found = inputs_.find(normalised(name));
         if (found != inputs_.end()) return found->second;
         Localized message = say::unknown_input(quoted(name));
         const std::string_view nearest = suggestion(name);

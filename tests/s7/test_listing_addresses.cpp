@@ -162,7 +162,8 @@ TEST_CASE("what an assignment must not say") {
         input start
         output lamp
         counter n : 0..9
-        graph G0 { initial 0 : lamp, n := n + 1 on ↑start  (1) 0 -> 0 : start })";
+        graph G0 { initial 0 : lamp, n := n + 1 on ↑start
+(1) 0 -> 0 : start })";
     CHECK(refused_addresses(
               chart,
               "E0.0 = strat\nA0.0 = start\nE0.1 = lamp\nVB100 = n\nV19.7 = X0\nV1.0 = (1)\n"
