@@ -207,7 +207,8 @@ void warn_unused_names(const Grafcet& grafcet, Diagnostics& diagnostics) {
         if (action.kind == ActionKind::continuous) {
             use({VariableKind::output, static_cast<std::uint32_t>(action.output)});
         }
-        if (action.kind == ActionKind::held) use({VariableKind::var, index_of(action.var)});
+        if (action.kind == ActionKind::held)
+            use({VariableKind::var, static_cast<std::uint32_t>(action.var)});
         if (action.kind == ActionKind::stored) use(action.write.target);
     }
     for (const ClearingAction& action : grafcet.clearing_actions) use(action.write.target);

@@ -67,7 +67,8 @@ std::string unquoted(std::string name) {
 
 bool is_told(const Remarks& remarks, Kind kind, const std::string& beginning) {
     return std::any_of(remarks.begin(), remarks.end(), [&](const auto& remark) {
-        return remark.kind == kind && remark.text.english.compare(0, beginning.size(), beginning) == 0;
+        return remark.kind == kind &&
+               remark.text.english.compare(0, beginning.size(), beginning) == 0;
     });
 }
 
@@ -114,7 +115,8 @@ std::string compare(const RandomCase& item, Counts& counts) {
         const WrittenSfc written(*grafcet);
         if (written.sfc.comments.size() != remarks.size()) return "comments that are no remarks";
         for (std::size_t r = 0; r < remarks.size(); ++r) {
-            if (written.sfc.comments[r] != remarks[r].text.english) return "a remark is not in the file";
+            if (written.sfc.comments[r] != remarks[r].text.english)
+                return "a remark is not in the file";
         }
         if (has(remarks, Kind::order) || has(remarks, Kind::enclosure) ||
             has(remarks, Kind::clearing)) {

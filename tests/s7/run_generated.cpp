@@ -34,8 +34,9 @@ class Run {
     std::string scan(Time now) {
         const auto end = machine_.scan(state_, image_, now);
         if (end.is_done()) return {};
-        return end.error ? fmt::format("network {}: {}", end.error->network, end.error->message.english)
-                         : "an input is open";
+        return end.error
+                   ? fmt::format("network {}: {}", end.error->network, end.error->message.english)
+                   : "an input is open";
     }
 
     void add_row(Time now, Trace& trace) {
