@@ -3,6 +3,8 @@
 
 #include "command/inputs.h"
 
+#include <fmt/format.h>
+
 #include "command/help.h"
 #include "command/messages.h"
 #include "text/nearest_name.h"
@@ -91,7 +93,8 @@ Period parse_period(const std::string& text) {
 
 void complain_of_format(std::string_view name, const std::vector<std::string_view>& names) {
     const std::string_view nearest = nearest_name(name, names);
-    complain(nearest.empty() ? say::unknown_format(name) : say::unknown_format_near(name, nearest));
+    complain(nearest.empty() ? say::unknown_format(name, fmt::format("{}", fmt::join(names, ", ")))
+                             : say::unknown_format_near(name, nearest));
 }
 
 /// A style is required where the netlist is all there is to the command.

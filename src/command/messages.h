@@ -42,8 +42,8 @@ inline constexpr Message<Localized, std::string_view> see_help{
 
 // Options.
 
-inline constexpr Message<std::string_view> unknown_format{"there is no format '{}'",
-                                                          "il n'y a pas de format « {} »"};
+inline constexpr Message<std::string_view, std::string> unknown_format{
+    "there is no format '{}'; there are: {}", "il n'y a pas de format « {} » ; il y a : {}"};
 inline constexpr Message<std::string_view, std::string_view> unknown_format_near{
     "there is no format '{}'; did you mean '{}'?",
     "il n'y a pas de format « {} » ; vouliez-vous dire « {} » ?"};
@@ -61,8 +61,12 @@ inline constexpr Message<> assignment_shares_standard_input{
     "GRAFCET and assignment cannot both come from standard input",
     "le GRAFCET et la table d'affectation ne peuvent pas venir tous deux de l'entrée standard"};
 inline constexpr Message<std::string_view> no_netlist_file{
-    "{}: a netlist to compare with is a .blif or a .json (Yosys) file",
-    "{} : un câblage à comparer est un fichier .blif ou .json (Yosys)"};
+    "{}: a netlist to compare with is a .blif or a .json (Yosys) file, a program an .awl (S7-200) "
+    "or "
+    "an .xml (PLCopen) file",
+    "{} : un câblage à comparer est un fichier .blif ou .json (Yosys), un programme un fichier "
+    ".awl "
+    "(S7-200) ou .xml (PLCopen)"};
 inline constexpr Message<> grafcet_needs_io{
     "--grafcet needs --io: the table that says which address is which step",
     "--grafcet demande --io : la table qui dit à quelle étape correspond chaque adresse"};

@@ -572,9 +572,13 @@ inline constexpr Message<Localized> undriven_output_read{
     "output {} is read, but no stored action drives it; only stored outputs can be read",
     "la sortie {} est lue, mais aucune action mémorisée ne la commande ; seule une sortie "
     "mémorisée peut être lue"};
-inline constexpr Message<Localized> continuous_output_read{
-    "{} is a continuous output, which cannot be read; write its condition instead",
-    "{} est une sortie continue, qui ne peut pas être lue ; écrivez plutôt sa condition"};
+inline constexpr Message<Localized, std::string> continuous_output_read{
+    "{} is a continuous output, which cannot be read; write its condition instead, or declare it "
+    "as a "
+    "var, which steps hold and conditions read: var {}",
+    "{} est une sortie continue, qui ne peut pas être lue ; écrivez plutôt sa condition, ou "
+    "déclarez-la comme variable interne, que les étapes tiennent et que les conditions lisent : "
+    "var {}"};
 inline constexpr Message<> this_continuous_action{"this continuous action drives it",
                                                   "cette action continue la commande"};
 

@@ -4,9 +4,11 @@
 // output that has no memory (IEC 60848 gives a continuous output no value of its own).
 
 #include <optional>
+#include <string>
 
 #include "grafcet/checking.h"
 #include "grafcet/messages.h"
+#include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
@@ -245,6 +247,13 @@ class ActionResolver {
     }
 
     /// Null for what is no output, and for a second declaration of the same name.
+    /// The name as a declaration spells it.
+    std::string written_name(const Word& word) const {
+        std::string text;
+        append_variable_name(text, draft_.text(word));
+        return text;
+    }
+
     const Drive* drive_of(const DraftDeclaration& declaration) const {
         if (declaration.kind != VariableKind::output) return nullptr;
         const auto* found = checking_.names.variables.find(draft_.text(declaration.name));
@@ -268,7 +277,8 @@ class ActionResolver {
             }
             checking_
                 .error(code::reads_continuous_output, node.word.where,
-                       say::continuous_output_read(checking_.shown(node.word)))
+                       say::continuous_output_read(checking_.shown(node.word),
+                                                   written_name(node.word)))
                 .notes.push_back({*drive.continuous, say::this_continuous_action()});
         }
     }

@@ -135,9 +135,9 @@ Result<CheckResult> check_ladder(const Chart& chart, std::string project,
     std::vector<Message> messages = messages_from(diagnostics);
     if (!ladder) return {std::nullopt, std::move(messages)};
     return checked(read, options, std::move(messages),
-                   [&](CheckRequest request, Diagnostics& diagnostics) {
+                   [&](CheckRequest request, Diagnostics& of_check) {
                        request.subject.against = "project";
-                       return grafwire::check_ladder(read, *ladder, request, diagnostics);
+                       return grafwire::check_ladder(read, *ladder, request, of_check);
                    });
 }
 

@@ -147,6 +147,10 @@ TEST_CASE("unknown values are refused with those there are") {
                    "--style: nad not in {" + styles + "}"));
     CHECK(contains(refusal({"netlist", file, "--style", "nand", "--to", "bilf"}),
                    "there is no format 'bilf'; did you mean 'blif'?"));
+    CHECK(contains(refusal({"netlist", file, "--style", "nand", "--to", "digital"}),
+                   "there is no format 'digital'; there are: verilog, "));
+    CHECK(contains(refusal({"check", file, "--against", "x.grafcet"}),
+                   "a program an .awl (S7-200) or an .xml (PLCopen) file"));
     CHECK(contains(refusal({"equations", file, "--to", "cvs"}), "text,markdown,latex,csv,json"));
     CHECK(contains(refusal({"equations", file, "--cdx", "follower"}), "successor,transition"));
     CHECK(contains(refusal({"equations", file, "--modes", "maybe"}), "on,off"));

@@ -228,6 +228,8 @@ TEST_CASE("refusals name the place and the cause") {
           "x.blif:4:1: error: library cell 'nand2': its function is not in the file; write the "
           "netlist "
           "with .names instead\n.gate nand2 A=a B=b O=y\n^\n");
+    CHECK(error_of(".subckt\n.names a y\n1 1").find("error: .subckt without a model") !=
+          std::string::npos);
     CHECK(error_of(".subckt adder a=a\n.names a y\n1 1") ==
           "x.blif:4:9: error: subcircuit 'adder' is not known; flatten the netlist first\n"
           ".subckt adder a=a\n        ^\n");

@@ -210,6 +210,9 @@ TEST_CASE("initial values belong to memories, else to nets") {
     const std::string memories = R"("g": {"type": "$_DFF_P_",
         "connections": {"D": [2], "C": [3], "Q": [6]}}, "h": {"type": "$_DFF_P_",
         "connections": {"D": [6], "C": [3], "Q": [7]}})";
+    // Digits beyond the bits of the net mean nothing.
+    const std::string longer = R"("q": {"bits": [6], "attributes": {"init": "0001"}})";
+    CHECK(read_as_json(module_with(flip_flop, longer)).ends_with("  y = dff(a, b) initially 1\n"));
     const std::string word = R"("q": {"bits": [6, 7], "attributes": {"init": "01"}})";
     CHECK(read_as_json(module_with(memories, word))
               .ends_with("  y = dff(a, b) initially 1\n  q[1] = dff(y, b) initially 0\n"));

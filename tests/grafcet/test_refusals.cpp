@@ -200,10 +200,10 @@ graph G {
   1 -> 1 : lamp . pump + idle
   1 -> 1 : a do pump := lamp
 }
-)") == R"(6:12 error: 'lamp' is a continuous output, which cannot be read; write its condition instead
+)") == R"(6:12 error: 'lamp' is a continuous output, which cannot be read; write its condition instead, or declare it as a var, which steps hold and conditions read: var lamp
   5:15 note: this continuous action drives it
 6:26 error: output 'idle' is read, but no stored action drives it; only stored outputs can be read
-7:25 error: 'lamp' is a continuous output, which cannot be read; write its condition instead
+7:25 error: 'lamp' is a continuous output, which cannot be read; write its condition instead, or declare it as a var, which steps hold and conditions read: var lamp
   5:15 note: this continuous action drives it
 )");
 }

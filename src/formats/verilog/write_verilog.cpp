@@ -23,7 +23,7 @@ namespace grafwire {
 
 namespace {
 
-constexpr std::size_t modules_per_block = 200;
+constexpr std::size_t usual_modules_per_block = 200;
 
 /// Some consecutive modules of a netlist, and the nets between them and the rest: for tools that
 /// are slow on one long module.
@@ -34,7 +34,7 @@ struct NetlistBlock {
     bool has_scan_timer = false;
 };
 
-/// The netlist in blocks of at most so many modules.
+/// The netlist in blocks of at most so many modules each.
 /// In three passes over the cells: which block drives a net, which others read it, and what of each
 /// block is therefore seen outside. The cost is linear in the number of pins.
 std::vector<NetlistBlock> cut_into_blocks(const Netlist& netlist, std::size_t modules_per_block) {
@@ -133,7 +133,7 @@ std::string VerilogWriter::write() {
     }
     reserve();
     write_head();
-    if (netlist_.modules.size() <= modules_per_block) {
+    if (netlist_.modules.size() <= usual_modules_per_block) {
         write_flat();
     } else {
         write_in_blocks();
@@ -306,7 +306,7 @@ void VerilogWriter::write_block(const NetlistBlock& block, std::size_t number) {
 /// The top module instantiates the blocks and has no cells of its own.
 void VerilogWriter::write_in_blocks() {
     declared_.resize(netlist_.net_count());
-    const std::vector<NetlistBlock> blocks = cut_into_blocks(netlist_, modules_per_block);
+    const std::vector<NetlistBlock> blocks = cut_into_blocks(netlist_, usual_modules_per_block);
     write_port_list();
     const std::vector<std::uint8_t> is_port = nets_of_output_ports();
     for (const NetlistBlock& block : blocks) {
