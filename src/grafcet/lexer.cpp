@@ -148,6 +148,7 @@ bool is_reserved_word(std::string_view text) {
 TokenKind keyword_in_context(std::string_view word) {
     constexpr std::size_t longest = 16;
     if (word.size() < 2 || word.size() > longest) return TokenKind::end;
+    if (is_digit(word.back())) return TokenKind::end;  // as most names of steps end
     const std::string small = small_letters(word);
     for (const WordInContext& row : words_in_context) {
         if (row.word == small) return row.keyword;
