@@ -191,9 +191,9 @@ void ChartParser::recover_in_file() {
 
 /// At the beginning of a part: reads a word as a keyword where it may be one and no name may stand.
 /// A name begins a transition, in which a comma or an arrow follows; after a keyword comes a name,
-/// after `assume` a condition. True where the token is a keyword.
-bool ChartParser::recognise() {
-    if (!at(TokenKind::word)) return !reserved_word(token().kind).empty();
+/// after `assume` a condition.
+void ChartParser::recognise() {
+    if (!at(TokenKind::word)) return;
     const TokenKind keyword = this->keyword();
     Lexer lexer = ahead();
     const TokenKind next = keyword == TokenKind::end ? TokenKind::end : lexer.next(nullptr).kind;
@@ -221,10 +221,9 @@ bool ChartParser::recognise() {
         case TokenKind::kw_exit:
             break;
         default:
-            return false;
+            return;
     }
     if (is_keyword) read_as(keyword);
-    return is_keyword;
 }
 
 bool ChartParser::at_declaration() const {

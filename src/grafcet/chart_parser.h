@@ -45,7 +45,7 @@ class ChartParser : private TokenReader {
     bool parse_assumption();
     // After an error: to what may begin the next part.
     void recover_in_file();
-    bool recognise();
+    void recognise();
     bool at_declaration() const;
     bool at_file_item() const;
     bool at_block_item() const;

@@ -48,7 +48,6 @@ void check_counter(const Checking& checking, const DraftDeclaration& counter) {
     }
 }
 
-/// Declared variables share one table with the control inputs, which nobody may declare.
 /// The continuous actions by the names that they are on.
 class ContinuousActions {
   public:
@@ -123,6 +122,7 @@ void collect_definitions(const Checking& checking) {
     }
 }
 
+/// Declared variables share one table with the control inputs, which nobody may declare.
 void collect_variables(const Checking& checking) {
     Draft& draft = checking.draft;
     auto& variables = checking.names.variables;

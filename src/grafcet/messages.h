@@ -507,11 +507,6 @@ inline constexpr Message<> transition_without_step{
     "2"};
 
 // Actions and orders.
-inline constexpr Message<Localized, std::string_view> continuous_on_var{
-    "continuous action on the var {}, which changes by stored actions only; write 'set {}', or "
-    "declare it as an output",
-    "cette action continue porte sur la variable interne {}, que seules des actions mémorisées "
-    "modifient ; écrivez « set {} », ou déclarez-la comme sortie"};
 inline constexpr Message<Localized, std::string_view> continuous_on_counter{
     "continuous action on the counter {0}, which changes by stored actions only; write '{1} := {1} "
     "+ 1', or declare it as an output",

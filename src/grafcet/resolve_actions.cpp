@@ -70,7 +70,8 @@ class ActionResolver {
         }
     }
 
-    /// The target is an output. A var or a counter has a memory, which a continuous action has not.
+    /// The target is an output, or a var, which is held then. A counter has a memory, which a
+    /// continuous action has not.
     void resolve_continuous(DraftAction& action) {
         const auto* found = checking_.names.variables.find(draft_.text(action.name));
         if (found != nullptr && found->definition != none &&
@@ -246,7 +247,6 @@ class ActionResolver {
         }
     }
 
-    /// Null for what is no output, and for a second declaration of the same name.
     /// The name as a declaration spells it.
     std::string written_name(const Word& word) const {
         std::string text;
@@ -254,6 +254,7 @@ class ActionResolver {
         return text;
     }
 
+    /// Null for what is no output, and for a second declaration of the same name.
     const Drive* drive_of(const DraftDeclaration& declaration) const {
         if (declaration.kind != VariableKind::output) return nullptr;
         const auto* found = checking_.names.variables.find(draft_.text(declaration.name));

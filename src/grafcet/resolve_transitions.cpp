@@ -48,7 +48,6 @@ void report_unknown(const Checking& checking, const Word& word) {
     checking.error(code::unknown_name, word.where, std::move(message));
 }
 
-/// Declared variables come before those of steps, with which they cannot clash.
 /// A name that stands for a condition, which must suit the place of the name.
 void resolve_definition(const Checking& checking, ExpressionNode& node, std::uint32_t definition,
                         ExpressionUse use) {
@@ -90,6 +89,7 @@ void resolve_times(const Checking& checking, DraftTime& time) {
     time.off_duration = resolve_duration(checking, time.off_name, time.off_delay);
 }
 
+/// Declared variables come before those of steps, with which they cannot clash.
 void resolve_variable(const Checking& checking, ExpressionNode& node, ExpressionUse use) {
     const std::string_view name = checking.draft.text(node.word);
     if (const auto* found = checking.names.variables.find(name)) {
