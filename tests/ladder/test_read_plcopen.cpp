@@ -268,9 +268,11 @@ TEST_CASE("damaged projects are refused or read, never worse") {
                 case 1:
                     text[at] = static_cast<char>(random.below(256));
                     break;
-                case 2:
-                    text.insert(at, text.substr(random.below(text.size()), random.below(300)));
+                case 2: {
+                    const std::size_t from = random.below(text.size());
+                    text.insert(at, text.substr(from, random.below(300)));
                     break;
+                }
                 default: {
                     // Another number in place of one.
                     const std::size_t digit = text.find_first_of("0123456789", at);

@@ -44,6 +44,7 @@ std::string mutants_are_found(const RandomCase& item, Style style, Mutants& tall
             continue;
         }
         CheckOptions options;
+        options.changes = Changes::many;  // as the stimuli do
         options.max_cases = 5000;
         const CheckResult result = check_equivalence(*grafcet, wrong, options);
         if (result.verdict == Verdict::equivalent) {

@@ -17,6 +17,10 @@ std::string ExpressionWriter::duration() {
     return random_.pick(durations);
 }
 
+std::string ExpressionWriter::negated(const std::string& operand) {
+    return random_.pick(not_signs) + operand;
+}
+
 std::string ExpressionWriter::joined(const std::string& a, const std::string& b) {
     switch (random_.below(5)) {
         case 0:
@@ -25,8 +29,12 @@ std::string ExpressionWriter::joined(const std::string& a, const std::string& b)
         case 2:
             return a + random_.pick(or_signs) + b;
         default:
-            return a + random_.pick(and_signs) + b;
+            return both(a, b);
     }
+}
+
+std::string ExpressionWriter::both(const std::string& a, const std::string& b) {
+    return a + random_.pick(and_signs) + b;
 }
 
 std::string ExpressionWriter::edge(const std::string& operand) {
@@ -56,22 +64,24 @@ std::string ExpressionWriter::expression(std::size_t depth, bool edges, bool tim
     if (depth == 0 || random_.one_in(4)) return leaf();
     switch (random_.below(8)) {
         case 0:
-            return random_.pick(not_signs) + "(" + expression(depth - 1, edges, times) + ")";
+            return negated("(" + expression(depth - 1, edges, times) + ")");
         case 1:
             if (times && times_left_ != 0) return time_condition(depth - 1);
-            return random_.pick(not_signs) + leaf();
+            return negated(leaf());
         case 2:
         case 3:
             if (edges && edges_left_ != 0) return edge(expression(depth - 1, edges, times));
             [[fallthrough]];
-        case 4:
+        case 4: {
             // Without parentheses: the parser has to know the precedences.
-            return joined(leaf(), joined(random_.pick(not_signs) + leaf(), leaf()));
-        default:
-            return "(" +
-                   joined(expression(depth - 1, edges, times),
-                          expression(depth - 1, edges, times)) +
-                   ")";
+            const std::string first = leaf();
+            const std::string second = negated(leaf());
+            return joined(first, joined(second, leaf()));
+        }
+        default: {
+            const std::string first = expression(depth - 1, edges, times);
+            return "(" + joined(first, expression(depth - 1, edges, times)) + ")";
+        }
     }
 }
 
@@ -107,15 +117,19 @@ std::string ExpressionWriter::sum_term() {
 }
 
 std::string ExpressionWriter::sum() {
-    std::string text = (random_.one_in(5) ? "-" : "") + sum_term();
+    std::string text = random_.one_in(5) ? "-" : "";
+    text += sum_term();
     for (std::size_t more = random_.below(3); more != 0; --more) {
-        text += (random_.one_in(3) ? " - " : " + ") + sum_term();
+        text += random_.one_in(3) ? " - " : " + ";
+        text += sum_term();
     }
     return text;
 }
 
 std::string ExpressionWriter::comparison() {
-    return "[" + sum() + " " + random_.pick(relations) + " " + sum() + "]";
+    std::string text = "[" + sum();
+    text += " " + random_.pick(relations) + " ";
+    return text + sum() + "]";
 }
 
 std::string ExpressionWriter::plant_expression(std::size_t depth) {
@@ -124,7 +138,7 @@ std::string ExpressionWriter::plant_expression(std::size_t depth) {
         return random_.one_in(6) ? random_.pick(controls) : random_.pick(names_.inputs);
     }
     const std::string a = plant_expression(depth - 1);
-    if (random_.one_in(3)) return random_.pick(not_signs) + "(" + a + ")";
+    if (random_.one_in(3)) return negated("(" + a + ")");
     return "(" + joined(a, plant_expression(depth - 1)) + ")";
 }
 
@@ -138,10 +152,10 @@ std::string ExpressionWriter::receptivity() {
             return edges_left_ != 0 ? edge(input) : input;
         case 3:
         case 4:
-            return random_.pick(not_signs) + input;
+            return negated(input);
         case 5:
         case 6:
-            return input + random_.pick(and_signs) + "(" + expression() + ")";
+            return both(input, "(" + expression() + ")");
         case 7:
             return times_left_ != 0 ? time_condition(1) : input;
         case 8:
@@ -156,7 +170,8 @@ std::string ExpressionWriter::write() {
     std::vector<std::string> targets = names_.stored_outputs;
     targets.insert(targets.end(), names_.vars.begin(), names_.vars.end());
     if (!names_.counters.empty() && (targets.empty() || random_.one_in(3))) {
-        return random_.pick(names_.counters) + " := " + sum();
+        const std::string& counter = random_.pick(names_.counters);
+        return counter + " := " + sum();
     }
     return write(random_.pick(targets));
 }

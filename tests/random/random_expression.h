@@ -7,7 +7,9 @@
 
 namespace grafwire::testing {
 
-/// Writes random expressions, sums and stored writes over the names of a GRAFCET.
+/// Writes random expressions, sums and stored writes over the names of a GRAFCET. Every choice is
+/// in a statement of its own where two are made: operands and arguments are evaluated in an order
+/// that is the compiler's, and a seed has to give the same text everywhere.
 class ExpressionWriter {
   public:
     ExpressionWriter(RandomSource& random, const Features& features, const ChartNames& names)
@@ -37,6 +39,8 @@ class ExpressionWriter {
     std::string expression(std::size_t depth, bool edges, bool times);
     std::string time_condition(std::size_t depth);
     std::string edge(const std::string& operand);
+    std::string negated(const std::string& operand);
+    std::string both(const std::string& a, const std::string& b);
     std::string joined(const std::string& a, const std::string& b);
     std::string leaf();
     std::string comparison();

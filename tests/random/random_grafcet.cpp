@@ -117,7 +117,8 @@ std::string ChartWriter::block(const PlannedBlock& block, bool is_last) {
         }
     }
     for (std::size_t more = random_.below(count + 1); more != 0; --more) {
-        text += "  " + transition(block, random_.below(count), random_.below(count));
+        const std::size_t from = random_.below(count);
+        text += "  " + transition(block, from, random_.below(count));
     }
     if (is_last && !mandatory_.empty()) {
         const std::string& step = block.nodes[0].name;

@@ -181,7 +181,8 @@ Time random_period(const Grafcet& grafcet, RandomSource& random) {
         }
     }
     if (delays.empty()) return millisecond;
-    const Time part = random.pick(delays) / static_cast<Time>(random.between(1, 5));
+    const Time delay = random.pick(delays);
+    const Time part = delay / static_cast<Time>(random.between(1, 5));
     return std::max(part / microsecond * microsecond, microsecond);
 }
 
