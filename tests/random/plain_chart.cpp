@@ -36,7 +36,10 @@ class PlainWriter {
   private:
     std::size_t inputs() const { return features_.inputs < 2 ? 2 : features_.inputs; }
     std::string input() { return "i" + std::to_string(random_.below(inputs())); }
-    std::string condition() { return (random_.one_in(3) ? "/" : "") + input(); }
+    std::string condition() {
+        const bool is_negated = random_.one_in(3);
+        return (is_negated ? "/" : "") + input();
+    }
     std::size_t add_step() {
         if (steps_left_ != 0) --steps_left_;
         return next_step_++;
