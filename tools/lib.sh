@@ -178,7 +178,7 @@ configured() {
 
 # How build/release is set up by whoever comes first: for speed of building. The product is compiled
 # some files at a time, so that what they include is read once for all of them, as its tests always
-# are; .ci/run compiles each file of the product by itself as well.
+# are; .ci/run compiles each file of the product by itself as well, with clang++.
 fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
 
 # is_new FOLDER: whether build/FOLDER has not been set up yet.
@@ -209,14 +209,15 @@ targets_of_tests() {
     done <"$root/build/$1/tests.txt" | sort -u
 }
 
-# run_tests FOLDER [NAME]: the tests of build/FOLDER, or those whose name matches NAME. Sets `passed`
-# and `failed`: a doctest program counts for each of its cases, any other test for one.
+# run_tests FOLDER [-R NAME | -E NAME]: the tests of build/FOLDER, those whose name matches NAME, or
+# those whose name does not. Sets `passed` and `failed`: a doctest program counts for each of its
+# cases, any other test for one.
 run_tests() {
     local report status=0
     report=$(mktemp)
     ctest --test-dir "$root/build/$1" --output-on-failure --no-tests=error -j "${JOBS:-2}" \
         --test-output-size-passed 1000000 --test-output-size-failed 1000000 \
-        --output-junit "$report" ${2:+-R "$2"} </dev/null || status=$?
+        --output-junit "$report" "${@:2}" </dev/null || status=$?
     read -r passed failed < <(count_tests <"$report")
     rm -f "$report"
     # A failure of CTest itself counts as one.
