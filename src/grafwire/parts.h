@@ -9,6 +9,7 @@
 #include "text/diagnostics.h"
 #include "text/message.h"
 #include "text/time.h"
+#include "trace/stimuli.h"
 #include "workflow/chart.h"
 #include "workflow/netlists.h"
 
@@ -46,6 +47,17 @@ struct CheckedPeriod {
     bool is_wrong = false;
 };
 CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period);
+
+/// What runs and benches begin with: stimuli as text, where there are any, and a period, where
+/// there is one. What is wrong with them is in the messages, and then it is not good.
+struct Start {
+    std::optional<Stimuli> stimuli;
+    std::optional<Time> period;
+    std::vector<Message> messages;
+    bool is_good = true;
+};
+Start begin(const grafwire::Chart& chart, const std::optional<std::string>& stimuli,
+            std::optional<std::chrono::nanoseconds> period);
 Message wrong_period();
 
 /// Copies, for values that outlive the tables of the library.

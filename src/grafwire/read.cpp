@@ -10,6 +10,7 @@
 #include "grafwire/version.h"
 #include "text/messages.h"
 #include "text/version.h"
+#include "trace/stimuli.h"
 
 namespace grafwire::api {
 
@@ -63,6 +64,24 @@ CheckedPeriod period_from(std::optional<std::chrono::nanoseconds> period) {
 
 Message wrong_period() {
     return error(messages::library::wrong_period());
+}
+
+Start begin(const grafwire::Chart& chart, const std::optional<std::string>& stimuli,
+            std::optional<std::chrono::nanoseconds> period) {
+    Start start;
+    if (stimuli) {
+        Diagnostics diagnostics;
+        start.stimuli = parse_stimuli({"stimuli", *stimuli}, chart.grafcet, diagnostics);
+        start.messages = messages_from(diagnostics);
+        start.is_good = start.stimuli.has_value();
+    }
+    const CheckedPeriod checked = period_from(period);
+    start.period = checked.value;
+    if (checked.is_wrong) {
+        start.messages.push_back(wrong_period());
+        start.is_good = false;
+    }
+    return start;
 }
 
 std::vector<std::string> strings(const std::vector<std::string_view>& names) {

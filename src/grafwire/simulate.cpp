@@ -4,7 +4,6 @@
 
 #include "grafwire/messages.h"
 #include "grafwire/parts.h"
-#include "trace/stimuli.h"
 #include "workflow/runs.h"
 
 namespace grafwire::api {
@@ -17,27 +16,6 @@ std::optional<std::chrono::nanoseconds> moment(std::optional<Time> time) {
     return std::chrono::nanoseconds(*time / nanosecond);
 }
 
-/// What both kinds of runs begin with.
-struct Start {
-    std::optional<Stimuli> stimuli;
-    CheckedPeriod period;
-    std::vector<Message> messages;
-};
-
-Start begin(const grafwire::Chart& chart, std::string text,
-            std::optional<std::chrono::nanoseconds> period) {
-    Start start;
-    Diagnostics diagnostics;
-    start.stimuli = parse_stimuli({"stimuli", std::move(text)}, chart.grafcet, diagnostics);
-    start.messages = messages_from(diagnostics);
-    start.period = period_from(period);
-    if (start.period.is_wrong) {
-        start.messages.push_back(wrong_period());
-        start.stimuli.reset();
-    }
-    return start;
-}
-
 }  // namespace
 
 Result<Run> run(const Chart& chart, std::string stimuli,
@@ -45,8 +23,8 @@ Result<Run> run(const Chart& chart, std::string stimuli,
     const grafwire::Chart& read = chart.parts().chart;
     Start start = begin(read, std::move(stimuli), period);
     Result<Run> result{std::nullopt, std::move(start.messages)};
-    if (!start.stimuli) return result;
-    const RunResult ran = run_reference(read, *start.stimuli, start.period.value);
+    if (!start.is_good) return result;
+    const RunResult ran = run_reference(read, *start.stimuli, start.period);
     result.value =
         Run{write_csv(ran.trace), write_vcd(ran.trace, read.grafcet.name), moment(ran.unstable_at)};
     return result;
@@ -62,9 +40,9 @@ Result<Run> simulate(const Netlist& netlist, std::string stimuli,
         result.messages.push_back(error(messages::library::period_without_clock()));
         return result;
     }
-    if (!start.stimuli) return result;
-    SimulateResult ran = simulate_gates(chart, parts.netlist, *start.stimuli, DelayModel(),
-                                        start.period.value, true);
+    if (!start.is_good) return result;
+    SimulateResult ran =
+        simulate_gates(chart, parts.netlist, *start.stimuli, DelayModel(), start.period, true);
     result.value = Run{write_csv(ran.trace), std::move(ran.waveform), moment(ran.unsettled_at)};
     return result;
 }

@@ -53,24 +53,32 @@ Message no_format(std::string_view name, const std::vector<std::string_view>& na
 
 }  // namespace
 
-Result<std::string> write_netlist(const Netlist& netlist, std::string_view format,
-                                  std::chrono::nanoseconds period) {
+Result<NetlistFile> write_netlist(const Netlist& netlist, std::string_view format,
+                                  const NetlistFileOptions& options) {
     const NetlistFormat* row = netlist_format_named(format);
     if (row == nullptr) return {std::nullopt, {no_format(format, netlist_format_names())}};
-    const CheckedPeriod checked = period_from(period);
-    if (checked.is_wrong) return {std::nullopt, {wrong_period()}};
-    const Netlist::Parts& parts = netlist.parts();
-    WrittenNetlist written = grafwire::write_netlist(parts.chart.parts().chart, parts.netlist, *row,
-                                                     nullptr, *checked.value, DelayModel());
-    return {std::move(written.text), {}};
+    const grafwire::Chart& chart = netlist.parts().chart.parts().chart;
+    std::optional<std::string> stimuli;
+    if (!options.stimuli.empty()) stimuli = options.stimuli;
+    const Start start = begin(chart, stimuli, options.period);
+    Result<NetlistFile> result{std::nullopt, start.messages};
+    if (!start.is_good) return result;
+    WrittenNetlist written =
+        grafwire::write_netlist(chart, netlist.parts().netlist, *row,
+                                start.stimuli ? &*start.stimuli : nullptr, *start.period, {});
+    result.value = NetlistFile{std::move(written.text), std::move(written.bench)};
+    return result;
 }
 
-Result<std::string> write_program(const Chart& chart, std::string_view format, bool modes) {
+Result<std::string> write_program(const Chart& chart, std::string_view format,
+                                  const ProgramOptions& options) {
     const PlcFormat* row = plc_format_named(format);
     if (row == nullptr) return {std::nullopt, {no_format(format, plc_format_names())}};
     Diagnostics diagnostics;
+    PlcOptions written_as;
+    written_as.language = language_from(options.language);
     auto written =
-        grafwire::write_program(chart.parts().chart, *row, PlcOptions(), modes, diagnostics);
+        grafwire::write_program(chart.parts().chart, *row, written_as, options.modes, diagnostics);
     Result<std::string> result{std::nullopt, messages_from(diagnostics)};
     if (written) result.value = std::move(written->text);
     return result;

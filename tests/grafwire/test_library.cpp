@@ -77,10 +77,10 @@ TEST_CASE("netlists: made, written and read back") {
             const auto written = gw::write_netlist(made, format);
             REQUIRE(written);
             if (format != "blif" && format != "json") {
-                CHECK(!gw::read_netlist(made.chart(), *written.value, format, "n"));
+                CHECK(!gw::read_netlist(made.chart(), written.value->text, format, "n"));
                 continue;
             }
-            const auto again = gw::read_netlist(made.chart(), *written.value, format, "n");
+            const auto again = gw::read_netlist(made.chart(), written.value->text, format, "n");
             REQUIRE(again);
             CHECK(gw::check(*again.value).value->verdict == gw::Verdict::equivalent);
         }
@@ -97,9 +97,25 @@ TEST_CASE("netlists: made, written and read back") {
     CHECK(contains(refusal(gw::make_netlist(chart("rule-5"), options)), "transition form"));
     CHECK(contains(refusal(gw::make_netlist(chart("batch-counter"))), "counter"));
     CHECK(contains(refusal(gw::write_netlist(netlist("rule-5", "nand"), "bilf")), "'bilf'"));
-    CHECK(contains(refusal(gw::write_netlist(netlist("rule-5", "nand"), "blif", 0ns)), "positive"));
+    gw::NetlistFileOptions file;
+    file.period = 0ns;
+    CHECK(
+        contains(refusal(gw::write_netlist(netlist("rule-5", "nand"), "blif", file)), "positive"));
     CHECK(contains(refusal(gw::read_netlist(chart("rule-5"), ".model m\n.end\n", "blif", "m")),
                    "X1"));
+}
+
+TEST_CASE("a netlist with its test bench") {
+    gw::NetlistFileOptions options;
+    options.stimuli = text_of(example("rule-5.stim"));
+    const gw::Netlist made = netlist("rule-5", "nand");
+    const auto verilog = gw::write_netlist(made, "verilog", options);
+    REQUIRE(verilog);
+    CHECK(contains(verilog.value->bench, "$finish"));
+    CHECK(gw::write_netlist(made, "verilog").value->bench.empty());
+    CHECK(gw::write_netlist(made, "blif", options).value->bench.empty());
+    options.stimuli = "0ms : nowhere=1\n";
+    CHECK(contains(refusal(gw::write_netlist(made, "verilog", options)), "nowhere"));
 }
 
 TEST_CASE("the gates do what the reference does, under the stimuli of the example") {
@@ -167,6 +183,11 @@ TEST_CASE("programs: written in every format, and read back where that is possib
         CHECK(!written.value->empty());
     }
     CHECK(contains(refusal(gw::write_program(read, "cobol")), "no format 'cobol'"));
+    gw::ProgramOptions options;
+    options.language = gw::Language::french;
+    CHECK(contains(*gw::write_program(read, "st", options).value, "étape"));
+    options.modes = false;
+    CHECK(!contains(*gw::write_program(read, "st", options).value, "AUdur"));
     const gw::Chart sequence = chart("single-sequence");
     const auto ladder =
         gw::check_ladder(sequence, *gw::write_program(sequence, "plcopen").value, "");

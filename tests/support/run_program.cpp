@@ -62,7 +62,8 @@ Ran run_program(const std::vector<std::string>& command, const std::string& inpu
                                      pointers_to(arguments).data(), pointers_to(variables).data());
     posix_spawn_file_actions_destroy(&actions);
     if (problem != 0) {
-        FAIL("cannot run '" << command.front() << "' (is it installed?): " << strerror(problem));
+        FAIL("cannot run '" << command.front()
+                            << "' (is it installed?): " << std::string(strerror(problem)));
     }
     int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
