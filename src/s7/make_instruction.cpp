@@ -1,3 +1,6 @@
+// Operands and instructions as the generator writes them. Bits that follow each other are set and
+// reset by one instruction, as a programmer would write it.
+
 #include "s7/make_instruction.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Whether two transitions exclude each other is undecidable in reasonable time in general (it asks
+// what situations can be reached), so only two sufficient reasons are looked for: conditions whose
+// conjunctions contain a factor and its negation, and steps of one sequence that hold one token.
+
 #include "sfc/exclusion.h"
 
 #include <algorithm>

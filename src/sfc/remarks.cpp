@@ -1,3 +1,8 @@
+// A sequential function chart (IEC 61131-3) evolves otherwise than a GRAFCET (IEC 60848): branches
+// have priorities, actions run once more after deactivation, there are no forcing orders. The chart
+// is gone through construct by construct, and each that the two standards treat differently gives a
+// remark; "exact" is said only where nothing but initial steps and the observer is left to remark.
+
 #include "sfc/remarks.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Entry by entry, each address is held against what the chart means by its name: a bit may stand
+// anywhere, a step, transition or graph only in its table, since the listing addresses those by
+// number. Names are looked up in one map of all there is in the chart, so that an unknown one can
+// be answered with the nearest.
+
 #include "s7/generate/assignment.h"
 
 #include <string>

@@ -1,3 +1,7 @@
+// An S7-200 adds words of 16 bits or double words of 32. Whether words are enough follows from the
+// ranges of the counters alone, by interval arithmetic over every sum. One width for the whole
+// program keeps its listing readable.
+
 #include "s7/generate/integer_width.h"
 
 #include <algorithm>
