@@ -2,7 +2,8 @@
 //
 // First the equations: of every wrong step or output what it should be made of against what the
 // gates make of it (compare_functions), with the values at the moment in which the two disagree.
-// A netlist does not say which form of CDX it has; it is taken to have the one with fewer faults.
+// A netlist does not say which form of CDX it has; it is taken to have the one with fewer wrong
+// equations, then with fewer faults.
 // Then the chain by which it came about (causal_chain). Where a value is wrong because it did not
 // change, the chain is the one to what should have changed it. Last the cause, if it is a known
 // one.
@@ -116,18 +117,21 @@ class Explainer {
             }
         }
     }
-    /// Chooses the form of CDX that leaves fewer faults; with as many, the successor form.
+    /// Chooses the form of CDX that leaves fewer wrong equations, then fewer faults; with as many,
+    /// the successor form.
     void compare() {
         std::vector<FunctionComparison> chosen;
-        std::size_t fewest = 0;
+        std::pair<std::size_t, std::size_t> fewest;
         for (const CdxForm cdx : {CdxForm::successor, CdxForm::transition}) {
             if (netlist_.is_clocked() && cdx == CdxForm::successor) continue;
             std::vector<FunctionComparison> functions;
             compare_with(cdx, functions);
-            const auto faults = static_cast<std::size_t>(
-                std::count_if(functions.begin(), functions.end(), [](const auto& f) {
-                    return f.fault != Fault::no_fault && f.fault != Fault::unread;
-                }));
+            std::pair<std::size_t, std::size_t> faults;
+            for (const FunctionComparison& comparison : functions) {
+                const Fault fault = comparison.fault;
+                if (fault == Fault::equation) ++faults.first;
+                if (fault != Fault::no_fault && fault != Fault::unread) ++faults.second;
+            }
             if (!chosen.empty() && faults >= fewest) continue;
             chosen = std::move(functions);
             fewest = faults;

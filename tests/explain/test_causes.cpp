@@ -104,6 +104,23 @@ graph G { step 1 initial 2
     CHECK(equation(explained.explanation.parts.front(), "CAX1").is_same);
 }
 
+TEST_CASE("cause: deactivation wins, in each step that two loops share") {
+    // In the transition form of CDX one equation would be wrong instead of two memories.
+    const Explained explained = explained_style(R"(
+input init, freeze
+graph Orders { initial 90 step 91 step 92
+  90 -> 91 : ↑init
+  91 -> 90 : 1
+  90 -> 92 : freeze
+  92 -> 90 : /freeze })",
+                                                Style::nor);
+    CHECK(explained.cause() == "reset-priority");
+    for (const Explanation::Part& part : explained.explanation.parts) {
+        CHECK(part.fault == Fault::priority);
+        CHECK(equation(part, "CAX" + part.name.substr(1)).is_same);
+    }
+}
+
 TEST_CASE("cause: a memory of gates set and reset together, then let go") {
     const Explained explained = explained_blif(R"(
 input a
