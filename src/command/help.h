@@ -106,6 +106,12 @@ inline constexpr Message<> run_scan{
     "scan by scan with this period (default: until stable at every instant)",
     "scrutation par scrutation à cette période (par défaut : jusqu'à stabilité à chaque instant)"};
 
+inline constexpr Message<> run_explain{
+    "say in words what is cleared at each instant and why, in place of the trace (which goes where "
+    "-o says)",
+    "dire en toutes lettres ce qui est franchi à chaque instant et pourquoi, au lieu du "
+    "chronogramme (qui va où le dit -o)"};
+
 // netlist
 
 inline constexpr Message<> netlist_to{"output format", "format de sortie"};

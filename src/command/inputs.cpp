@@ -148,8 +148,9 @@ void TraceOutput::declare(const CommandLine& line) {
     line.add("--vcd", vcd, help::waveform());
 }
 
-void TraceOutput::add_files(OutputFiles& files, std::string trace, std::string waveform) const {
-    files.add(csv, std::move(trace));
+void TraceOutput::add_files(OutputFiles& files, std::string trace, std::string waveform,
+                            bool explained) const {
+    if (!explained || !csv.empty()) files.add(csv, std::move(trace));
     if (!vcd.empty()) files.add(vcd, std::move(waveform));
 }
 

@@ -83,7 +83,10 @@ struct TraceOutput {
     std::string vcd;
 
     void declare(const CommandLine& line);
-    void add_files(OutputFiles& files, std::string trace, std::string waveform) const;
+    /// `explained`: standard output is taken by words, and the trace goes only where it was asked
+    /// to.
+    void add_files(OutputFiles& files, std::string trace, std::string waveform,
+                   bool explained = false) const;
 };
 
 // Implementation.

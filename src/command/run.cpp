@@ -19,6 +19,7 @@ struct Request {
     std::string path;
     std::string stimuli;
     std::string scan;
+    bool explain = false;
     TraceOutput output;
 };
 
@@ -29,8 +30,9 @@ Task declare_run(const CommandLine& line) {
     line.add_argument(help::file_name, request->path, help::file());
     line.add_argument(help::stim_name, request->stimuli, help::stim());
     line.add("--scan", request->scan, help::run_scan());
+    line.add_flag("--explain", request->explain, help::run_explain());
     request->output.declare(line);
-    return [request] {
+    return [request, language = line.language()] {
         // Read the GRAFCET and the stimuli.
         if (share_standard_input(request->path, request->stimuli)) return ExitStatus::bad_request;
         const auto chart = load_chart(request->path);
@@ -51,8 +53,11 @@ Task declare_run(const CommandLine& line) {
                 fmt::format("{}", fmt::join(result.changing, ", "))));
         }
         OutputFiles files({request->path, request->stimuli});
+        if (request->explain) {
+            files.add("-", explain_run(*chart, *stimuli, period.value, language));
+        }
         request->output.add_files(files, write_csv(result.trace),
-                                  write_vcd(result.trace, chart->grafcet.name));
+                                  write_vcd(result.trace, chart->grafcet.name), request->explain);
         return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
     };
 }

@@ -66,6 +66,12 @@ void list_cleared(const ScanContext& scan, ClearedList& cleared) {
     for (const TransitionId id : scan.tables.sources) consider(id);
 }
 
+std::vector<TransitionId> in_table_order(const ClearedList& cleared) {
+    std::vector<TransitionId> result(cleared.begin(), cleared.end());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
 /// SBR 4: `Ts = Tp . /Td + Ta`. Activation wins (rule 5).
 void clear_transitions(const ScanContext& scan, const ClearedList& cleared) {
     const Grafcet& grafcet = scan.grafcet;
@@ -121,9 +127,10 @@ EvolutionState Evolution::start(const EvolutionInputs& inputs) const {
     return state;
 }
 
-void Evolution::scan(EvolutionState& state, const EvolutionInputs& inputs, Time now) const {
-    const ScanContext scan{*grafcet_, *tables_, state,
-                           Evaluator(*grafcet_, *tables_, state, inputs), now};
+void Evolution::scan(EvolutionState& state, const EvolutionInputs& inputs, Time now,
+                     ScanRecord* record) const {
+    const ScanContext scan{
+        *grafcet_, *tables_, state, Evaluator(*grafcet_, *tables_, state, inputs), now, record};
     state.previous = state.situation;  // SBR 1
     update_edges(scan, false);         // SBR 2
 
@@ -137,6 +144,10 @@ void Evolution::scan(EvolutionState& state, const EvolutionInputs& inputs, Time 
         if (inputs.cleared != nullptr) {
             for (const TransitionId id : cleared) (*inputs.cleared)[index_of(id)] = 1;
         }
+    }
+    if (record != nullptr) {
+        record->cleared = in_table_order(cleared);
+        record->after_clearing = state.situation;
     }
 
     apply_forcing(scan, init);  // SBR 5
@@ -184,6 +195,11 @@ bool Evolution::var(VarId var, const EvolutionState& state, const EvolutionInput
     return Evaluator(*grafcet_, *tables_, state, inputs).value(item.held);
 }
 
+bool Evolution::value(ExprId expression, const EvolutionState& state,
+                      const EvolutionInputs& inputs) const {
+    return Evaluator(*grafcet_, *tables_, state, inputs).value(expression);
+}
+
 std::vector<TransitionId> Evolution::cleared_by_scan(const EvolutionState& state,
                                                      const EvolutionInputs& inputs,
                                                      Time now) const {
@@ -194,9 +210,7 @@ std::vector<TransitionId> Evolution::cleared_by_scan(const EvolutionState& state
     update_edges(scan, false);
     ClearedList cleared;
     if (!scan.read.input(tables_->init)) list_cleared(scan, cleared);
-    std::vector<TransitionId> result(cleared.begin(), cleared.end());
-    std::sort(result.begin(), result.end());
-    return result;
+    return in_table_order(cleared);
 }
 
 // The search for a stable situation.

@@ -43,6 +43,23 @@ struct EvolutionInputs {
     std::vector<std::uint8_t>* cleared = nullptr;
 };
 
+/// What one scan did, part by part, for telling it in words. The scan itself keeps it.
+struct ScanRecord {
+    std::vector<TransitionId> cleared;  ///< in table order
+    BitTable after_clearing;            ///< Ts after SBR 4
+    std::vector<OrderId> orders;        ///< those of the steps in `after_clearing`, in table order
+    BitTable after_forcing;             ///< Ts after the orders, before the enclosures
+    /// Enclosures whose activation links were activated.
+    std::vector<EnclosureId> opened;
+    /// A stored action that was run.
+    struct StoredWrite {
+        bool on_clearing = false;
+        std::size_t action = 0;  ///< of Grafcet::actions; of clearing_actions where on_clearing
+        std::int64_t value = 0;  ///< what was written
+    };
+    std::vector<StoredWrite> writes;  ///< in the order of writing
+};
+
 /// Continuous and stored outputs together, one bit per output.
 using OutputValues = BitTable;
 
@@ -70,8 +87,10 @@ class Evolution {
     EvolutionState start(const EvolutionInputs& inputs) const;
 
     /// SBR 1 to SBR 8 (without the continuous outputs): one scan at time `now`. Delays that have
-    /// fallen due by then take effect in SBR 6.
-    void scan(EvolutionState& state, const EvolutionInputs& inputs, Time now) const;
+    /// fallen due by then take effect in SBR 6. `record`: where to note what it did; nullptr where
+    /// nobody asks.
+    void scan(EvolutionState& state, const EvolutionInputs& inputs, Time now,
+              ScanRecord* record = nullptr) const;
 
     /// The beginning of an instant of the until-stable run, once its inputs have changed: the
     /// running delays that end at or before `now` take effect, from the inside outwards, except
@@ -98,6 +117,9 @@ class Evolution {
     /// The value of a var: its bit, or where steps hold it that of the present situation and
     /// inputs, as outputs have theirs.
     bool var(VarId var, const EvolutionState& state, const EvolutionInputs& inputs) const;
+
+    /// The value of an expression, with edges and time conditions as the state holds them.
+    bool value(ExprId expression, const EvolutionState& state, const EvolutionInputs& inputs) const;
 
     /// The transitions cleared by a scan of this state under these inputs, in table order; the
     /// state itself is left alone. For telling in words what happened.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 #include "evolution/bit_table.h"
 
@@ -85,6 +86,7 @@ void apply_enclosures(const ScanContext& scan, const OrderList& orders, bool ini
         } else if (!init && !scan.state.previous.test(step) &&
                    !some_order_bears_on(scan, orders, enclosure.graph)) {
             for (const StepId link : enclosure.links) situation.set(index_of(link));
+            if (scan.record != nullptr) scan.record->opened.push_back(e);
         }
     }
 }
@@ -98,6 +100,10 @@ void apply_forcing(const ScanContext& scan, bool init) {
     if (!orders.empty()) {
         force_to_0(scan, orders);
         force_to_1(scan, orders);
+    }
+    if (scan.record != nullptr) {
+        scan.record->orders.assign(orders.begin(), orders.end());
+        scan.record->after_forcing = scan.state.situation;
     }
     apply_enclosures(scan, orders, init);
 }
@@ -127,13 +133,25 @@ std::int64_t value_of(const ScanContext& scan, const Write& write) {
     return scan.read.value(write.value) ? 1 : 0;
 }
 
+/// Puts a write in the list. `actions`: the list of the GRAFCET that holds its action.
+template <typename Actions>
+void list_write(const ScanContext& scan, const Actions& actions,
+                const typename Actions::value_type& action, PendingWrites& writes) {
+    const std::int64_t value = value_of(scan, action.write);
+    writes.push_back({action.write.target, value});
+    if (scan.record == nullptr) return;
+    constexpr bool on_clearing = std::is_same_v<typename Actions::value_type, ClearingAction>;
+    scan.record->writes.push_back(
+        {on_clearing, static_cast<std::size_t>(&action - actions.data()), value});
+}
+
 void list_actions_of(const ScanContext& scan, std::size_t s, Trigger trigger,
                      PendingWrites& writes) {
     const Step& step = scan.grafcet.steps[scan.grafcet.steps.id_at(s)];
     for (const Action& action : scan.grafcet.actions_of(step)) {
         if (action.kind != ActionKind::stored || action.trigger != trigger) continue;
         if (trigger == Trigger::event && !scan.read.value(action.expression)) continue;
-        writes.push_back({action.write.target, value_of(scan, action.write)});
+        list_write(scan, scan.grafcet.actions, action, writes);
     }
 }
 
@@ -156,7 +174,7 @@ void list_clearing(const ScanContext& scan, const ClearedList& cleared, PendingW
     for (const TransitionId id : with_actions) {
         for (const ClearingAction& action :
              scan.grafcet.clearing_actions_of(scan.grafcet.transitions[id])) {
-            writes.push_back({action.write.target, value_of(scan, action.write)});
+            list_write(scan, scan.grafcet.clearing_actions, action, writes);
         }
     }
 }

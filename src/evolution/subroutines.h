@@ -57,6 +57,7 @@ struct ScanContext {
     EvolutionState& state;
     Evaluator read;  ///< reads `state` as it is at the time
     Time now;
+    ScanRecord* record = nullptr;  ///< where to note what the scan does, if anywhere
 };
 
 /// The transitions cleared in a scan.

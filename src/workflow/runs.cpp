@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "grafcet/write_grafcet.h"
+#include "story/instant_story.h"
+#include "story/write_story.h"
 #include "trace/input_values.h"
 #include "workflow/messages.h"
 
@@ -16,6 +18,11 @@ namespace grafwire {
 RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period) {
     return period ? run_scans(chart.grafcet, stimuli, *period)
                   : run_until_stable(chart.grafcet, stimuli);
+}
+
+std::string explain_run(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period,
+                        Language language) {
+    return write_stories(chart.grafcet, tell_run(chart.grafcet, stimuli, period), language);
 }
 
 SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,

@@ -9,6 +9,7 @@
 #include "s7/machine/run_listing.h"
 #include "simulate/simulate.h"
 #include "text/diagnostics.h"
+#include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
 #include "workflow/chart.h"
@@ -18,6 +19,10 @@ namespace grafwire {
 
 /// The reference over stimuli: scan by scan with that period, or until stable (none).
 RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period);
+
+/// The same run told in words: for each instant or scan what was cleared and why.
+std::string explain_run(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period,
+                        Language language);
 
 /// The gates over stimuli under a delay model: a clocked netlist scan by scan with that period, or
 /// until stable (none). With a waveform of every net if asked for.

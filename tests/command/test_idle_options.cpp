@@ -118,7 +118,10 @@ TEST_CASE("options of equations and of run") {
              {"-o", {files.path("out")}}},
             contexts);
     try_all({"run"},
-            {{"--scan", {"10ms"}}, {"--vcd", {files.path("vcd")}}, {"-o", {files.path("out")}}},
+            {{"--scan", {"10ms"}},
+             {"--explain", {}},
+             {"--vcd", {files.path("vcd")}},
+             {"-o", {files.path("out")}}},
             {{{sequence_chart, sequence_stimuli}, {}}});
     CHECK(options_of({"info"}).empty());
 }

@@ -122,6 +122,29 @@ TEST_CASE("no stable situation: status 1, and the trace up to there") {
     CHECK(contains(text_of(vcd), "$enddefinitions"));
 }
 
+TEST_CASE("run --explain: words in place of the trace, which goes where -o says") {
+    const ScratchFolder folder;
+    const std::string csv = folder.path("out.csv");
+    const std::string chart = example("rule-5.grafcet");
+    const std::string stim = example("rule-5.stim");
+    const Ran ran = grafwire_with({"run", chart, stim, "--explain"});
+    CHECK(ran.status == 0);
+    CHECK(ran.out.rfind("At 0 ms: all inputs are 0\n", 0) == 0);
+    CHECK(
+        contains(ran.out, "    deactivated and activated at once, so still active: X1 (rule 5)\n"));
+    CHECK(grafwire_with({"run", chart, stim, "--explain", "-o", csv}).out == ran.out);
+    CHECK(text_of(csv) == grafwire_with({"run", chart, stim}).out);
+    const Ran french = grafwire_with({"run", chart, stim, "--explain", "--lang", "fr"});
+    CHECK(french.out.rfind("À 0 ms : toutes les entrées sont à 0\n", 0) == 0);
+    // Without a stable situation the status is 1, in words as in a trace.
+    const Ran unstable = grafwire_with({"run", axis, scan_stim, "--explain"});
+    CHECK(unstable.status == 1);
+    CHECK(contains(unstable.out, "  no stable situation: X0, X1, X2 keep changing\n"));
+    const Ran both = grafwire_with({"run", chart, stim, "--explain", "-o", "-"});
+    CHECK(both.status == 2);
+    CHECK(both.out.empty());
+}
+
 TEST_CASE("a netlist that does not settle: status 1, and the trace up to there") {
     const ScratchFolder folder;
     // Two steps that are each other's follower, both receptivities at 1 from 5 ms on.

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "text/message.h"
+
+namespace grafwire::messages::story {
+
+// Lists and values.
+
+inline constexpr Message<> separator{"; ", " ; "};
+inline constexpr Message<> no_step{"no step", "aucune étape"};
+inline constexpr Message<> no_output{"none", "aucune"};
+inline constexpr Message<> no_var{"none", "aucune"};
+/// A time condition whose delay is running: the condition, its value, when the delay ends.
+inline constexpr Message<std::string, std::int64_t, std::string> running_operand{
+    "{}={} until {} ms", "{}={} jusqu'à {} ms"};
+
+// How an instant begins.
+
+inline constexpr Message<std::string, std::string> at{"At {} ms: {}\n", "À {} ms : {}\n"};
+inline constexpr Message<> all_inputs_0{"all inputs are 0", "toutes les entrées sont à 0"};
+inline constexpr Message<> no_input_changes{"no input changes", "aucune entrée ne change"};
+inline constexpr Message<> nothing_changes{"nothing changes", "rien ne change"};
+inline constexpr Message<std::string, std::string, std::size_t> nothing_changes_until{
+    "From {} ms to {} ms: nothing changes ({} scans)\n",
+    "De {} ms à {} ms : rien ne change ({} scrutations)\n"};
+inline constexpr Message<std::string> delay_is_over{"the delay of {} is over",
+                                                    "la temporisation {} est écoulée"};
+inline constexpr Message<std::string> rule_1{"initial situation: {} (rule 1)\n",
+                                             "situation initiale : {} (règle 1)\n"};
+
+// What a scan does.
+
+inline constexpr Message<std::size_t> evolution_number{"evolution {}:\n", "évolution {} :\n"};
+/// Arguments: the transition, its preceding steps, its condition, the values that this reads (or
+/// nothing).
+using ClearedMessage = Message<std::string, std::string, std::string, std::string>;
+inline constexpr ClearedMessage cleared_by_one{
+    "{0} is cleared (rule 2): {1} is active and {2} is 1{3}\n",
+    "{0} est franchie (règle 2) : {1} est active et {2} vaut 1{3}\n"};
+inline constexpr ClearedMessage cleared_by_many{
+    "{0} is cleared (rule 2): {1} are active and {2} is 1{3}\n",
+    "{0} est franchie (règle 2) : {1} sont actives et {2} vaut 1{3}\n"};
+inline constexpr ClearedMessage cleared_by_none{
+    "{0} is cleared (rule 2): no step precedes it and {2} is 1{3}\n",
+    "{0} est franchie (règle 2) : aucune étape ne la précède et {2} vaut 1{3}\n"};
+inline constexpr Message<> always_true{"its condition", "sa réceptivité"};
+inline constexpr Message<std::string, std::string, std::string> not_cleared{
+    "{} is not cleared: {} is 0{}\n", "{} n'est pas franchie : {} vaut 0{}\n"};
+inline constexpr Message<std::string, std::string> not_cleared_frozen{
+    "{} is not cleared: {} is frozen\n", "{} n'est pas franchie : {} est figé\n"};
+inline constexpr Message<std::string> cleared_together{"cleared together: {} (rule 4)\n",
+                                                       "franchies ensemble : {} (règle 4)\n"};
+inline constexpr Message<> rule_3{" (rule 3)", " (règle 3)"};
+inline constexpr Message<std::string> deactivated{"deactivated: {}", "désactivation : {}"};
+inline constexpr Message<std::string> activated{"activated: {}", "activation : {}"};
+inline constexpr Message<> no_step_changes{"no step changes", "aucune étape ne change"};
+inline constexpr Message<std::string> rule_5{
+    "deactivated and activated at once, so still active: {} (rule 5)\n",
+    "désactivation et activation à la fois, donc toujours active : {} (règle 5)\n"};
+/// The arguments of the next ones end with which steps change.
+inline constexpr Message<std::string> init_sets{
+    "Init=1: nothing is cleared, the initial situation is set; {}\n",
+    "Init=1 : rien n'est franchi, la situation initiale est imposée ; {}\n"};
+inline constexpr Message<std::string> au_dur_empties{"AUdur=1: every step is deactivated; {}\n",
+                                                     "AUdur=1 : tout est désactivé ; {}\n"};
+inline constexpr Message<std::string, std::string, std::string> forces{"{} forces {}; {}\n",
+                                                                       "{} force {} ; {}\n"};
+inline constexpr Message<std::string, std::string> freezes{"{} freezes {}\n", "{} fige {}\n"};
+inline constexpr Message<std::string, std::string, std::string> opens{
+    "{} has become active and opens {}, which it encloses; {}\n",
+    "{} devient active et lance {}, qu'elle englobe ; {}\n"};
+inline constexpr Message<std::string, std::string, std::string> empties{
+    "{} is not active, so {}, which it encloses, is emptied; {}\n",
+    "{} n'est pas active, donc {}, qu'elle englobe, se vide ; {}\n"};
+/// Arguments: what is written, the variable and its new value.
+inline constexpr Message<std::string, std::string, std::string> on_activation{
+    "stored action on activation of {}: {}, gives {}\n",
+    "action mémorisée à l'activation de {} : {}, donne {}\n"};
+inline constexpr Message<std::string, std::string, std::string> on_deactivation{
+    "stored action on deactivation of {}: {}, gives {}\n",
+    "action mémorisée à la désactivation de {} : {}, donne {}\n"};
+inline constexpr Message<std::string, std::string, std::string> on_event{
+    "stored action of {} on an event: {}, gives {}\n",
+    "action mémorisée de {} sur événement : {}, donne {}\n"};
+inline constexpr Message<std::string, std::string, std::string> on_clearing{
+    "stored action on clearing of {}: {}, gives {}\n",
+    "action mémorisée au franchissement de {} : {}, donne {}\n"};
+inline constexpr Message<std::string, std::string> delay_begins{
+    "the delay of {} begins, until {} ms\n", "la temporisation {} commence, jusqu'à {} ms\n"};
+inline constexpr Message<std::string> delay_is_dropped{"the delay of {} is broken off\n",
+                                                       "la temporisation {} est interrompue\n"};
+inline constexpr Message<std::string> becomes_1{"{} becomes 1\n", "{} passe à 1\n"};
+inline constexpr Message<std::string> becomes_0{"{} becomes 0\n", "{} passe à 0\n"};
+
+// How an instant ends.
+
+inline constexpr Message<std::size_t> untold{"… and {} more evolutions\n",
+                                             "… et {} autres évolutions\n"};
+inline constexpr Message<std::string> unstable{
+    "no stable situation: {} keep changing\n",
+    "pas de situation stable : {} changent sans cesse\n"};
+inline constexpr Message<std::string> stable_situation{"stable situation: {}\n",
+                                                       "situation stable : {}\n"};
+inline constexpr Message<std::string> situation{"situation: {}\n", "situation : {}\n"};
+inline constexpr Message<std::string> outputs{"outputs at 1: {}\n", "sorties à 1 : {}\n"};
+inline constexpr Message<> outputs_off{"AUdoux=1: continuous outputs are 0\n",
+                                       "AUdoux=1 : les sorties continues sont à 0\n"};
+inline constexpr Message<std::string> vars{"vars at 1: {}\n", "variables à 1 : {}\n"};
+inline constexpr Message<std::string> counters{"counters: {}\n", "compteurs : {}\n"};
+inline constexpr Message<std::string> orders{"orders in force: {}\n", "ordres en vigueur : {}\n"};
+inline constexpr Message<std::string, std::string, std::string> waits{
+    "enabled: {}, waits for {}{}\n", "validée : {}, attend {}{}\n"};
+inline constexpr Message<std::string, std::string> waits_frozen{"enabled: {}, but {} is frozen\n",
+                                                                "validée : {}, mais {} est figé\n"};
+inline constexpr Message<std::string> waits_init{"enabled: {}, but Init=1\n",
+                                                 "validée : {}, mais Init=1\n"};
+inline constexpr Message<std::string, std::string, std::string> clearable{
+    "clearable at the next scan: {}, since {} is 1{}\n",
+    "franchissable à la prochaine scrutation : {}, car {} vaut 1{}\n"};
+/// Of a stable situation, where clearing it leaves all as it is.
+inline constexpr Message<std::string, std::string, std::string> clearable_idly{
+    "clearable, without effect: {}, since {} is 1{}\n",
+    "franchissable, sans effet : {}, car {} vaut 1{}\n"};
+inline constexpr Message<> none_enabled{"no transition is enabled\n",
+                                        "aucune transition n'est validée\n"};
+
+}  // namespace grafwire::messages::story
