@@ -182,6 +182,14 @@ TEST_CASE("memories") {
           "  y$1 = or(a, c)\n  y = dff(y$1, b)\n");
     CHECK(cells_of_cell("$_SDFF_PN0_", R"("D": [2], "C": [3], "R": [4], "Q": [6])") ==
           "  c$1 = not(c)\n  y$1 = and(a, c)\n  y = dff(y$1, b)\n");
+    // With an enable: does the reset act without it?
+    const std::string all = R"("D": [2], "C": [3], "R": [4], "E": [5], "Q": [6])";
+    CHECK(cells_of_cell("$_SDFFE_PP0P_", all) ==
+          "  y$1 = and(a, d)\n  d$1 = not(d)\n  y$2 = and(y, d$1)\n  y$3 = or(y$1, y$2)\n"
+          "  c$1 = not(c)\n  y$4 = and(y$3, c$1)\n  y = dff(y$4, b)\n");
+    CHECK(cells_of_cell("$_SDFFCE_PP0P_", all) ==
+          "  c$1 = not(c)\n  y$1 = and(a, c$1)\n  y$2 = and(y$1, d)\n  d$1 = not(d)\n"
+          "  y$3 = and(y, d$1)\n  y$4 = or(y$2, y$3)\n  y = dff(y$4, b)\n");
     CHECK(cells_of_cell("$_DLATCH_P_", R"("D": [2], "E": [3], "Q": [6])") == "  y = hold(a, b)\n");
     CHECK(cells_of_cell("$_DLATCH_N_", R"("D": [2], "E": [3], "Q": [6])") ==
           "  b$1 = not(b)\n  y = hold(a, b$1)\n");
