@@ -13,6 +13,7 @@ g++                  /usr/bin/g++
 libboost-dev         /usr/include/boost/version.hpp
 libcadical-dev       /usr/include/cadical.hpp
 libcli11-dev         /usr/include/CLI/CLI.hpp
+libedit-dev          /usr/include/editline/readline.h
 libfmt-dev           /usr/include/fmt/core.h
 libpugixml-dev       /usr/include/pugixml.hpp
 libutf8proc-dev      /usr/include/utf8proc.h

@@ -61,6 +61,11 @@ void CommandLine::add_argument(const Message<>& name, std::string& target,
     text_option(app_.add_option(shown, target, text.in(language_)), language_).required();
 }
 
+void CommandLine::add_optional_argument(const Message<>& name, std::string& target,
+                                        const Localized& text) const {
+    text_option(app_.add_option(name.in(language_), target, text.in(language_)), language_);
+}
+
 AddedOption CommandLine::add(const char* name, std::string& target, const Localized& text) const {
     return text_option(app_.add_option(name, target, text.in(language_)), language_);
 }

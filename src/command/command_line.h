@@ -63,6 +63,9 @@ class CommandLine {
     /// An argument `FILE`, which must be written: what is written there goes into the target, which
     /// must live until the command line has been read.
     void add_argument(const Message<>& name, std::string& target, const Localized& help) const;
+    /// The same, which may be left out.
+    void add_optional_argument(const Message<>& name, std::string& target,
+                               const Localized& help) const;
     /// An option `--scan`, likewise.
     AddedOption add(const char* name, std::string& target, const Localized& help) const;
     /// An option that may be repeated.

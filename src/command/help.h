@@ -102,6 +102,9 @@ inline constexpr Message<> karnaugh{
 
 // run
 
+inline constexpr Message<> run_stim{
+    "the stimuli (.stim), - for standard input; without them step by step: type help there",
+    "les stimuli (.stim), - pour l'entrée standard ; sans eux pas à pas : taper aide"};
 inline constexpr Message<> run_scan{
     "scan by scan with this period (default: until stable at every instant)",
     "scrutation par scrutation à cette période (par défaut : jusqu'à stabilité à chaque instant)"};

@@ -110,6 +110,8 @@ inline constexpr Message<> only_listing{
     "cette option est pour une liste d'instructions S7-200 donnée avec --against"};
 inline constexpr Message<> program_has_no_gates{"a program has no gates",
                                                 "un programme n'a pas de portes"};
+inline constexpr Message<> needs_stimuli{"without STIM the run is step by step",
+                                         "sans STIM, on avance pas à pas"};
 inline constexpr Message<> inputs_are_sampled{
     "inputs are sampled, and any of them change between two scans",
     "les entrées sont échantillonnées, et peuvent toutes changer entre deux scrutations"};
@@ -135,6 +137,12 @@ inline constexpr Message<std::string_view, std::uint32_t, std::uint32_t, Localiz
 inline constexpr Message<std::uint64_t, std::uint64_t, std::uint64_t> progress{
     "{} cases, {} situations, {} states waiting",
     "cas : {}, situations : {}, états en attente : {}"};
+
+/// A chart from standard input leaves nothing to type there.
+inline constexpr Message<> lines_share_standard_input{
+    "the GRAFCET comes from standard input, so nothing can be typed there: give a STIM",
+    "le GRAFCET vient de l'entrée standard, on ne peut donc rien y taper : donnez un STIM"};
+inline constexpr Message<std::string> saved{"saved: {}", "enregistré : {}"};
 
 // Files.
 

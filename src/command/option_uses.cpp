@@ -37,6 +37,10 @@ constexpr OptionUse option_uses[] = {
     {"netlist", "--bench", fact::stimuli, &say::bench_needs_stimuli},
     {"netlist", "--bench", fact::output, &say::bench_needs_output},
 
+    {"run", "--explain", fact::stimuli, &say::needs_stimuli},
+    {"run", "-o", fact::stimuli, &say::needs_stimuli},
+    {"run", "--vcd", fact::stimuli, &say::needs_stimuli},
+
     {"simulate", "--style", fact::generated, &say::only_generated},
     {"simulate", "--cdx", fact::generated, &say::only_generated},
     {"simulate", "--modes", fact::generated, &say::only_generated},

@@ -1,4 +1,4 @@
-// grafwire run: the reference evolution over stimuli.
+// grafwire run: the reference evolution, over stimuli or step by step.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,8 @@
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
+#include "command/option_uses.h"
+#include "command/step_by_step.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
@@ -23,43 +25,63 @@ struct Request {
     TraceOutput output;
 };
 
+/// The reference under stimuli from a file, in a trace or in words.
+ExitStatus run_stimuli(const Request& request, const Chart& chart, Language language) {
+    const auto stimuli = load_stimuli(request.stimuli, chart.grafcet);
+    if (!stimuli) return ExitStatus::bad_request;
+    const Period period = parse_period(request.scan);
+    if (period.is_wrong) return ExitStatus::bad_request;
+    // Let the reference evolve.
+    const RunResult result = run_reference(chart, *stimuli, period.value);
+    for (const auto& broken : result.broken_assumptions) {
+        warn(broken_assumption_text(chart.grafcet, broken));
+    }
+    // Write the trace, up to the instant without a stable situation if there is one.
+    if (result.unstable_at) {
+        complain(messages::command::no_stable_situation(
+            format_milliseconds(*result.unstable_at),
+            fmt::format("{}", fmt::join(result.changing, ", "))));
+    }
+    OutputFiles files({request.path, request.stimuli});
+    if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
+    request.output.add_files(files, write_csv(result.trace),
+                             write_vcd(result.trace, chart.grafcet.name), request.explain);
+    return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
+}
+
+/// The reference under what is typed.
+ExitStatus run_typed(const Request& request, const Chart& chart, Language language) {
+    const Period period = parse_period(request.scan);
+    if (period.is_wrong) return ExitStatus::bad_request;
+    return step_by_step(request.path, chart, period.value, language);
+}
+
+ExitStatus run(const Request& request, const CommandLine& line) {
+    const bool is_typed = request.stimuli.empty();
+    if (refuse_idle_options(line, "run", is_typed ? fact::none : fact::stimuli)) {
+        return ExitStatus::bad_request;
+    }
+    if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
+    if (is_typed && request.path == "-") {
+        complain(messages::command::lines_share_standard_input());
+        return ExitStatus::bad_request;
+    }
+    const auto chart = load_chart(request.path);
+    if (!chart) return ExitStatus::bad_request;
+    return is_typed ? run_typed(request, *chart, line.language())
+                    : run_stimuli(request, *chart, line.language());
+}
+
 }  // namespace
 
 Task declare_run(const CommandLine& line) {
     const auto request = std::make_shared<Request>();
     line.add_argument(help::file_name, request->path, help::file());
-    line.add_argument(help::stim_name, request->stimuli, help::stim());
+    line.add_optional_argument(help::stim_name, request->stimuli, help::run_stim());
     line.add("--scan", request->scan, help::run_scan());
     line.add_flag("--explain", request->explain, help::run_explain());
     request->output.declare(line);
-    return [request, language = line.language()] {
-        // Read the GRAFCET and the stimuli.
-        if (share_standard_input(request->path, request->stimuli)) return ExitStatus::bad_request;
-        const auto chart = load_chart(request->path);
-        if (!chart) return ExitStatus::bad_request;
-        const auto stimuli = load_stimuli(request->stimuli, chart->grafcet);
-        if (!stimuli) return ExitStatus::bad_request;
-        const Period period = parse_period(request->scan);
-        if (period.is_wrong) return ExitStatus::bad_request;
-        // Let the reference evolve.
-        const RunResult result = run_reference(*chart, *stimuli, period.value);
-        for (const auto& broken : result.broken_assumptions) {
-            warn(broken_assumption_text(chart->grafcet, broken));
-        }
-        // Write the trace, up to the instant without a stable situation if there is one.
-        if (result.unstable_at) {
-            complain(messages::command::no_stable_situation(
-                format_milliseconds(*result.unstable_at),
-                fmt::format("{}", fmt::join(result.changing, ", "))));
-        }
-        OutputFiles files({request->path, request->stimuli});
-        if (request->explain) {
-            files.add("-", explain_run(*chart, *stimuli, period.value, language));
-        }
-        request->output.add_files(files, write_csv(result.trace),
-                                  write_vcd(result.trace, chart->grafcet.name), request->explain);
-        return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
-    };
+    return [request, line] { return run(*request, line); };
 }
 
 }  // namespace grafwire

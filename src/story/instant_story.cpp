@@ -258,6 +258,15 @@ InstantStory tell_instant(const Evolution& evolution, EvolutionUnderWay& run,
     return story;
 }
 
+void add_story(std::vector<InstantStory>& stories, InstantStory story) {
+    if (story.is_quiet && !stories.empty() && stories.back().is_quiet) {
+        ++stories.back().repeated;
+        stories.back().last = story.at;
+    } else {
+        stories.push_back(std::move(story));
+    }
+}
+
 std::vector<InstantStory> tell_run(const Grafcet& grafcet, const Stimuli& stimuli,
                                    std::optional<Time> period) {
     const Evolution evolution(grafcet);
@@ -267,12 +276,7 @@ std::vector<InstantStory> tell_run(const Grafcet& grafcet, const Stimuli& stimul
     for (Time now = 0;;) {
         player.advance(now);
         InstantStory story = tell_instant(evolution, run, player.inputs(), now, period.has_value());
-        if (story.is_quiet && !stories.empty() && stories.back().is_quiet) {
-            ++stories.back().repeated;
-            stories.back().last = now;
-        } else {
-            stories.push_back(std::move(story));
-        }
+        add_story(stories, std::move(story));
         if (!stories.back().is_stable || now == stimuli.end) return stories;
         if (period) {
             if (*period > stimuli.end - now) return stories;

@@ -101,8 +101,11 @@ struct EvolutionUnderWay {
 InstantStory tell_instant(const Evolution& evolution, EvolutionUnderWay& run,
                           const InputValues& inputs, Time at, bool by_scans);
 
+/// Adds a story to those before it. Scans that change nothing are one story together.
+void add_story(std::vector<InstantStory>& stories, InstantStory story);
+
 /// A whole run: scan by scan with that period, or until stable (none), up to an instant without a
-/// stable situation. Scans that change nothing are one story together.
+/// stable situation.
 std::vector<InstantStory> tell_run(const Grafcet& grafcet, const Stimuli& stimuli,
                                    std::optional<Time> period);
 

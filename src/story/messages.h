@@ -128,4 +128,81 @@ inline constexpr Message<std::string, std::string, std::string> clearable_idly{
 inline constexpr Message<> none_enabled{"no transition is enabled\n",
                                         "aucune transition n'est validée\n"};
 
+// The session step by step. Lines end here.
+
+/// In the order of Session::Word.
+inline constexpr Message<> session_words[] = {
+    {"scan", "scruter"},     {"back", "retour"}, {"show", "montrer"},
+    {"save", "enregistrer"}, {"help", "aide"},   {"quit", "quitter"},
+};
+/// Arguments: the name of the GRAFCET, its inputs.
+inline constexpr Message<std::string, std::string> greeting{
+    "GRAFCET {}, step by step. Inputs: {}.\n"
+    "Type the inputs of the first instant, such as a=1, or help.\n",
+    "GRAFCET {}, pas à pas. Entrées : {}.\n"
+    "Tapez les entrées du premier instant, comme a=1, ou aide.\n"};
+inline constexpr Message<> session_help{
+    "a=1 b=0       change inputs (the first ones: those at 0 ms; later: 1 ms after the last "
+    "instant)\n"
+    "+500ms        let time pass; delays end meanwhile\n"
+    "+500ms b=1    let time pass, then change inputs; 2s b=1: at that time\n"
+    "scan          go to the end of the next delay\n"
+    "back          take back the last line, any number of times\n"
+    "show          situation, outputs, and what the enabled transitions wait for\n"
+    "save FILE     write all that was done as stimuli (.stim)\n"
+    "quit          end\n",
+    "a=1 b=0           changer des entrées (les premières : à 0 ms ; ensuite 1 ms après le dernier "
+    "instant)\n"
+    "+500ms            laisser passer le temps ; des temporisations s'écoulent\n"
+    "+500ms b=1        laisser passer le temps, puis changer des entrées ; 2s b=1 : à ce moment\n"
+    "scruter           aller à la fin de la prochaine temporisation\n"
+    "retour            annuler la dernière ligne, autant de fois qu'on veut\n"
+    "montrer           situation, sorties, et ce qu'attendent les transitions validées\n"
+    "enregistrer FICH  écrire tout ce qui a été fait comme stimuli (.stim)\n"
+    "quitter           finir\n"};
+inline constexpr Message<> session_help_scans{
+    "a=1 b=0       change inputs, for the next scan to read\n"
+    "scan          one scan\n"
+    "+500ms        the scans of that time\n"
+    "+500ms b=1    the scans of that time, inputs changed at its end\n"
+    "back          take back the last line, any number of times\n"
+    "show          situation, outputs, and what the enabled transitions wait for\n"
+    "save FILE     write all that was done as stimuli (.stim)\n"
+    "quit          end\n",
+    "a=1 b=0           changer des entrées, que lira la prochaine scrutation\n"
+    "scruter           une scrutation\n"
+    "+500ms            les scrutations de cette durée\n"
+    "+500ms b=1        les scrutations de cette durée, avec des entrées changées à la fin\n"
+    "retour            annuler la dernière ligne, autant de fois qu'on veut\n"
+    "montrer           situation, sorties, et ce qu'attendent les transitions validées\n"
+    "enregistrer FICH  écrire tout ce qui a été fait comme stimuli (.stim)\n"
+    "quitter           finir\n"};
+inline constexpr Message<std::string> nothing_follows{"nothing may follow here: '{}'\n",
+                                                      "rien ne doit suivre ici : « {} »\n"};
+inline constexpr Message<std::string> unknown_line{
+    "'{}' is none of a=1, +500ms, scan, back, show, save, help, quit\n",
+    "« {} » n'est ni a=1, ni +500ms, ni scruter, retour, montrer, enregistrer, aide ou quitter\n"};
+inline constexpr Message<> no_delay_runs{
+    "no delay is running: nothing happens until an input changes\n",
+    "aucune temporisation ne court : rien ne se passe tant qu'aucune entrée ne change\n"};
+inline constexpr Message<> nothing_to_take_back{"there is nothing to take back\n",
+                                                "il n'y a rien à annuler\n"};
+inline constexpr Message<> save_needs_path{"save where? Write save FILE.stim\n",
+                                           "enregistrer où ? Écrivez enregistrer FICHIER.stim\n"};
+inline constexpr Message<std::string> instant_is_over{
+    "the instant {} ms is over: give a later time\n",
+    "l'instant {} ms est passé : donnez un temps ultérieur\n"};
+inline constexpr Message<> no_way_on{"there is no stable situation to go on from: go back\n",
+                                     "il n'y a pas de situation stable d'où continuer : faites "
+                                     "retour\n"};
+inline constexpr Message<std::string> long_way{"a long way: stopped at {} ms\n",
+                                               "c'est long : arrêt à {} ms\n"};
+inline constexpr Message<std::string> read_by_next_scan{
+    "The scan at {} ms will read the inputs.\n", "La scrutation à {} ms lira les entrées.\n"};
+inline constexpr Message<> not_begun{"Not begun: all inputs are 0.\n",
+                                     "Rien n'a commencé : toutes les entrées sont à 0.\n"};
+/// Arguments: the time, the inputs at 1.
+inline constexpr Message<std::string, std::string> shown_at{"At {} ms; inputs at 1: {}\n",
+                                                            "À {} ms ; entrées à 1 : {}\n"};
+
 }  // namespace grafwire::messages::story

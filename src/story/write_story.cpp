@@ -26,12 +26,13 @@ class StoryWriter {
         : grafcet_(grafcet), language_(language) {}
 
     void tell(const InstantStory& story);
-    void tell_end(const InstantStory& story);
+    void tell_outcome(const InstantStory& story);
     std::string take() { return std::move(text_); }
 
   private:
     // An instant.
     void tell_beginning(const InstantStory& story);
+    void tell_end(const InstantStory& story);
     void tell_waiting(const EnabledTransition& enabled, const InstantStory& story);
     void tell_values(const InstantStory& story);
 
@@ -183,11 +184,7 @@ void StoryWriter::tell(const InstantStory& story) {
         indent_ = 2;
     }
     if (story.untold > 0) say(words::untold, story.untold);
-    if (story.is_stable) {
-        tell_end(story);
-    } else {
-        say(words::unstable, list(story.changing));
-    }
+    tell_outcome(story);
     indent_ = 0;
 }
 
@@ -328,6 +325,15 @@ void StoryWriter::tell_times(const ScanStory& scan) {
     }
 }
 
+void StoryWriter::tell_outcome(const InstantStory& story) {
+    indent_ = 2;
+    if (story.is_stable) {
+        tell_end(story);
+    } else {
+        say(words::unstable, list(story.changing));
+    }
+}
+
 void StoryWriter::tell_end(const InstantStory& story) {
     say(story.by_scans ? words::situation : words::stable_situation, situation(story.situation));
     tell_values(story);
@@ -403,7 +409,7 @@ std::string write_stories(const Grafcet& grafcet, const std::vector<InstantStory
 
 std::string write_end(const Grafcet& grafcet, const InstantStory& story, Language language) {
     StoryWriter writer(grafcet, language);
-    writer.tell_end(story);
+    writer.tell_outcome(story);
     return writer.take();
 }
 

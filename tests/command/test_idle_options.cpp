@@ -122,7 +122,8 @@ TEST_CASE("options of equations and of run") {
              {"--explain", {}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
-            {{{sequence_chart, sequence_stimuli}, {}}});
+            {{{sequence_chart, sequence_stimuli}, {}},
+             {{sequence_chart}, {"--explain", "--vcd", "-o"}}});
     CHECK(options_of({"info"}).empty());
 }
 

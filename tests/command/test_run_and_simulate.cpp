@@ -145,6 +145,30 @@ TEST_CASE("run --explain: words in place of the trace, which goes where -o says"
     CHECK(both.out.empty());
 }
 
+TEST_CASE("run without stimuli: lines from standard input, without a prompt") {
+    const ScratchFolder folder;
+    const std::string chart = example("single-sequence.grafcet");
+    const std::string stim = folder.path("typed.stim");
+    const Ran ran = grafwire_with({"run", chart}, "m=1\n+100ms m=0\na=1\nsave " + stim + "\n");
+    CHECK(ran.status == 0);
+    CHECK(ran.err.empty());
+    CHECK(ran.out.rfind("At 0 ms: m=1\n  initial situation: X0 (rule 1)\n", 0) == 0);
+    CHECK(contains(ran.out, "\nAt 101 ms: a=1\n"));
+    CHECK(contains(ran.out, "\nsaved: " + stim + "\n"));
+    CHECK(text_of(stim) == "0s : m=1\n100ms : m=0\n101ms : a=1\n101ms : end\n");
+    const Ran again = grafwire_with({"run", chart, stim, "--explain"});
+    CHECK(again.out.rfind("At 0 ms: m=1\n  initial situation: X0 (rule 1)\n", 0) == 0);
+    // What is refused is said and makes the request a bad one; the rest is done.
+    const Ran refused = grafwire_with({"run", chart}, "m=2\nm=1\nsave " + chart + "\nquit\nm=0\n");
+    CHECK(refused.status == 2);
+    CHECK(refused.out.rfind("At 0 ms: m=1\n", 0) == 0);
+    CHECK(!contains(refused.out, "saved"));
+    CHECK(contains(refused.err, "grafwire: error: "));
+    CHECK(grafwire_with({"run", chart}).status == 0);
+    CHECK(grafwire_with({"run", chart, "--scan", "10ms"}, "scan\nscan").status == 0);
+    CHECK(grafwire_with({"run", "-"}, text_of(chart)).status == 2);
+}
+
 TEST_CASE("a netlist that does not settle: status 1, and the trace up to there") {
     const ScratchFolder folder;
     // Two steps that are each other's follower, both receptivities at 1 from 5 ms on.

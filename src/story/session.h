@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evolution/evolution.h"
+#include "grafcet/grafcet.h"
+#include "story/instant_story.h"
+#include "text/message.h"
+#include "text/time.h"
+#include "trace/stimuli.h"
+
+namespace grafwire {
+
+/// What a session says to a line.
+struct SessionReply {
+    std::string text;          ///< to be shown, whole lines
+    bool is_refusal = false;   ///< the text says why the line was not obeyed; nothing has changed
+    bool is_over = false;      ///< no more lines are expected
+    std::string save_path;     ///< not empty: the file that is asked for …
+    std::string save_stimuli;  ///< … and its text, a `.stim`
+};
+
+/// A GRAFCET stepped through line by line: lines in, words out. It reads and writes nothing itself.
+///
+///     a=1 b=0          inputs change: an instant of its own; by scans, what the next scan reads
+///     +500ms           time passes; delays end meanwhile, scans are done
+///     2s : a=0         a line as in a `.stim` text
+///     scan             the next scan; without scans, the instant at which the next delay ends
+///     back             takes back the last line that had an effect, any number of times
+///     show             situation, inputs, outputs, what the enabled transitions wait for
+///     save FILE        all of this as stimuli
+///     help, quit
+///
+/// Without scans, the first inputs are those of the instant 0, and later ones without a time change
+/// a millisecond after the last instant. The GRAFCET must outlive the session.
+class Session {
+  public:
+    /// By scans with that period, or until stable (none).
+    Session(const Grafcet& grafcet, std::optional<Time> period, Language language);
+
+    /// What a user at a terminal sees first.
+    std::string greeting() const;
+    /// What stands before a line that is expected: `500 ms> `.
+    std::string prompt() const;
+    /// What a line may begin with, in the language of the session: commands and `input=`.
+    std::vector<std::string> beginnings() const;
+
+    SessionReply answer(std::string_view line);
+
+  private:
+    /// Where the session stands; what `back` comes back to.
+    struct Moment {
+        EvolutionUnderWay run;
+        InputValues inputs;            ///< as they are now; by scans, for the next scan to read
+        Time now = 0;                  ///< not before the last instant
+        std::size_t change_count = 0;  ///< of changes_
+        std::optional<InstantStory> last;
+    };
+    enum class Word { scan, back, show, save, help, quit };
+
+    std::optional<Word> command_of(std::string_view line, std::string_view& rest) const;
+    SessionReply obey(Word word, std::string_view rest);
+    SessionReply scan();
+    SessionReply back();
+    SessionReply save(std::string_view path) const;
+    SessionReply change(std::string_view line);
+    /// Goes on to a moment, with the inputs changed at its end.
+    SessionReply advance(Time to, const std::vector<Stimuli::Assignment>& assignments,
+                         bool has_instant);
+    bool is_stuck() const { return moment_.last && !moment_.last->is_stable; }
+    Time next_scan() const { return moment_.run.state ? moment_.run.now + *period_ : 0; }
+    void do_instant(Time at, bool is_asked, std::vector<InstantStory>& stories);
+    std::string shown() const;
+
+    const Grafcet& grafcet_;
+    Evolution evolution_;
+    std::optional<Time> period_;
+    Language language_;
+    Moment moment_;
+    std::vector<Moment> past_;
+    std::vector<Stimuli::Change> changes_;  ///< all that has been applied, in the order of time
+};
+
+}  // namespace grafwire
