@@ -23,6 +23,7 @@ nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
 packages_to_test='
 doctest-dev          /usr/include/doctest/doctest.h
 fp-compiler          /usr/bin/fpc
+gtkwave              /usr/bin/gtkwave
 iverilog             /usr/bin/iverilog
 libxml2-utils        /usr/bin/xmllint
 ngspice              /usr/bin/ngspice
@@ -30,6 +31,8 @@ patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config
 python3              /usr/bin/python3
 python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py
+xauth                /usr/bin/xauth
+xvfb                 /usr/bin/xvfb-run
 yosys                /usr/bin/yosys
 '
 packages_to_check='

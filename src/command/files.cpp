@@ -75,6 +75,13 @@ void OutputFiles::add(std::string path, std::string text) {
     files_.emplace_back(std::move(path), std::move(text));
 }
 
+void OutputFiles::add_unless_there(std::string path, std::string text) {
+    std::error_code error;
+    const auto there = std::filesystem::symlink_status(path, error);
+    if (there.type() == std::filesystem::file_type::not_found)
+        add(std::move(path), std::move(text));
+}
+
 /// Which input stands at a place, as it is said in a message; nothing where none does.
 std::optional<Localized> OutputFiles::input_at(const Place& place) const {
     for (const std::string& input : inputs_) {

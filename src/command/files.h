@@ -23,6 +23,8 @@ class OutputFiles {
 
     /// "-" and the empty path stand for standard output.
     void add(std::string path, std::string text);
+    /// The same where there is nothing at this path yet, else nothing.
+    void add_unless_there(std::string path, std::string text);
     /// A folder that is made, with those above it, where it is missing.
     void add_folder(std::string path) { folders_.push_back(std::move(path)); }
     /// A file of an earlier time that goes, if it is there, once the others have come.

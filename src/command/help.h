@@ -90,8 +90,9 @@ inline constexpr Message<> output{"output file (default: standard output)",
                                   "fichier de sortie (par défaut : la sortie standard)"};
 inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
-inline constexpr Message<> waveform{"the waveform as VCD, for GTKWave",
-                                    "le chronogramme en VCD, pour GTKWave"};
+inline constexpr Message<> waveform{
+    "the waveform as VCD for GTKWave; beside OUT.vcd goes OUT.gtkw, which says what to show",
+    "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};
 
 // equations
 

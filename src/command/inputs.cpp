@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "command/help.h"
 #include "command/messages.h"
 #include "text/nearest_name.h"
@@ -148,10 +150,15 @@ void TraceOutput::declare(const CommandLine& line) {
     line.add("--vcd", vcd, help::waveform());
 }
 
-void TraceOutput::add_files(OutputFiles& files, std::string trace, std::string waveform,
+void TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
                             bool explained) const {
     if (!explained || !csv.empty()) files.add(csv, std::move(trace));
-    if (!vcd.empty()) files.add(vcd, std::move(waveform));
+    if (vcd.empty()) return;
+    files.add(vcd, waveform.vcd);
+    if (!vcd.ends_with(".vcd")) return;  // a device, a pipe, standard output
+    const std::string base = vcd.substr(0, vcd.size() - 4);
+    const std::string name = std::filesystem::path(vcd).filename().string();
+    files.add_unless_there(base + ".gtkw", write_gtkw(waveform, name));
 }
 
 }  // namespace grafwire

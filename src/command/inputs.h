@@ -10,6 +10,7 @@
 #include "command/files.h"
 #include "command/standard_error.h"
 #include "trace/stimuli.h"
+#include "trace/waveform.h"
 #include "workflow/chart.h"
 #include "workflow/netlists.h"
 #include "workflow/programs.h"
@@ -77,7 +78,8 @@ struct NetlistRequest {
 /// The generated netlist.
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request);
 
-/// Where the trace and the waveform of a run go.
+/// Where the trace and the waveform of a run go. Beside a waveform `OUT.vcd` goes what GTKWave
+/// shows of it, `OUT.gtkw`, unless there is one already: the user may have changed it.
 struct TraceOutput {
     std::string csv;
     std::string vcd;
@@ -85,7 +87,7 @@ struct TraceOutput {
     void declare(const CommandLine& line);
     /// `explained`: standard output is taken by words, and the trace goes only where it was asked
     /// to.
-    void add_files(OutputFiles& files, std::string trace, std::string waveform,
+    void add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
                    bool explained = false) const;
 };
 

@@ -45,7 +45,7 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
     request.output.add_files(files, write_csv(result.trace),
-                             write_vcd(result.trace, chart.grafcet.name), request.explain);
+                             waveform_of(result.trace, chart.grafcet.name), request.explain);
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 

@@ -77,7 +77,7 @@ ExitStatus run_listing(const Request& request) {
         return ExitStatus::bad_request;
     }
     OutputFiles files({request.listing, request.stimuli, request.io, request.grafcet});
-    request.output.add_files(files, write_csv(run.trace), write_vcd(run.trace, "listing"));
+    request.output.add_files(files, write_csv(run.trace), waveform_of(run.trace, "listing"));
     return finish(files, ExitStatus::done);
 }
 

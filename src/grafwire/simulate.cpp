@@ -26,7 +26,7 @@ Result<Run> run(const Chart& chart, std::string stimuli,
     if (!start.is_good) return result;
     const RunResult ran = run_reference(read, *start.stimuli, start.period);
     result.value =
-        Run{write_csv(ran.trace), write_vcd(ran.trace, read.grafcet.name), moment(ran.unstable_at)};
+        Run{write_csv(ran.trace), waveform_of(ran.trace, read.grafcet.name).vcd, moment(ran.unstable_at)};
     return result;
 }
 
@@ -43,7 +43,7 @@ Result<Run> simulate(const Netlist& netlist, std::string stimuli,
     if (!start.is_good) return result;
     SimulateResult ran =
         simulate_gates(chart, parts.netlist, *start.stimuli, DelayModel(), start.period, true);
-    result.value = Run{write_csv(ran.trace), std::move(ran.waveform), moment(ran.unsettled_at)};
+    result.value = Run{write_csv(ran.trace), std::move(ran.waveform.vcd), moment(ran.unsettled_at)};
     return result;
 }
 

@@ -33,31 +33,34 @@ bool all_whole(const Netlist& netlist, const CellDelays& delays) {
 }
 
 /// Records every net of a netlist while it is simulated.
-class Waveform {
+class Recorder {
   public:
     /// `delays` and the times of the stimuli decide the timescale: nanoseconds where they fit.
-    Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds);
+    Recorder(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds);
 
     /// Writes down the present values as those of time 0 and follows the simulator from there.
-    /// The waveform must stay where it is until the simulator has gone or stop() was called.
+    /// The recorder must stay where it is until the simulator has gone or stop() was called.
     void follow(Simulator& simulator);
-    std::string stop(Simulator& simulator, Time end);
+    /// `trace`: its columns of one bit are the signals worth showing.
+    Waveform stop(Simulator& simulator, Time end, const Trace& trace);
 
   private:
     VcdWriter writer_;
     std::size_t net_count_;
+    std::unordered_map<std::string_view, std::uint32_t> signals_;  ///< by name
 };
 
-Waveform::Waveform(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds)
+Recorder::Recorder(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds)
     : writer_(netlist.name, whole_nanoseconds && all_whole(netlist, delays) ? nanosecond : 1),
       net_count_(netlist.net_count()) {
     for (std::size_t net = 0; net < net_count_; ++net) {
-        writer_.add_signal(netlist.names[static_cast<NetId>(net)]);
+        const std::string_view name = netlist.names[static_cast<NetId>(net)];
+        signals_.emplace(name, writer_.add_signal(name));
     }
     writer_.begin();
 }
 
-void Waveform::follow(Simulator& simulator) {
+void Recorder::follow(Simulator& simulator) {
     for (std::size_t net = 0; net < net_count_; ++net) {
         writer_.change(0, static_cast<std::uint32_t>(net),
                        digit_of(simulator.value(static_cast<NetId>(net))));
@@ -67,9 +70,17 @@ void Waveform::follow(Simulator& simulator) {
     });
 }
 
-std::string Waveform::stop(Simulator& simulator, Time end) {
+Waveform Recorder::stop(Simulator& simulator, Time end, const Trace& trace) {
     simulator.observe({});
-    return writer_.finish(std::max(end, simulator.now()));
+    Waveform waveform;
+    for (const Trace::Column& column : trace.columns) {
+        const auto signal = signals_.find(column.name);
+        if (column.width == 1 && signal != signals_.end()) {
+            waveform.add(column, writer_, signal->second);
+        }
+    }
+    waveform.vcd = writer_.finish(std::max(end, simulator.now()));
+    return waveform;
 }
 
 /// Where the columns of the trace after the inputs come from.
@@ -132,10 +143,10 @@ class Run {
           rows_(grafcet, netlist, machine_.ports()),
           player_(stimuli, grafcet.all_input_count()) {
         result_.trace = empty_trace(grafcet);
-        if (options.waveform) waveform_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
+        if (options.waveform) recorder_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
         player_.advance(0);
         started_ = note(0, machine_.start(known_inputs(player_.inputs())));
-        if (waveform_) waveform_->follow(simulator());
+        if (recorder_) recorder_->follow(simulator());
         if (options.observer) simulator().observe(options.observer);
     }
 
@@ -150,7 +161,7 @@ class Run {
             goes_on = next <= stimuli_.end && next != never;
             if (goes_on) at = next;
         }
-        if (waveform_) result_.waveform = waveform_->stop(simulator(), at);
+        if (recorder_) result_.waveform = recorder_->stop(simulator(), at, result_.trace);
         return std::move(result_);
     }
 
@@ -201,7 +212,7 @@ class Run {
     const Stimuli& stimuli_;
     NetlistMachine machine_;
     RowReader rows_;
-    std::optional<Waveform> waveform_;
+    std::optional<Recorder> recorder_;
     StimuliPlayer player_;
     bool started_ = false;
     SimulateResult result_;

@@ -10,6 +10,7 @@
 #include "simulate/simulator.h"
 #include "trace/stimuli.h"
 #include "trace/trace.h"
+#include "trace/waveform.h"
 
 namespace grafwire {
 
@@ -24,7 +25,7 @@ struct SimulateOptions {
 
 struct SimulateResult {
     Trace trace;           ///< in the columns of the reference; what the netlist lacks is unknown
-    std::string waveform;  ///< VCD of every net, if asked for
+    Waveform waveform;  ///< of every net, if asked for
     std::optional<Time> unsettled_at;  ///< the first instant at which the netlist does not settle
     std::vector<NetId> oscillating;
     std::uint64_t events = 0;

@@ -12,7 +12,7 @@ namespace grafwire {
 
 namespace {
 
-bool is_ascii(char c) {
+bool is_ascii_byte(char c) {
     return static_cast<unsigned char>(c) < 0x80;
 }
 
@@ -28,7 +28,7 @@ bool is_wide_blank(char32_t c) {
 std::size_t LineCursor::blank_size() const {
     if (at_ == line_.size()) return 0;
     const char c = line_[at_];
-    if (is_ascii(c)) return c == ' ' || (c >= '\t' && c <= '\r') ? 1 : 0;
+    if (is_ascii_byte(c)) return c == ' ' || (c >= '\t' && c <= '\r') ? 1 : 0;
     const CodePoint code_point = decode_utf8(line_, at_);
     return is_wide_blank(code_point.value) ? code_point.length : 0;
 }

@@ -63,8 +63,27 @@ CheckOptions check_options(const CheckRequest& request) {
 /// Of the way through the gates, what a report for people shows.
 constexpr std::size_t most_links = 36;
 
-/// The files that show a witness: stimuli, what reference and netlist make of them, the
-/// explanation.
+/// A run, and its waveform.
+struct Recorded {
+    const Trace& trace;
+    const Waveform& waveform;
+};
+
+/// The files that show a witness, in the order of witness_file_names.
+std::vector<NamedText> witness_files(const Grafcet& grafcet, const Stimuli& stimuli,
+                                     const std::string& explanation, const Recorded& expected,
+                                     const Recorded& got) {
+    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
+            {"witness.txt", explanation},
+            {"expected.csv", write_csv(expected.trace)},
+            {"expected.vcd", expected.waveform.vcd},
+            {"expected.gtkw", write_gtkw(expected.waveform, "expected.vcd")},
+            {"got.csv", write_csv(got.trace)},
+            {"got.vcd", got.waveform.vcd},
+            {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
+}
+
+/// What reference and netlist make of the stimuli of a witness.
 std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
                                         const CellDelays& delays, const Witness& witness,
                                         const std::string& explanation) {
@@ -76,12 +95,9 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
     options.waveform = true;
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
-            {"witness.txt", explanation},
-            {"expected.csv", write_csv(run.trace)},
-            {"expected.vcd", write_vcd(run.trace, grafcet.name)},
-            {"got.csv", write_csv(simulated.trace)},
-            {"got.vcd", simulated.waveform}};
+    return witness_files(grafcet, stimuli, explanation,
+                         {run.trace, waveform_of(run.trace, grafcet.name)},
+                         {simulated.trace, simulated.waveform});
 }
 
 /// Explains the witness, with its files beside it if they are wanted.
@@ -146,18 +162,14 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
 
 namespace {
 
-/// The files that show the witness of a program: stimuli, what reference and program make of them,
-/// the explanation.
+/// What reference and program make of the stimuli of a witness.
 std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
                                       const Witness& witness, const std::string& explanation) {
     const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
-    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
-            {"witness.txt", explanation},
-            {"expected.csv", write_csv(expected.trace)},
-            {"expected.vcd", write_vcd(expected.trace, grafcet.name)},
-            {"got.csv", write_csv(got)},
-            {"got.vcd", write_vcd(got, grafcet.name)}};
+    return witness_files(grafcet, witness.stimuli, explanation,
+                         {expected.trace, waveform_of(expected.trace, grafcet.name)},
+                         {got, waveform_of(got, grafcet.name)});
 }
 
 /// Compares a program with the reference after every scan, in every state that can be reached.

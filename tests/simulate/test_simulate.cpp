@@ -44,7 +44,7 @@ TEST_CASE("a chart of two steps, one row per instant, ends of delays included") 
     CHECK_FALSE(result.unsettled_at.has_value());
     CHECK(result.oscillating.empty());
     CHECK(result.events > 20);
-    CHECK(result.waveform.empty());
+    CHECK(result.waveform.vcd.empty());
     CHECK(traced(result) == R"(time_ms,a,b,Init,AUdur,AUdoux,X0,X1,V,k,c
 0,0,0,0,0,0,1,0,0,0,-2
 1,1,0,0,0,0,0,1,1,1,1
@@ -139,7 +139,7 @@ TEST_CASE("the waveform shows every net, from instant 0 on") {
     small.output("V");
     SimulateOptions options;
     options.waveform = true;
-    CHECK(run(small, grafcet, "1us : a=1\n2us : a=0\n3us : end\n", options).waveform ==
+    CHECK(run(small, grafcet, "1us : a=1\n2us : a=0\n3us : end\n", options).waveform.vcd ==
           R"($version grafwire $end
 $timescale 1 ns $end
 $scope module one $end
@@ -168,8 +168,8 @@ $enddefinitions $end
     const SimulateResult fine =
         simulate(grafcet, small.netlist, CellDelays{{1, 1, 1500}, {1, 1, 1500}},
                  stimuli_of("1us : a=1\n", grafcet), options);
-    CHECK(fine.waveform.find("$timescale 1 ps $end") != std::string::npos);
-    CHECK(fine.waveform.find("#1000000\n1!\n#1001500\n1$\n") != std::string::npos);
+    CHECK(fine.waveform.vcd.find("$timescale 1 ps $end") != std::string::npos);
+    CHECK(fine.waveform.vcd.find("#1000000\n1!\n#1001500\n1$\n") != std::string::npos);
 }
 
 TEST_CASE("one time of half a nanosecond is enough for a waveform in picoseconds") {
@@ -188,7 +188,7 @@ TEST_CASE("one time of half a nanosecond is enough for a waveform in picoseconds
         const CellDelays delays{{1000, rise, 1000}, {1000, fall, 1000}};
         const std::string vcd =
             simulate(grafcet, small.netlist, delays, stimuli_of(stimuli, grafcet), options)
-                .waveform;
+                .waveform.vcd;
         const std::size_t from = vcd.find("$timescale ") + 11;
         return vcd.substr(from, vcd.find(" $end", from) - from);
     };

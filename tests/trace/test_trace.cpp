@@ -45,41 +45,4 @@ TEST_CASE("CSV: fields quoted where they must be, times without trailing zeros")
           "2000,1,0,5\n");
 }
 
-TEST_CASE("a trace as a waveform: only changes, counters as vectors, x for the unknown") {
-    CHECK(write_vcd(sample(), "my machine") ==
-          "$version grafwire $end\n"
-          "$timescale 1 us $end\n"
-          "$scope module my_machine $end\n"
-          "$var wire 1 ! a $end\n"
-          "$var wire 1 \" a,b_\"c\" $end\n"
-          "$var wire 4 # count $end\n"
-          "$upscope $end\n"
-          "$enddefinitions $end\n"
-          "#0\n"
-          "0!\n"
-          "1\"\n"
-          "b1101 #\n"
-          "#1500\n"
-          "1!\n"
-          "x\"\n"
-          "b0101 #\n"
-          "#2000000\n"
-          "0\"\n");
-}
-
-TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
-    const auto timescale = [](Time moment) {
-        Trace trace;
-        trace.times = {0, moment};
-        const std::string text = write_vcd(trace, "m");
-        const std::size_t first = text.find("1 ");
-        return text.substr(first, 4) + text.substr(text.rfind('#'));
-    };
-    CHECK(timescale(3 * second) == "1 ms#3000\n");
-    CHECK(timescale(3 * microsecond) == "1 us#3\n");
-    CHECK(timescale(second + nanosecond) == "1 ns#1000000001\n");
-    CHECK(timescale(7) == "1 ps#7\n");
-    CHECK(write_vcd(Trace{}, "").find("$scope module _ $end") != std::string::npos);
-}
-
 }  // namespace grafwire::testing
