@@ -8,6 +8,7 @@
 #include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/step_by_step.h"
+#include "command/terminal.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
@@ -44,7 +45,8 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
     }
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
-    request.output.add_files(files, write_csv(result.trace),
+    request.output.add_files(files,
+                             trace_text(result.trace, chart.grafcet, request.output.csv, language),
                              waveform_of(result.trace, chart.grafcet.name), request.explain);
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }

@@ -5,6 +5,7 @@
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/messages.h"
+#include "command/terminal.h"
 #include "s7/machine/machine.h"
 #include "workflow/runs.h"
 
@@ -43,7 +44,7 @@ std::optional<ListingColumns> load_columns(const Request& request, const s7::Lis
 
 /// A listing that fails (a stack too deep, a timer of no such number) fails at a place and a
 /// moment, and both are shown.
-ExitStatus run_listing(const Request& request) {
+ExitStatus run_listing(const Request& request, Language language) {
     if (!request.grafcet.empty() && request.io.empty()) {
         complain(say::grafcet_needs_io());
         return ExitStatus::bad_request;
@@ -77,7 +78,9 @@ ExitStatus run_listing(const Request& request) {
         return ExitStatus::bad_request;
     }
     OutputFiles files({request.listing, request.stimuli, request.io, request.grafcet});
-    request.output.add_files(files, write_csv(run.trace), waveform_of(run.trace, "listing"));
+    request.output.add_files(files,
+                             trace_text(run.trace, columns->grafcet, request.output.csv, language),
+                             waveform_of(run.trace, "listing"));
     return finish(files, ExitStatus::done);
 }
 
@@ -96,7 +99,7 @@ Task declare_s7(const CommandLine& line) {
     run.add("--cpu", request->cpu, help::s7_cpu()).one_of(cpu_numbers()).shows_default();
     run.add("--grafcet", request->grafcet, help::s7_grafcet());
     request->output.declare(run);
-    return [request] { return run_listing(*request); };
+    return [request, language = line.language()] { return run_listing(*request, language); };
 }
 
 }  // namespace grafwire

@@ -6,6 +6,7 @@
 #include "command/inputs.h"
 #include "command/messages.h"
 #include "command/option_uses.h"
+#include "command/terminal.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
 
@@ -86,7 +87,9 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
                                               oscillating_cells(*netlist, result.oscillating)));
     }
     OutputFiles files({request.path, request.stimuli, request.against});
-    request.output.add_files(files, write_csv(result.trace), std::move(result.waveform));
+    request.output.add_files(
+        files, trace_text(result.trace, chart->grafcet, request.output.csv, line.language()),
+        std::move(result.waveform));
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 

@@ -68,6 +68,14 @@ inline constexpr Message<Localized> unknown_input{
     "{} is not an input of the GRAFCET nor a control input",
     "{} n'est ni une entrée du GRAFCET ni une entrée de commande"};
 
+// The heads of a table at the terminal.
+
+inline constexpr Message<> inputs{"inputs", "entrées"};
+inline constexpr Message<> situation{"situation", "situation"};
+inline constexpr Message<> outputs{"outputs", "sorties"};
+inline constexpr Message<> vars{"vars", "variables"};
+inline constexpr Message<> counters{"counters", "compteurs"};
+
 }  // namespace messages::trace
 
 }  // namespace grafwire

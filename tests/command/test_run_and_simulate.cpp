@@ -145,6 +145,26 @@ TEST_CASE("run --explain: words in place of the trace, which goes where -o says"
     CHECK(both.out.empty());
 }
 
+TEST_CASE("a trace is a table at a terminal, and CSV anywhere else") {
+    const std::string chart = example("single-sequence.grafcet");
+    const std::string stim = example("single-sequence.stim");
+    // A terminal whose width is not known.
+    const auto at_terminal = [&](const std::string& command, const std::string& setting) {
+        return run_program(
+            {"python3", "-c", "import pty, sys; sys.exit(pty.spawn(sys.argv[1:]) >> 8)",
+             GRAFWIRE_PROGRAM, command, chart, stim},
+            {}, {"TERM=xterm", setting});
+    };
+    for (const std::string command : {"run", "simulate"}) {
+        const Ran plain = at_terminal(command, "NO_COLOR=1");
+        CHECK(plain.status == 0);
+        CHECK(plain.out.rfind("time_ms  m  a  b  Init  AUdur  AUdoux  X0  X1  X2\r\n", 0) == 0);
+        CHECK(!contains(plain.out, "\033"));
+        CHECK(contains(at_terminal(command, "LANG=C").out, "\033[1mtime_ms  m "));
+        CHECK(grafwire_with({command, chart, stim}).out.rfind("time_ms,m,a,b,", 0) == 0);
+    }
+}
+
 TEST_CASE("run without stimuli: lines from standard input, without a prompt") {
     const ScratchFolder folder;
     const std::string chart = example("single-sequence.grafcet");
