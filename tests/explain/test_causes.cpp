@@ -74,6 +74,20 @@ graph G { initial 1 initial 2 step 3
     CHECK(check_equivalence(grafcet, *netlist, {}).verdict == Verdict::equivalent);
 }
 
+TEST_CASE("cause: two tokens, behind the second of two transitions") {
+    const Explained explained = explained_style(R"(
+input a, b, c, d
+graph G { initial 1 initial 2 step 3
+  (10) 1 -> : d . b
+  (12) 1 -> 2 : a
+  (23) 2 -> 3 : b
+  (31) 3 -> 1 : c })",
+                                                Style::nand);
+    CHECK(explained.cause() == "two-tokens");
+    CHECK(cause_text(*explained.explanation.cause, Language::english).find("(12)") !=
+          std::string::npos);
+}
+
 TEST_CASE("cause: a pulse that outlives its transition") {
     const std::string twice = R"(
 input a
