@@ -66,6 +66,12 @@ void CommandLine::add_optional_argument(const Message<>& name, std::string& targ
     text_option(app_.add_option(name.in(language_), target, text.in(language_)), language_);
 }
 
+void CommandLine::add_arguments(const Message<>& name, std::vector<std::string>& targets,
+                                const Localized& text) const {
+    const std::string shown = name.in(language_);
+    text_option(app_.add_option(shown, targets, text.in(language_)), language_).required();
+}
+
 AddedOption CommandLine::add(const char* name, std::string& target, const Localized& text) const {
     return text_option(app_.add_option(name, target, text.in(language_)), language_);
 }

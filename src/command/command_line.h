@@ -66,6 +66,9 @@ class CommandLine {
     /// The same, which may be left out.
     void add_optional_argument(const Message<>& name, std::string& target,
                                const Localized& help) const;
+    /// One `FILE` or several.
+    void add_arguments(const Message<>& name, std::vector<std::string>& targets,
+                       const Localized& help) const;
     /// An option `--scan`, likewise.
     AddedOption add(const char* name, std::string& target, const Localized& help) const;
     /// An option that may be repeated.
@@ -118,6 +121,7 @@ Task declare_simulate(const CommandLine& line);
 Task declare_check(const CommandLine& line);
 Task declare_plc(const CommandLine& line);
 Task declare_s7(const CommandLine& line);
+Task declare_fmt(const CommandLine& line);
 
 /// What came of reading a command line: one of these.
 struct ReadCommandLine {

@@ -63,6 +63,11 @@ inline constexpr Message<> s7_run{"execute a listing over stimuli, scan by scan"
                                   "exécuter une liste d'instructions sous des stimuli, scrutation "
                                   "par scrutation"};
 
+inline constexpr Message<> fmt{
+    "write a GRAFCET in the canonical layout, with its keywords in the language of --lang",
+    "mettre un GRAFCET dans sa présentation canonique, avec les mots-clés dans la langue de "
+    "--lang"};
+
 // Options of several commands.
 
 inline constexpr Message<> file{"the GRAFCET, - for standard input",
@@ -218,5 +223,16 @@ inline constexpr Message<> s7_cpu{"the controller: 212 or 214", "l'automate : 2
 inline constexpr Message<> s7_grafcet{
     "the GRAFCET whose columns the trace shall have; needs --io",
     "le GRAFCET dont le chronogramme aura les colonnes ; demande --io"};
+
+// fmt
+
+inline constexpr Message<> fmt_files{
+    "the GRAFCET, - for standard input; several with -i or --check",
+    "le GRAFCET, - pour l'entrée standard ; plusieurs avec -i ou --check"};
+inline constexpr Message<> in_place{"replace the files that are laid out otherwise",
+                                    "remplacer les fichiers présentés autrement"};
+inline constexpr Message<> fmt_check{
+    "write nothing; list the files that are laid out otherwise, with status 1 if there are any",
+    "ne rien écrire ; lister les fichiers présentés autrement, avec le code 1 s'il y en a"};
 
 }  // namespace grafwire::messages::help

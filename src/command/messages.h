@@ -75,6 +75,17 @@ inline constexpr Message<std::string_view> listing_needs_io{
     "--io : {} demande une table qui dit à quelle entrée, sortie ou étape correspond chaque "
     "adresse"};
 
+inline constexpr Message<> one_file_to_standard_output{
+    "several files: only one goes to standard output; -i replaces files, --check looks at them",
+    "plusieurs fichiers : un seul peut aller sur la sortie standard ; -i remplace les fichiers, "
+    "--check les examine"};
+inline constexpr Message<> replace_or_check{
+    "-i and --check exclude each other: one writes, the other writes nothing",
+    "-i et --check s'excluent : l'un écrit, l'autre n'écrit rien"};
+inline constexpr Message<> standard_input_in_place{
+    "-i replaces files, and standard input is none: leave out -i",
+    "-i remplace des fichiers, et l'entrée standard n'en est pas un : enlevez -i"};
+
 // Options without effect, and what they are for.
 
 inline constexpr Message<std::string_view, Localized> has_no_effect{"{} has no effect here: {}",

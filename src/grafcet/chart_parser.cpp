@@ -20,6 +20,7 @@ namespace say = messages::grafcet;
 void ChartParser::parse_file() {
     reserve();
     recognise();
+    begin_part();
     if (at(TokenKind::kw_grafcet)) parse_header();
     while (!at(TokenKind::end)) parse_item();
 }
@@ -50,6 +51,7 @@ void ChartParser::parse_header() {
 /// file, is named as such; the reader is told where it belongs rather than what was expected here.
 void ChartParser::parse_item() {
     recognise();
+    begin_part();
     if (at(TokenKind::kw_graph) || at(TokenKind::kw_expansion)) return parse_block();
     bool is_good = true;
     if (at_declaration()) {
@@ -271,6 +273,7 @@ void ChartParser::parse_block() {
         }
         parse_block_item({id, is_expansion});
     }
+    begin_part();
     if (take_if(TokenKind::right_brace) || !has_header) return;
     const auto& end = is_expansion ? say::end_of_expansion : say::end_of_graph;
     diagnostics()
@@ -280,6 +283,7 @@ void ChartParser::parse_block() {
 
 /// A step, a macro-step or a transition, which is what begins with a name or an arrow.
 void ChartParser::parse_block_item(OpenBlock block) {
+    begin_part();
     open_brace_line_ = 0;
     bool is_good = true;
     if (at(TokenKind::kw_step) || at(TokenKind::kw_initial)) {
@@ -368,7 +372,7 @@ bool ChartParser::parse_step(BlockId block) {
 
 /// Gives `enclosure` a value where the whole of it has been read.
 bool ChartParser::parse_enclosure(std::optional<NamedEnclosure>& enclosure) {
-    take();
+    take_keyword(TokenKind::kw_encloses);
     NamedEnclosure read;
     if (!parse_name(read.graph, say::name_of_enclosed_graph, true)) return false;
     open_brace_line_ = token().where.line;

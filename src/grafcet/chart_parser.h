@@ -19,6 +19,7 @@ class ChartParser : private TokenReader {
     ChartParser(std::string_view source, GrafcetBuilder& builder, Diagnostics& diagnostics)
         : TokenReader(source, diagnostics), source_(source), builder_(builder) {}
 
+    using TokenReader::keep_tokens_in;
     void parse_file();
 
   private:
@@ -79,6 +80,11 @@ class ChartParser : private TokenReader {
     NamedTransition transition_;
     NamedExpression expression_;
 };
+
+/// parse_grafcet() that hands over the tokens of the text as well.
+std::optional<Grafcet> parse_keeping_tokens(const SourceFile& source,
+                                            std::vector<ReadToken>& tokens,
+                                            Diagnostics& diagnostics);
 
 // Both read from the present token on and report what they do not understand; they return false
 // then.

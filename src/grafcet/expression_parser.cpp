@@ -75,6 +75,8 @@ bool parse_term(TokenReader& tokens, bool negative, NamedSum& sum) {
     term.where = tokens.token().where;
     if (tokens.at(TokenKind::integer)) {
         if (!tokens.parse_number(term.number)) return false;
+    } else if (tokens.token().is_overlined) {
+        return tokens.fail(say::overlined_name(say::counter_or_number()));
     } else if (tokens.at(TokenKind::word) || tokens.at(TokenKind::quoted)) {
         term.counter = tokens.name();
         tokens.take();
@@ -85,7 +87,6 @@ bool parse_term(TokenReader& tokens, bool negative, NamedSum& sum) {
     return true;
 }
 
-/// Reads an expression from the present token on and adds its nodes in postfix order.
 /// Whether an overline stands over each character of a word, or over the last alone, as one over
 /// the whole name is often typed.
 bool is_wholly_overlined(std::string_view word) {
@@ -101,6 +102,7 @@ bool is_wholly_overlined(std::string_view word) {
     return at_end && (overlines == 1 || overlines == letters);
 }
 
+/// Reads an expression from the present token on and adds its nodes in postfix order.
 class ExpressionParser {
   public:
     ExpressionParser(TokenReader& tokens, NamedExpression& expression)
@@ -133,6 +135,7 @@ bool ExpressionParser::parse_chain(int level) {
     std::uint32_t operands = 1;
     if (!parse_chain(level + 1)) return false;
     while (is_chain_operator(level, operator_kind(tokens_))) {
+        tokens_.read_as(operator_kind(tokens_));
         tokens_.take();
         if (!parse_chain(level + 1)) return false;
         ++operands;
@@ -153,7 +156,10 @@ bool ExpressionParser::parse_unary() {
     bool is_good = false;
     TokenKind kind = tokens_.token().kind;
     if (tokens_.at_time_name()) kind = TokenKind::duration;
-    if (kind == TokenKind::word && tokens_.keyword() == TokenKind::kw_not) kind = TokenKind::kw_not;
+    if (kind == TokenKind::word && tokens_.keyword() == TokenKind::kw_not) {
+        kind = TokenKind::kw_not;
+        tokens_.read_as(kind);
+    }
     switch (kind) {
         case TokenKind::slash:
         case TokenKind::exclamation:
@@ -189,11 +195,13 @@ bool ExpressionParser::parse_unary() {
     return is_good;
 }
 
-/// `/e`, `↑e`, `↓e`: what binds to the sign, so that `/a.b` is (/a).b.
+/// `/e`, `↑e`, `↓e`: what binds to the sign, so that `/a.b` is (/a).b. A parenthesis behind it is
+/// no level of its own, as behind `rise`.
 bool ExpressionParser::parse_prefixed(ExprKind kind) {
     const Location where = tokens_.token().where;
     tokens_.take();
-    if (!parse_unary()) return false;
+    const bool is_parenthesised = tokens_.at(TokenKind::left_parenthesis);
+    if (!(is_parenthesised ? parse_parenthesised() : parse_unary())) return false;
     expression_.join(kind, 1, where);
     return true;
 }
@@ -245,6 +253,9 @@ bool ExpressionParser::parse_time_condition() {
 /// A duration, or the name of one.
 bool ExpressionParser::parse_delay(Delay& delay) {
     if (tokens_.at(TokenKind::word) || tokens_.at(TokenKind::quoted)) {
+        if (tokens_.token().is_overlined) {
+            return tokens_.fail(say::overlined_name(say::a_duration()));
+        }
         delay.name = tokens_.name();
         tokens_.take();
         return true;

@@ -157,6 +157,15 @@ TokenKind keyword_in_context(std::string_view word) {
     return kind == TokenKind::word ? TokenKind::end : kind;
 }
 
+std::string_view keyword_in(Language language, TokenKind kind) {
+    std::string_view word = reserved_word(kind);
+    if (language == Language::english) return word;
+    for (const WordInContext& row : words_in_context) {
+        if (row.keyword == kind) word = row.word;  // of two the one with accents comes last
+    }
+    return word;
+}
+
 bool is_plain_word(std::string_view text) {
     if (text.empty() || !is_letter(decode_utf8(text, 0).value)) return false;
     for (std::size_t at = 0; at < text.size();) {
@@ -164,11 +173,21 @@ bool is_plain_word(std::string_view text) {
         if (length == 0) return false;
         at += length;
     }
-    return !is_reserved_word(text);
+    return !is_reserved_word(text) && text.find(overline) == text.npos;
 }
 
 bool is_integer(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+std::string name_of(std::string_view source, const Token& token) {
+    std::string name(source.substr(token.offset, token.length));
+    if (token.kind != TokenKind::quoted && token.is_overlined) {
+        for (std::size_t at = name.find(overline); at != name.npos; at = name.find(overline)) {
+            name.erase(at, overline.size());
+        }
+    }
+    return is_ascii(name) ? name : normalised(name);
 }
 
 Localized token_in_message(std::string_view source, const Token& token) {
@@ -403,6 +422,8 @@ TokenReader::TokenReader(std::string_view source, Diagnostics& diagnostics)
 }
 
 void TokenReader::take() {
+    if (taken_ != nullptr && !at(TokenKind::end)) taken_->push_back({token_, begins_part_});
+    begins_part_ = false;
     previous_kind_ = token_.kind;
     previous_end_ = lexer_.place();
     token_ = lexer_.next(&diagnostics_);
@@ -419,6 +440,7 @@ void TokenReader::report_digits_and_letters() {
 
 bool TokenReader::take_keyword(TokenKind wanted) {
     if (!at(wanted) && keyword() != wanted) return false;
+    read_as(wanted);
     take();
     return true;
 }
@@ -473,15 +495,9 @@ Name TokenReader::name() {
 std::string_view TokenReader::normalised_text(const Token& token) {
     const std::string_view text = source_.substr(token.offset, token.length);
     if (is_ascii(text)) return text;
-    std::string plain(text);
-    if (token.kind != TokenKind::quoted && token.is_overlined) {
-        for (std::size_t at = plain.find(overline); at != plain.npos; at = plain.find(overline)) {
-            plain.erase(at, overline.size());
-        }
-    }
-    plain = normalised(plain);
-    if (plain == text) return text;
-    return spelled_.emplace_back(std::move(plain));
+    std::string name = name_of(source_, token);
+    if (name == text) return text;
+    return spelled_.emplace_back(std::move(name));
 }
 
 bool TokenReader::take_if(TokenKind kind) {

@@ -93,6 +93,14 @@ struct Token {
     Location where;
 };
 
+/// A token as the reader of a chart has understood it: a word that stands for a keyword or an
+/// operator has the kind of that. Nothing else is lost but blanks, line ends and comments, which
+/// stand in the source between the tokens.
+struct ReadToken {
+    Token token;
+    bool begins_part = false;  ///< of a declaration, block, step, transition or closing brace
+};
+
 /// Cuts the text of a `.grafcet` file, which must be UTF-8 of less than 4 GiB, into tokens; always
 /// the longest that fits. What belongs to no token is reported and skipped. A lexer can be copied
 /// to look ahead.
@@ -139,11 +147,18 @@ bool is_reserved_word(std::string_view text);
 /// means nothing else. The word is normalised.
 TokenKind keyword_in_context(std::string_view word);
 
+/// How a reserved word is written in a language; in French with accents. What has no French
+/// spelling is the same in both.
+std::string_view keyword_in(Language language, TokenKind kind);
+
 /// Whether the language reads the text as a name without quotes: letters, digits and `_` after a
 /// letter, and not reserved.
 bool is_plain_word(std::string_view text);
 /// Whether the text is digits and nothing else.
 bool is_integer(std::string_view text);
+
+/// The name that a token spells: in normal form C, and without overlines, which are a NOT.
+std::string name_of(std::string_view source, const Token& token);
 
 /// The part of the source that a token was read from, as it is written in messages.
 Localized token_in_message(std::string_view source, const Token& token);
@@ -168,6 +183,10 @@ class TokenReader {
         return kind == TokenKind::word || kind == TokenKind::integer || kind == TokenKind::quoted;
     }
     void take();
+    /// From now on each token that is taken is kept there as well.
+    void keep_tokens_in(std::vector<ReadToken>& tokens) { taken_ = &tokens; }
+    /// The present token begins a part of the chart.
+    void begin_part() { begins_part_ = true; }
     bool take_if(TokenKind kind);
     /// The same of a keyword that may be written as keyword_in_context() says.
     bool take_keyword(TokenKind keyword);
@@ -211,6 +230,8 @@ class TokenReader {
     Token token_;
     TokenKind previous_kind_ = TokenKind::end;
     Location previous_end_{1, 1};
+    std::vector<ReadToken>* taken_ = nullptr;
+    bool begins_part_ = false;
     std::deque<std::string> spelled_;      ///< names that are not as they stand in the source
     std::set<std::string_view> reported_;  ///< names that begin with a digit
     std::set<std::string, std::less<>> declared_;  ///< names that mean something else in context

@@ -30,6 +30,17 @@ std::optional<Grafcet> parse_grafcet(const SourceFile& source, Diagnostics& diag
     return builder.finish();
 }
 
+std::optional<Grafcet> parse_keeping_tokens(const SourceFile& source,
+                                            std::vector<ReadToken>& tokens,
+                                            Diagnostics& diagnostics) {
+    if (!is_readable(source, diagnostics)) return std::nullopt;
+    GrafcetBuilder builder(diagnostics);
+    ChartParser parser(source.text, builder, diagnostics);
+    parser.keep_tokens_in(tokens);
+    parser.parse_file();
+    return builder.finish();
+}
+
 void parse_assumption(const SourceFile& source, Grafcet& grafcet, Diagnostics& diagnostics) {
     if (!is_readable(source, diagnostics)) return;
     TokenReader tokens(source.text, diagnostics);

@@ -3,6 +3,7 @@
 #include "workflow/chart.h"
 
 #include "equations/wiring_hazards.h"
+#include "grafcet/format_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 
 namespace grafwire {
@@ -11,6 +12,11 @@ std::optional<Chart> read_chart(SourceFile source, Diagnostics& diagnostics) {
     std::optional<Grafcet> grafcet = parse_grafcet(source, diagnostics);
     if (!grafcet) return std::nullopt;
     return Chart{std::move(source), std::move(*grafcet), diagnostics.items()};
+}
+
+std::optional<std::string> format_chart(const SourceFile& source, Language keywords,
+                                        Diagnostics& diagnostics) {
+    return format_grafcet(source, keywords, diagnostics);
 }
 
 bool add_assumption(const SourceFile& source, Chart& chart, Diagnostics& diagnostics) {

@@ -28,6 +28,11 @@ struct Chart {
 /// Reads a GRAFCET; empty after an error.
 std::optional<Chart> read_chart(SourceFile source, Diagnostics& diagnostics);
 
+/// The text of a GRAFCET in the canonical layout, with its keywords in that language; empty after
+/// an error.
+std::optional<std::string> format_chart(const SourceFile& source, Language keywords,
+                                        Diagnostics& diagnostics);
+
 /// Adds what the plant never does, an expression as after `assume`; false after an error.
 bool add_assumption(const SourceFile& source, Chart& chart, Diagnostics& diagnostics);
 

@@ -1,0 +1,100 @@
+// grafwire fmt: the text of a GRAFCET in its canonical layout, on standard output or in its place.
+
+#include <algorithm>
+
+#include "command/command_line.h"
+#include "command/help.h"
+#include "command/inputs.h"
+#include "command/messages.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+namespace say = messages::command;
+namespace help = messages::help;
+
+/// What may be written after `grafwire fmt`.
+struct Request {
+    std::vector<std::string> paths;
+    bool in_place = false;
+    bool check = false;
+
+    std::optional<Localized> conflict() const;
+};
+
+std::optional<Localized> Request::conflict() const {
+    if (in_place && check) return say::replace_or_check();
+    if (in_place && std::find(paths.begin(), paths.end(), "-") != paths.end()) {
+        return say::standard_input_in_place();
+    }
+    if (!in_place && !check && paths.size() > 1) return say::one_file_to_standard_output();
+    return std::nullopt;
+}
+
+/// A file as it is, and as it should be.
+struct Formatted {
+    SourceFile before;
+    std::string after;
+};
+
+/// Empty after an error, which is shown. Warnings are not: the layout is right or wrong whatever
+/// the chart means, and `grafwire info` has them.
+std::optional<Formatted> format_file(const std::string& path, Language language) {
+    Diagnostics diagnostics;
+    SourceFile source = read_source(path, diagnostics);
+    std::optional<std::string> text;
+    if (!diagnostics.has_errors()) text = format_chart(source, language, diagnostics);
+    if (!text) {
+        show_diagnostics(diagnostics, source);
+        return std::nullopt;
+    }
+    return Formatted{std::move(source), std::move(*text)};
+}
+
+/// Each file by itself: one that is wrong or cannot be replaced does not stop the others, and the
+/// status is the worst.
+ExitStatus format_files(const Request& request, Language language) {
+    ExitStatus status = ExitStatus::done;
+    std::string otherwise;
+    for (const std::string& path : request.paths) {
+        ExitStatus of_file = ExitStatus::bad_request;
+        if (auto text = format_file(path, language)) {
+            const bool differs = text->before.text != text->after;
+            of_file = request.check && differs ? ExitStatus::answer_is_no : ExitStatus::done;
+            if (request.check && differs) otherwise += visible(text->before.name) + '\n';
+            if (!request.check && (differs || !request.in_place)) {
+                // The input is what is to be replaced.
+                OutputFiles files({});
+                files.add(request.in_place ? path : "-", std::move(text->after));
+                of_file = finish(files, of_file);
+            }
+        }
+        status = std::max(status, of_file);
+    }
+    if (!otherwise.empty()) {
+        OutputFiles files({});
+        files.add("-", std::move(otherwise));
+        status = finish(files, status);
+    }
+    return status;
+}
+
+}  // namespace
+
+Task declare_fmt(const CommandLine& line) {
+    const auto request = std::make_shared<Request>();
+    line.add_arguments(help::file_name, request->paths, help::fmt_files());
+    line.add_flag("-i", request->in_place, help::in_place());
+    line.add_flag("--check", request->check, help::fmt_check());
+    return [request, language = line.language()] {
+        if (const auto conflict = request->conflict()) {
+            complain(*conflict);
+            return ExitStatus::bad_request;
+        }
+        return format_files(*request, language);
+    };
+}
+
+}  // namespace grafwire
