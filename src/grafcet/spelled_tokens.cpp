@@ -97,8 +97,16 @@ bool ends_operand(TokenKind kind) {
            kind == TokenKind::right_parenthesis || kind == TokenKind::right_bracket;
 }
 
-bool is_keyword(TokenKind kind) {
-    return !reserved_word(kind).empty();
+bool begins_transition(TokenKind kind) {
+    return kind == TokenKind::arrow || kind == TokenKind::left_parenthesis ||
+           TokenReader::is_name(kind);
+}
+
+/// Whether such a part declares names.
+bool declares_names(TokenKind kind) {
+    return kind == TokenKind::kw_input || kind == TokenKind::kw_output ||
+           kind == TokenKind::kw_var || kind == TokenKind::kw_counter ||
+           kind == TokenKind::kw_define || kind == TokenKind::kw_time;
 }
 
 class Speller {
@@ -136,13 +144,18 @@ class Speller {
     }
 
     void look_through();
+    void declare(std::string name) {
+        if (keyword_in_context(name) != TokenKind::end) declared_.insert(std::move(name));
+    }
     void spell_token(std::size_t i);
     void begin_part(std::size_t i);
     std::string text_of(std::size_t i) const;
     std::string name(std::size_t i) const;
     std::string keyword(TokenKind kind) const;
     std::string initial() const;
-    bool is_usable(TokenKind kind) const { return names_.count(keyword_in(language_, kind)) == 0; }
+    bool is_usable(TokenKind kind) const {
+        return declared_.count(keyword_in(language_, kind)) == 0;
+    }
     bool is_initial_step() const {
         return part_ == TokenKind::kw_initial ||
                (part_ == TokenKind::kw_step && kind(part_begin_ + 1) == TokenKind::kw_initial);
@@ -156,7 +169,7 @@ class Speller {
     std::span<const ReadToken> tokens_;
     Language language_;
     std::vector<bool> is_negated_;  ///< of each token: `/` comes before it, for an overline
-    std::set<std::string, std::less<>> names_;  ///< those that are keywords elsewhere
+    std::set<std::string, std::less<>> declared_;  ///< those names that are keywords elsewhere
     std::vector<SpelledToken> spelled_;
 
     // Of the part that is being spelled.
@@ -168,10 +181,12 @@ class Speller {
     std::size_t dropped_ = 0;    ///< a parenthesis that is left out
 };
 
-/// Finds the overlines, and the names that stand in the way of keywords.
+/// Finds the overlines, and the declared names that stand in the way of keywords.
 void Speller::look_through() {
     std::vector<std::size_t> open;
+    bool is_declaration = false;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (tokens_[i].begins_part) is_declaration = declares_names(kind(i));
         if (kind(i) == TokenKind::left_parenthesis) {
             open.push_back(i);
         } else if (kind(i) == TokenKind::right_parenthesis) {
@@ -180,8 +195,7 @@ void Speller::look_through() {
             open.pop_back();
         } else if (kind(i) == TokenKind::word || kind(i) == TokenKind::quoted) {
             is_negated_[i] = token(i).is_overlined;
-            const std::string name = name_of(source_, token(i));
-            if (keyword_in_context(name) != TokenKind::end) names_.insert(name);
+            if (is_declaration) declare(name_of(source_, token(i)));
         }
     }
 }
@@ -223,16 +237,18 @@ bool Speller::holds_one_name(std::size_t i) const {
 
 std::string Speller::text_of(std::size_t i) const {
     const std::string_view sign = is_negated_[i] ? "/" : "";
-    const bool begins_condition =
-        !is_in_body_ && (part_ == TokenKind::arrow || part_ == TokenKind::left_parenthesis ||
-                         TokenReader::is_name(part_));
-    if (kind(i) == TokenKind::assign && begins_condition) return ": =";
+    const bool is_paper_one = kind(i) == TokenKind::assign && !is_in_body_;
+    if (is_paper_one && begins_transition(part_)) return ": =";  // `:=1`
     if (kind(i) == TokenKind::star && is_in_braces_) return "*";
     if (const std::string_view symbol = symbol_of(kind(i)); !symbol.empty()) {
         return std::string(sign).append(symbol);
     }
-    if (is_keyword(kind(i))) {
-        return i == part_begin_ && is_initial_step() ? initial() : keyword(kind(i));
+    if (!reserved_word(kind(i)).empty()) {
+        if (i == part_begin_ && is_initial_step()) return initial();
+        // On a line of its own, before a source transition, it would be a step in French.
+        const bool begins_line = i > 0 && are_apart_by_comment(i - 1, i);
+        if (begins_line && kind(i) == TokenKind::kw_deactivation) return "deactivation";
+        return keyword(kind(i));
     }
     if (kind(i) == TokenKind::word || kind(i) == TokenKind::quoted) {
         return std::string(sign) + name(i);

@@ -11,6 +11,7 @@
 #include "equations/equations.h"
 #include "equations/report/write_equations.h"
 #include "grafcet/describe_grafcet.h"
+#include "grafcet/format_grafcet.h"
 #include "grafcet/parse_grafcet.h"
 #include "grafcet/write_grafcet.h"
 #include "ladder/draw/write_drawings.h"
@@ -41,9 +42,24 @@ std::optional<Grafcet> read_grafcet(std::string text) {
     return grafcet;
 }
 
-void try_grafcet(std::string text) {
-    const std::optional<Grafcet> grafcet = read_grafcet(std::move(text));
+/// Laying out a chart leaves it the same; doing so once more changes nothing.
+void try_layout(const std::string& text, const Grafcet& grafcet) {
+    for (const Language language : {Language::english, Language::french}) {
+        Diagnostics diagnostics;
+        const auto laid_out = format_grafcet({"fuzz.grafcet", text}, language, diagnostics);
+        require(laid_out.has_value(), "has no layout", text);
+        const std::optional<Grafcet> again = read_grafcet(*laid_out);
+        require(again.has_value(), "cannot be read back", *laid_out);
+        require(write_grafcet(*again) == write_grafcet(grafcet), "another chart", *laid_out);
+        require(format_grafcet({"fuzz.grafcet", *laid_out}, language, diagnostics) == laid_out,
+                "laid out otherwise the second time", *laid_out);
+    }
+}
+
+void try_grafcet(const std::string& text) {
+    const std::optional<Grafcet> grafcet = read_grafcet(text);
     if (!grafcet) return;
+    try_layout(text, *grafcet);
     const std::string written = write_grafcet(*grafcet);
     const std::optional<Grafcet> again = read_grafcet(written);
     require(again.has_value(), "cannot be read back", written);
@@ -128,7 +144,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } else if (data[0] == 'x') {
         grafwire::try_plcopen(std::move(text));
     } else {
-        grafwire::try_grafcet(std::move(text));
+        grafwire::try_grafcet(text);
     }
     return 0;
 }

@@ -351,6 +351,11 @@ TEST_CASE("a keyword that is the name of a variable stays English") {
                   Language::french) ==
           "entrée étape, si\nsortie V\ngraphe G {\n  initial 0 : V if si\n  step 1\n"
           "  0 -> 1 : étape\n}\n");
+    // At the beginning of a line it would be a step before the arrow below.
+    CHECK(checked("var m graph G { initial 0 : set m on # when it ends\ndeactivation -> 0 : Init }",
+                  Language::french) ==
+          "variable m\ngraphe G {\n  étape initiale 0 : set m sur  # when it ends\n"
+          "                     deactivation\n  -> 0 : Init\n}\n");
     // Steps may have the names of keywords, which are quoted where they would be taken for one.
     CHECK(checked("graph G { initial step étape initial initiale step fin 0 -> fin : Init "
                   "fin -> étape, initiale : 1 step 0 }") ==
