@@ -39,7 +39,7 @@ std::string text_of(const RunResult& result) {
 }
 
 std::string text_of(const SimulateResult& result, const Netlist& netlist) {
-    std::string text = write_csv(result.trace) + result.waveform;
+    std::string text = write_csv(result.trace) + result.waveform.vcd;
     if (result.unsettled_at) {
         text += fmt::format("unsettled at {}: {}\n", *result.unsettled_at,
                             oscillating_cells(netlist, result.oscillating).english);
