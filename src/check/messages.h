@@ -9,22 +9,28 @@ namespace grafwire::messages::check {
 
 // The verdict, and what it rests on.
 
-inline constexpr Message<> equivalent{"equivalent", "équivalent"};
-inline constexpr Message<> different{"different", "différent"};
-inline constexpr Message<> undecided{"undecided", "indécis"};
+/// Arguments: the file of the GRAFCET, what it is compared with.
+inline constexpr Message<std::string, std::string> equivalent{"{}: equivalent ({})\n",
+                                                              "{} : équivalent ({})\n"};
+inline constexpr Message<std::string, std::string> different{"{}: different ({})\n",
+                                                             "{} : différent ({})\n"};
+inline constexpr Message<std::string, std::string> undecided{"{}: undecided ({})\n",
+                                                             "{} : indécis ({})\n"};
+/// The same in both languages: options and their values.
+inline constexpr Message<std::string, std::string> made_in{"style {}, CDX {}", "style {}, CDX {}"};
 inline constexpr Message<std::string> program{"program {}", "programme {}"};
 inline constexpr Message<std::string> netlist{"netlist {}", "câblage {}"};
 
 /// Between the parts of a line.
 inline constexpr Message<> separator{"; ", " ; "};
 inline constexpr Message<std::string> delays{"delays: every gate {} ns",
-                                             "retards : {} ns par porte"};
+                                             "retards : {} ns par porte"};
 inline constexpr Message<> one_change{"changes: one input at a time",
                                       "changements : une entrée à la fois"};
 inline constexpr Message<> many_changes{"changes: many inputs at once",
                                         "changements : plusieurs entrées à la fois"};
 inline constexpr Message<> any_period{"scan period: any", "période de scrutation : quelconque"};
-inline constexpr Message<std::string> scan_period{"scan period: {}", "période de scrutation : {}"};
+inline constexpr Message<Localized> scan_period{"scan period: {}", "période de scrutation : {}"};
 inline constexpr Message<> no_assumptions{"assumptions: none", "hypothèses : aucune"};
 inline constexpr Message<std::string> assumptions{"assumptions: {}", "hypothèses : {}"};
 inline constexpr Message<> power_up_init{"power-up: Init", "mise sous tension : Init"};
@@ -37,13 +43,11 @@ inline constexpr Message<> power_up_unknown{"power-up: unknown", "mise sous tens
 
 // Coverage.
 
-/// Arguments: situations, scans.
-inline constexpr Message<std::uint64_t, std::uint64_t> scans_compared{
-    "  {} situations, {} scans compared\n", "  {} situations, {} cycles comparés\n"};
-/// Arguments: situations, cases, cases without a stable situation.
-inline constexpr Message<std::uint64_t, std::uint64_t, std::uint64_t> cases_compared{
-    "  {} stable situations, {} cases compared, {} without a stable situation\n",
-    "  {} situations stables, {} cas comparés, {} sans situation stable\n"};
+/// Arguments: situations, scans compared. The same in both languages.
+inline constexpr Message<Localized, Localized> scans_compared{"  {}, {}\n", "  {}, {}\n"};
+/// Arguments: stable situations, cases compared, cases without a stable situation.
+inline constexpr Message<Localized, Localized, std::uint64_t> cases_compared{
+    "  {}, {}, {} without a stable situation\n", "  {}, {}, {} sans situation stable\n"};
 inline constexpr Message<std::string> never_active{"never active: {}",
                                                    "étapes jamais actives : {}"};
 inline constexpr Message<std::string> never_cleared{"never cleared: {}",
@@ -64,9 +68,12 @@ inline constexpr Message<> depends_on_memory{
     "that shows one: give it an initial value\n",
     "  une mémoire dont la valeur à la mise sous tension est inconnue peut faire une différence, "
     "sans qu'un essai la montre : lui donner une valeur initiale\n"};
-inline constexpr Message<std::uint64_t> states_waiting{
-    "  exploration incomplete within the bounds given: {} states reached are still to be left\n",
-    "  exploration incomplète dans les limites données : {} états atteints restent à quitter\n"};
+inline constexpr CountedMessage<> states_waiting{
+    {"  exploration incomplete within the bounds given: {} state reached is still to be left\n",
+     "  exploration incomplète dans les limites données : {} état atteint reste à quitter\n"},
+    {"  exploration incomplete within the bounds given: {} states reached are still to be left\n",
+     "  exploration incomplète dans les limites données : {} états atteints restent à "
+     "quitter\n"}};
 
 // Remarks.
 
@@ -99,7 +106,7 @@ inline constexpr Message<std::string> holds_with_assumption{
 
 // The witness.
 
-inline constexpr Message<> witness{"\nWitness:\n", "\nTémoin :\n"};
+inline constexpr Message<> witness{"\nWitness:\n", "\nContre-exemple :\n"};
 /// Arguments: the net, its value.
 inline constexpr Message<std::string, int> at_power_up{"  at power-up: {} = {}\n",
                                                        "  à la mise sous tension : {} = {}\n"};

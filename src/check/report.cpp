@@ -9,7 +9,9 @@
 
 #include "check/messages.h"
 #include "grafcet/write_grafcet.h"
+#include "text/counted.h"
 #include "text/escape.h"
+#include "text/shown_duration.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -17,6 +19,7 @@ namespace grafwire {
 namespace {
 
 namespace words = messages::check;
+namespace counted = messages::counted;
 
 /// Two spaces before every line.
 std::string indented(const std::string& text) {
@@ -76,7 +79,7 @@ class TextReport {
         text_ += fmt::format("  {}\n", fmt::join(parts, in_words(words::separator)));
     }
 
-    const Message<>& verdict() const;
+    const Message<std::string, std::string>& verdict() const;
     std::string compared_with() const;
     std::string assumptions() const;
     const Message<>& power_up() const;
@@ -98,7 +101,7 @@ class TextReport {
     std::string text_;
 };
 
-const Message<>& TextReport::verdict() const {
+const Message<std::string, std::string>& TextReport::verdict() const {
     switch (result_.verdict) {
         case Verdict::equivalent:
             return words::equivalent;
@@ -112,7 +115,7 @@ const Message<>& TextReport::verdict() const {
 
 std::string TextReport::compared_with() const {
     if (subject_.against.empty()) {
-        return fmt::format("style {}, CDX {}", subject_.style, subject_.cdx);
+        return in_words(words::made_in, subject_.style, subject_.cdx);
     }
     return in_words(subject_.is_program ? words::program : words::netlist,
                     visible(subject_.against));
@@ -142,8 +145,7 @@ const Message<>& TextReport::power_up() const {
 }
 
 void TextReport::write_verdict() {
-    text_ +=
-        fmt::format("{}: {} ({})\n", visible(subject_.file), in_words(verdict()), compared_with());
+    say(verdict(), visible(subject_.file), compared_with());
 }
 
 void TextReport::write_foundation() {
@@ -156,8 +158,9 @@ void TextReport::write_foundation() {
             in_words(*subject_.changes == Changes::one ? words::one_change : words::many_changes));
     }
     if (subject_.is_scanned()) {
-        parts.push_back(subject_.period == "every" ? in_words(words::any_period)
-                                                   : in_words(words::scan_period, subject_.period));
+        const auto period = parse_duration(subject_.period);
+        parts.push_back(period ? in_words(words::scan_period, shown_duration(*period))
+                               : in_words(words::any_period));
     }
     parts.push_back(assumptions());
     parts.push_back(in_words(power_up()));
@@ -168,9 +171,11 @@ void TextReport::write_foundation() {
 void TextReport::write_coverage() {
     const Coverage& coverage = result_.coverage;
     if (subject_.is_scanned()) {
-        say(words::scans_compared, coverage.situations, coverage.cases);
+        say(words::scans_compared, counted::situations(coverage.situations),
+            counted::compared_scans(coverage.cases));
     } else {
-        say(words::cases_compared, coverage.situations, coverage.cases, coverage.unstable);
+        say(words::cases_compared, counted::stable_situations(coverage.situations),
+            counted::compared_cases(coverage.cases), coverage.unstable);
     }
 }
 
@@ -208,7 +213,7 @@ void TextReport::write_why_undecided() {
     } else if (result_.is_unexplained) {
         say(words::depends_on_memory);
     } else {
-        say(words::states_waiting, result_.coverage.waiting);
+        text_ += words::states_waiting.in(language_, result_.coverage.waiting);
     }
 }
 

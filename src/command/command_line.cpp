@@ -27,6 +27,13 @@ namespace help = messages::help;
 
 namespace {
 
+/// A heading as CLI11 takes it, which puts the colon behind it.
+std::string label(const Message<>& heading, Language language) {
+    std::string text = heading.in(language);
+    if (text.ends_with(':')) text.pop_back();
+    return text;
+}
+
 /// The kind of value as help shows it.
 AddedOption text_option(CLI::Option* option, Language language) {
     option->type_name(help::text.in(language));
@@ -115,7 +122,8 @@ CommandLine CommandLine::add_command(const std::string& name, const Localized& t
                                      const std::string& example) const {
     app_.require_subcommand(1);
     CLI::App* command = app_.add_subcommand(name, text.in(language_));
-    command->group(help::commands.in(language_));
+    command->group(label(help::commands, language_));
+    command->get_help_ptr()->group(label(help::options, language_));
     command->footer(help::example.in(language_, example));
     return {*command, language_};
 }
@@ -237,7 +245,10 @@ Localized told_by_parser(const CLI::App& app, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
         return wrong_flag(command, message);
     }
-    return Localized::same_in_both(message);  // our own checks, which speak the language asked for
+    // Our own checks speak the language asked for; CLI11 puts the name of the option before it.
+    const std::size_t end = message.find(": ");
+    if (end == std::string::npos) return Localized::same_in_both(message);
+    return say::option_value(message.substr(0, end), message.substr(end + 2));
 }
 
 Localized problem(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
@@ -265,13 +276,14 @@ Localized request_error(const CLI::App& app, const CLI::ParseError& error) {
 
 /// The words of CLI11 itself.
 void translate(CLI::App& app, Language language) {
+    app.option_defaults()->group(label(help::options, language));
     app.set_help_flag("-h,--help", help::help.in(language));
     app.set_version_flag("--version", fmt::format("grafwire {}", version()),
                          help::version.in(language));
     const auto formatter = app.get_formatter();
-    for (const Message<>& label :
+    for (const Message<>& heading :
          {help::usage, help::a_command, help::positionals, help::required}) {
-        formatter->label(label.in(Language::english), label.in(language));
+        formatter->label(label(heading, Language::english), label(heading, language));
     }
 }
 

@@ -25,10 +25,11 @@ inline constexpr Message<> version{"Display program version information and exit
                                    "afficher la version du programme"};
 inline constexpr Message<> language{"language of reports: en or fr (default: from the locale)",
                                     "langue des textes : en ou fr (par défaut : celle du système)"};
-inline constexpr Message<> usage{"Usage", "Utilisation"};
+inline constexpr Message<> usage{"Usage:", "Utilisation :"};
 inline constexpr Message<> a_command{"SUBCOMMAND", "COMMANDE"};
-inline constexpr Message<> commands{"Subcommands", "Commandes"};
-inline constexpr Message<> positionals{"Positionals", "Arguments"};
+inline constexpr Message<> commands{"Subcommands:", "Commandes :"};
+inline constexpr Message<> positionals{"Positionals:", "Arguments :"};
+inline constexpr Message<> options{"Options:", "Options :"};
 inline constexpr Message<> required{"REQUIRED", "OBLIGATOIRE"};
 // Kinds of values. They stand in a column that is as wide as their bytes: letters without accents.
 inline constexpr Message<> text{"TEXT", "TEXTE"};
@@ -41,7 +42,7 @@ inline constexpr Message<> not_negative{"NONNEGATIVE", "POSITIF"};
 
 inline constexpr Message<> info{
     "check a GRAFCET; print its size, graphs, forcing hierarchy and warnings",
-    "vérifier un GRAFCET ; afficher sa taille, ses graphes partiels, sa hiérarchie de forçage et "
+    "vérifier un GRAFCET ; afficher sa taille, ses grafcets partiels, sa hiérarchie de forçage et "
     "les avertissements"};
 inline constexpr Message<> equations{"derive CAX, CDX, X and the equations of the actions",
                                      "établir CAX, CDX, X et les équations des actions"};

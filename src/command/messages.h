@@ -9,6 +9,8 @@ namespace grafwire::messages::command {
 
 // The command line.
 
+/// An option and what is wrong with its value.
+inline constexpr Message<std::string_view, std::string_view> option_value{"{}: {}", "{} : {}"};
 inline constexpr Message<std::string_view, std::string_view> not_one_of{"{} not in {}",
                                                                         "« {} » n'est pas dans {}"};
 inline constexpr Message<std::string_view> no_whole_number{
@@ -145,9 +147,8 @@ inline constexpr Message<std::string_view> listing_has_no_input{
     "côté"};
 inline constexpr Message<std::string_view, std::uint32_t, std::uint32_t, Localized> listing_failed{
     "at {} ms, network {}, line {}: {}", "à {} ms, réseau {}, ligne {} : {}"};
-inline constexpr Message<std::uint64_t, std::uint64_t, std::uint64_t> progress{
-    "{} cases, {} situations, {} states waiting",
-    "cas : {}, situations : {}, états en attente : {}"};
+/// Cases, situations, states waiting; the same in both languages.
+inline constexpr Message<Localized, Localized, Localized> progress{"{}, {}, {}", "{}, {}, {}"};
 
 /// A chart from standard input leaves nothing to type there.
 inline constexpr Message<> lines_share_standard_input{
@@ -164,14 +165,13 @@ inline constexpr Message<> is_a_directory{"is a directory, not a file",
 inline constexpr Message<Localized> cannot_read{"cannot read the file: {}",
                                                 "impossible de lire le fichier : {}"};
 inline constexpr Message<Localized, Localized> cannot_write{"cannot write {}: {}",
-                                                            "impossible d'écrire {} : {}"};
+                                                            "impossible d'écrire dans {} : {}"};
 inline constexpr Message<Localized, Localized> cannot_remove{"cannot remove {}: {}",
                                                              "impossible de supprimer {} : {}"};
 inline constexpr Message<Localized, Localized> cannot_remove_old{
     "cannot remove {}, which is of an earlier time: {}",
     "impossible de supprimer {}, qui date d'une fois précédente : {}"};
-/// After "cannot write".
-inline constexpr Message<> to_standard_output{"to standard output", "sur la sortie standard"};
+inline constexpr Message<> standard_output{"standard output", "la sortie standard"};
 inline constexpr Message<> is_to_hold_two_results{"it is to hold two results",
                                                   "deux résultats doivent y aller"};
 inline constexpr Message<> is_to_hold_a_result{"it is to hold a result",
@@ -191,5 +191,37 @@ inline constexpr Message<> belongs_to_others{
 inline constexpr Message<std::string_view, Localized> no_file_in_folder{
     "no file can be made in the folder {}: {}",
     "aucun fichier ne peut être créé dans le dossier {} : {}"};
+
+// What the system has refused, in the words of the GNU C library.
+
+inline constexpr Message<> not_permitted{"Operation not permitted", "opération non permise"};
+inline constexpr Message<> no_such_file{"No such file or directory",
+                                        "aucun fichier ou dossier de ce nom"};
+inline constexpr Message<> input_output_error{"Input/output error", "erreur d'entrée/sortie"};
+inline constexpr Message<> no_such_address{"No such device or address",
+                                           "aucun périphérique ou aucune adresse de ce nom"};
+inline constexpr Message<> permission_denied{"Permission denied", "permission non accordée"};
+inline constexpr Message<> busy{"Device or resource busy",
+                                "périphérique ou ressource déjà utilisé"};
+inline constexpr Message<> file_exists{"File exists", "le fichier existe"};
+inline constexpr Message<> no_such_device{"No such device", "aucun périphérique de ce type"};
+inline constexpr Message<> not_a_directory{"Not a directory", "n'est pas un dossier"};
+inline constexpr Message<> is_directory{"Is a directory", "est un dossier"};
+inline constexpr Message<> invalid_argument{"Invalid argument", "argument invalide"};
+inline constexpr Message<> too_many_in_system{"Too many open files in system",
+                                              "trop de fichiers ouverts dans le système"};
+inline constexpr Message<> too_many_open{"Too many open files", "trop de fichiers ouverts"};
+inline constexpr Message<> text_busy{"Text file busy", "fichier exécutable en cours d'usage"};
+inline constexpr Message<> too_large{"File too large", "fichier trop grand"};
+inline constexpr Message<> no_space{"No space left on device",
+                                    "aucun espace disponible sur le périphérique"};
+inline constexpr Message<> read_only_system{"Read-only file system",
+                                            "système de fichiers en lecture seule"};
+inline constexpr Message<> broken_pipe{"Broken pipe", "tube cassé"};
+inline constexpr Message<> name_too_long{"File name too long", "nom de fichier trop long"};
+inline constexpr Message<> too_many_links{"Too many levels of symbolic links",
+                                          "trop de niveaux de liens symboliques"};
+inline constexpr Message<> quota_exceeded{"Disk quota exceeded", "quota d'espace disque dépassé"};
+inline constexpr Message<int> other_system_error{"error {} of the system", "erreur {} du système"};
 
 }  // namespace grafwire::messages::command

@@ -141,7 +141,7 @@ std::optional<FileIdentity> identity_of_input(const std::string& path) {
 }
 
 Localized shown_place(const std::string& path) {
-    if (is_standard_name(path)) return messages::command::to_standard_output();
+    if (is_standard_name(path)) return messages::command::standard_output();
     return {visible(path), visible(path)};
 }
 

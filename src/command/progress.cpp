@@ -14,9 +14,12 @@
 
 #include "command/messages.h"
 #include "command/standard_error.h"
+#include "text/counted.h"
 #include "text/utf8.h"
 
 namespace grafwire {
+
+namespace counted = messages::counted;
 
 namespace {
 
@@ -73,8 +76,9 @@ void Progress::show(const Coverage& coverage) {
     const double now = elapsed();
     if (!is_terminal_ || now <= next_) return;
     fmt::print(stderr, "\r\033[K{}",
-               messages::command::progress.in(language_, coverage.cases, coverage.situations,
-                                              coverage.waiting));
+               messages::command::progress.in(language_, counted::cases(coverage.cases),
+                                              counted::situations(coverage.situations),
+                                              counted::waiting_states(coverage.waiting)));
     shown_ = true;
     next_ = now + 0.5;
 }

@@ -28,10 +28,10 @@ std::string* kept_messages = nullptr;
 Language language_of_messages = Language::english;
 
 /// `grafwire: error: …`
-void show_message(const Message<>& kind, const Localized& message) {
+void show_message(const Message<std::string>& labelled, const Localized& message) {
     const auto line_in = [&](Language language) {
-        return fmt::format("grafwire: {}: {}\n", kind.in(language),
-                           visible(shortened(message.in(language), most_of_message), "\t\n"));
+        const std::string text = shortened(message.in(language), most_of_message);
+        return fmt::format("grafwire: {}\n", labelled.in(language, visible(text, "\t\n")));
     };
     show({line_in(Language::english), line_in(Language::french)});
 }

@@ -3,46 +3,46 @@
 
 #include "command/system_error.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
-#include <cstring>
+
+#include "command/messages.h"
 
 namespace grafwire {
+
+namespace say = messages::command;
 
 Localized reason_of(int error) {
     struct Row {
         int error;
-        const char* french;
+        const Message<>& reason;
     };
     static constexpr Row rows[] = {
-        {EPERM, "opération non permise"},
-        {ENOENT, "aucun fichier ou dossier de ce nom"},
-        {EIO, "erreur d'entrée/sortie"},
-        {ENXIO, "aucun périphérique ou aucune adresse de ce nom"},
-        {EACCES, "permission non accordée"},
-        {EBUSY, "périphérique ou ressource occupé"},
-        {EEXIST, "le fichier existe"},
-        {ENODEV, "aucun périphérique de ce type"},
-        {ENOTDIR, "n'est pas un dossier"},
-        {EISDIR, "est un dossier"},
-        {EINVAL, "argument invalide"},
-        {ENFILE, "trop de fichiers ouverts dans le système"},
-        {EMFILE, "trop de fichiers ouverts"},
-        {ETXTBSY, "fichier exécutable en cours d'usage"},
-        {EFBIG, "fichier trop grand"},
-        {ENOSPC, "aucun espace disponible sur le périphérique"},
-        {EROFS, "système de fichiers en lecture seule"},
-        {EPIPE, "tube cassé"},
-        {ENAMETOOLONG, "nom de fichier trop long"},
-        {ELOOP, "trop de niveaux de liens symboliques"},
-        {EDQUOT, "quota d'espace disque dépassé"},
+        {EPERM, say::not_permitted},
+        {ENOENT, say::no_such_file},
+        {EIO, say::input_output_error},
+        {ENXIO, say::no_such_address},
+        {EACCES, say::permission_denied},
+        {EBUSY, say::busy},
+        {EEXIST, say::file_exists},
+        {ENODEV, say::no_such_device},
+        {ENOTDIR, say::not_a_directory},
+        {EISDIR, say::is_directory},
+        {EINVAL, say::invalid_argument},
+        {ENFILE, say::too_many_in_system},
+        {EMFILE, say::too_many_open},
+        {ETXTBSY, say::text_busy},
+        {EFBIG, say::too_large},
+        {ENOSPC, say::no_space},
+        {EROFS, say::read_only_system},
+        {EPIPE, say::broken_pipe},
+        {ENAMETOOLONG, say::name_too_long},
+        {ELOOP, say::too_many_links},
+        {EDQUOT, say::quota_exceeded},
     };
-    std::string english = std::strerror(error);
     for (const Row& row : rows) {
-        if (row.error == error) return {std::move(english), row.french};
+        if (row.error == error) return row.reason();
     }
-    return {english, fmt::format("erreur {} du système", error)};
+    return say::other_system_error(error);
 }
 
 }  // namespace grafwire

@@ -5,7 +5,7 @@
 //     At 100 ms: a=1.
 //     The reference:
 //       before: X0
-//       scan 1: clears (1) 0 -> 1 -> X1
+//       scan 1: clears (1) 0 -> 1. Situation: X1
 //
 // A scan that changes nothing is left out (so the last one of every instant), and of a long
 // cascade the first scans are shown.
@@ -164,27 +164,50 @@ void ExplanationWriter::explain_reference() {
             add("  …\n");
             break;
         }
-        const std::string label = witness_.scan_period == 0
-                                      ? words::scan_number.in(language_, i + 1)
-                                      : words::scan_at.in(language_, format_milliseconds(scan.at));
-        const std::string situation = situation_text(scan.situation);
-        if (scan.cleared.empty()) {
-            say(words::scan_of_orders, label, situation);
-            continue;
-        }
-        std::vector<std::string> names;
-        for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
-        say(words::scan_clears, label,
-            fmt::format("{}", fmt::join(names, words::between_transitions.in(language_))),
-            situation);
+        explain_scan(scan, i + 1);
     }
+}
+
+/// By its number within the instant, or by its moment where the witness has a scan period.
+void ExplanationWriter::explain_scan(const ReferenceEnd::Scan& scan, std::size_t number) {
+    const bool is_numbered = witness_.scan_period == 0;
+    const std::string moment = format_milliseconds(scan.at);
+    const std::string situation = situation_text(scan.situation);
+    if (scan.cleared.empty()) {
+        if (is_numbered) {
+            say(words::scan_of_orders, number, situation);
+        } else {
+            say(words::scan_at_of_orders, moment, situation);
+        }
+        return;
+    }
+    std::vector<std::string> names;
+    for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
+    const std::string cleared =
+        fmt::format("{}", fmt::join(names, words::between_transitions.in(language_)));
+    if (is_numbered) {
+        say(words::scan_clears, number, cleared, situation);
+    } else {
+        say(words::scan_at_clears, moment, cleared, situation);
+    }
+}
+
+std::string ExplanationWriter::network_text(std::uint32_t number, const std::string& comment,
+                                            Location where) const {
+    if (where.is_known()) {
+        return comment.empty()
+                   ? words::network_at.in(language_, number, where.line)
+                   : words::network_titled_at.in(language_, number, comment, where.line);
+    }
+    return comment.empty() ? words::network.in(language_, number)
+                           : words::network_titled.in(language_, number, comment);
 }
 
 void ExplanationWriter::explain_difference(const Message<>& other_side) {
     say(words::where_they_part);
     for (const Witness::Value& value : witness_.values) {
         if (value.expected == value.got) continue;
-        say(words::values_differ, value.name, digit_of(value.expected), other_side.in(language_),
+        say(words::values_differ, value.name, digit_of(value.expected), other_side(),
             digit_of(value.got));
     }
 }

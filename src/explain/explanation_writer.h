@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -9,6 +10,7 @@
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
 #include "text/message.h"
+#include "text/source.h"
 
 namespace grafwire {
 
@@ -44,6 +46,11 @@ class ExplanationWriter {
     /// Where the two sides part; `other_side`: "the netlist".
     void explain_difference(const Message<>& other_side);
 
+    /// A network of a program: `network 49 (Forcing), line 187`; the comment may be empty and the
+    /// line unknown.
+    std::string network_text(std::uint32_t number, const std::string& comment,
+                             Location where) const;
+
     void add(std::string_view text) { text_ += text; }
     /// A sentence of the catalogue, in the language of the explanation.
     template <class... Arguments>
@@ -55,6 +62,7 @@ class ExplanationWriter {
     std::string take() { return std::move(text_); }
 
   private:
+    void explain_scan(const ReferenceEnd::Scan& scan, std::size_t number);
     std::string situation_text(const BitTable& situation) const;
     std::string transition_text(TransitionId id) const;
 

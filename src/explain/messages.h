@@ -10,25 +10,39 @@ namespace grafwire::messages::explain {
 
 // What every explanation begins with (explanation_writer).
 
-inline constexpr Message<std::string, std::string> changes_at{"At {} ms: {}.\n", "À {} ms : {}.\n"};
+inline constexpr Message<std::string, std::string> changes_at{"At {} ms: {}.\n", "À {} ms : {}.\n"};
 inline constexpr Message<std::string> no_change_at{"At {} ms, no input changes.\n",
-                                                   "À {} ms, aucune entrée ne change.\n"};
+                                                   "À {} ms, aucune entrée ne change.\n"};
 inline constexpr Message<> the_reference{"The reference:\n", "La référence :\n"};
 inline constexpr Message<std::string> before{"  before: {}\n", "  avant : {}\n"};
-inline constexpr Message<> no_step{"no step", "aucune étape"};
-inline constexpr Message<std::size_t> scan_number{"scan {}", "cycle {}"};
-inline constexpr Message<std::string> scan_at{"scan at {} ms", "cycle à {} ms"};
+inline constexpr Message<> no_step{"no step", "aucune étape active"};
 /// Arguments: the scan, the transitions, the situation after it.
-inline constexpr Message<std::string, std::string, std::string> scan_clears{
-    "  {}: clears {} -> {}\n", "  {} : franchit {} -> {}\n"};
+inline constexpr Message<std::size_t, std::string, std::string> scan_clears{
+    "  scan {}: clears {}. Situation: {}\n", "  scrutation {} : franchit {}. Situation : {}\n"};
+inline constexpr Message<std::size_t, std::string> scan_of_orders{
+    "  scan {}: orders. Situation: {}\n", "  scrutation {} : ordres. Situation : {}\n"};
+/// The same with the moment of the scan.
+inline constexpr Message<std::string, std::string, std::string> scan_at_clears{
+    "  scan at {} ms: clears {}. Situation: {}\n",
+    "  scrutation à {} ms : franchit {}. Situation : {}\n"};
+inline constexpr Message<std::string, std::string> scan_at_of_orders{
+    "  scan at {} ms: orders. Situation: {}\n", "  scrutation à {} ms : ordres. Situation : {}\n"};
 /// Between the transitions that a scan clears.
 inline constexpr Message<> between_transitions{"; ", " ; "};
-inline constexpr Message<std::string, std::string> scan_of_orders{"  {}: orders -> {}\n",
-                                                                  "  {} : ordres -> {}\n"};
-inline constexpr Message<> where_they_part{"Where they part:\n", "Où ils se séparent :\n"};
+inline constexpr Message<> where_they_part{"Where they part:\n", "Écart constaté :\n"};
 /// Arguments: the X or output, its value, the other side, its value there.
-inline constexpr Message<std::string, char, std::string, char> values_differ{
+inline constexpr Message<std::string, char, Localized, char> values_differ{
     "  {}: the reference gives {}, {} {}\n", "  {} : la référence donne {}, {} {}\n"};
+
+// The networks of a program: their numbers, comments and lines.
+
+inline constexpr Message<std::uint32_t> network{"network {}", "réseau {}"};
+inline constexpr Message<std::uint32_t, std::string> network_titled{"network {} ({})",
+                                                                    "réseau {} ({})"};
+inline constexpr Message<std::uint32_t, std::uint32_t> network_at{"network {}, line {}",
+                                                                  "réseau {}, ligne {}"};
+inline constexpr Message<std::uint32_t, std::string, std::uint32_t> network_titled_at{
+    "network {} ({}), line {}", "réseau {} ({}), ligne {}"};
 
 // The explanation of a netlist (write_explanation).
 
@@ -39,16 +53,22 @@ inline constexpr Message<std::string, char> value_expected{"  {}: the reference 
 inline constexpr Message<std::string> follows_from{"    that follows from {}\n",
                                                    "    cela découle de {}\n"};
 
-/// What the operands of an equation are: `X2=1 X3=0`.
-inline constexpr Message<std::string> with_values{"   with {}", "   avec {}"};
-inline constexpr Message<> another_equation{"    in the netlist another one",
-                                            "    dans le câblage, une autre"};
-/// Arguments: the left-hand side, the right-hand side.
-inline constexpr Message<std::string, std::string> equation_in_netlist{
-    "    in the netlist {} = {}", "    dans le câblage {} = {}"};
-inline constexpr Message<std::string> operands_missing{"; it has no {}", " ; il y manque {}"};
-inline constexpr Message<std::string> operands_extra{"; it should not have {}",
-                                                     " ; n'y ont pas leur place : {}"};
+/// An equation: its left-hand side, its right-hand side, and the values of its operands: `X2=1
+/// X3=0`.
+inline constexpr Message<std::string, std::string> equation{"    {} = {}\n", "    {} = {}\n"};
+inline constexpr Message<std::string, std::string, std::string> equation_with_values{
+    "    {} = {}   with {}\n", "    {} = {}   avec {}\n"};
+/// As the netlist has it: the whole, what it lacks, what it has too many.
+inline constexpr Message<> another_equation{"another equation", "une autre équation"};
+inline constexpr Message<Localized> in_netlist{"    in the netlist {}\n",
+                                               "    dans le câblage, {}\n"};
+inline constexpr Message<Localized, std::string> in_netlist_without{
+    "    in the netlist {}; it has no {}\n", "    dans le câblage, {} ; il y manque {}\n"};
+inline constexpr Message<Localized, std::string> in_netlist_with{
+    "    in the netlist {}; it should not have {}\n", "    dans le câblage, {} ; en trop : {}\n"};
+inline constexpr Message<Localized, std::string, std::string> in_netlist_otherwise{
+    "    in the netlist {}; it has no {}; it should not have {}\n",
+    "    dans le câblage, {} ; il y manque {} ; en trop : {}\n"};
 
 inline constexpr Message<> same_equations{
     "    its gates have the same equations: it is a matter of delays\n",
@@ -57,37 +77,65 @@ inline constexpr Message<> deactivation_wins{
     "    its gates have the same, but where CAX and CDX are both 1 deactivation wins\n",
     "    ses portes ont les mêmes, mais là où CAX et CDX valent 1 la désactivation l'emporte\n"};
 inline constexpr Message<> gates_cannot_be_compared{
-    "    what the gates make of it cannot be compared; they read",
-    "    ce qu'en font les portes ne se compare pas ; elles lisent"};
+    "    what the gates make of it cannot be compared\n",
+    "    ce qu'en font les portes ne se compare pas\n"};
+inline constexpr Message<std::string> gates_read{
+    "    what the gates make of it cannot be compared; they read {}\n",
+    "    ce qu'en font les portes ne se compare pas ; elles lisent {}\n"};
 inline constexpr Message<std::string> decided_at{"    it is decided at {}\n",
                                                  "    cela se décide à {}\n"};
-/// Arguments: the file with a comma, or nothing; the lines.
-inline constexpr Message<std::string, std::string> gates_in_line{"    its gates: {}line {}\n",
-                                                                 "    ses portes : {}ligne {}\n"};
-inline constexpr Message<std::string, std::string> gates_in_lines{"    its gates: {}lines {}\n",
-                                                                  "    ses portes : {}lignes {}\n"};
+/// Counted: the lines. Arguments: the lines; the file, where it is known.
+inline constexpr CountedMessage<std::string> gates_in_lines{
+    {"    its gates: line {1}\n", "    ses portes : ligne {1}\n"},
+    {"    its gates: lines {1}\n", "    ses portes : lignes {1}\n"}};
+inline constexpr CountedMessage<std::string, std::string> gates_in_lines_of{
+    {"    its gates: {2}, line {1}\n", "    ses portes : {2}, ligne {1}\n"},
+    {"    its gates: {2}, lines {1}\n", "    ses portes : {2}, lignes {1}\n"}};
 
 inline constexpr Message<> gate_by_gate{"How it came about, gate by gate:\n",
                                         "Comment on en arrive là, porte par porte :\n"};
 inline constexpr Message<> no_gate_changes{"  no gate changes\n", "  aucune porte ne change\n"};
-inline constexpr Message<std::size_t> links_in_file{
-    "  … {} links before these stand in witness.txt\n",
-    "  … {} maillons avant ceux-ci : voir witness.txt\n"};
+inline constexpr CountedMessage<> links_in_file{
+    {"  … {} link before these stands in witness.txt\n",
+     "  … {} maillon avant ceux-ci : voir witness.txt\n"},
+    {"  … {} links before these stand in witness.txt\n",
+     "  … {} maillons avant ceux-ci : voir witness.txt\n"}};
+
+// A link of the chain: when, what changes (a cell perhaps with its line), and because of what.
 inline constexpr Message<std::string> input{"input {}", "entrée {}"};
-inline constexpr Message<std::uint32_t> in_line{" (line {})", " (ligne {})"};
-// What the net of a link does.
-inline constexpr Message<> rises{" rises", " monte"};
-inline constexpr Message<> falls{" falls", " descend"};
-inline constexpr Message<> becomes_undefined{" becomes undefined", " devient indéterminée"};
-// How a link of the chain ends: by what caused it, or that it is where the chain begins.
-inline constexpr Message<std::string> after{", after {}", ", après {}"};
-inline constexpr Message<> delay_has_ended{", its delay has ended", ", son retard est écoulé"};
-inline constexpr Message<> from_the_start{", from the start", ", dès le départ"};
+inline constexpr Message<std::string, std::uint32_t> cell_in_line{"{} (line {})", "{} (ligne {})"};
+using LinkMessage = Message<std::string, std::string>;
+using AfterMessage = Message<std::string, std::string, std::string>;
+inline constexpr LinkMessage rises{"  {}  {} rises\n", "  {}  {} passe à 1\n"};
+inline constexpr AfterMessage rises_after{"  {}  {} rises, after {}\n",
+                                          "  {}  {} passe à 1, après {}\n"};
+inline constexpr LinkMessage rises_as_delay_ends{"  {}  {} rises, its delay has ended\n",
+                                                 "  {}  {} passe à 1, son retard est écoulé\n"};
+inline constexpr LinkMessage rises_from_the_start{"  {}  {} rises, from the start\n",
+                                                  "  {}  {} passe à 1, dès le départ\n"};
+inline constexpr LinkMessage falls{"  {}  {} falls\n", "  {}  {} passe à 0\n"};
+inline constexpr AfterMessage falls_after{"  {}  {} falls, after {}\n",
+                                          "  {}  {} passe à 0, après {}\n"};
+inline constexpr LinkMessage falls_as_delay_ends{"  {}  {} falls, its delay has ended\n",
+                                                 "  {}  {} passe à 0, son retard est écoulé\n"};
+inline constexpr LinkMessage falls_from_the_start{"  {}  {} falls, from the start\n",
+                                                  "  {}  {} passe à 0, dès le départ\n"};
+inline constexpr LinkMessage becomes_undefined{"  {}  {} becomes undefined\n",
+                                               "  {}  {} prend une valeur indéterminée\n"};
+inline constexpr AfterMessage becomes_undefined_after{
+    "  {}  {} becomes undefined, after {}\n", "  {}  {} prend une valeur indéterminée, après {}\n"};
+inline constexpr LinkMessage becomes_undefined_as_delay_ends{
+    "  {}  {} becomes undefined, its delay has ended\n",
+    "  {}  {} prend une valeur indéterminée, son retard est écoulé\n"};
+inline constexpr LinkMessage becomes_undefined_from_the_start{
+    "  {}  {} becomes undefined, from the start\n",
+    "  {}  {} prend une valeur indéterminée, dès le départ\n"};
 
 inline constexpr Message<> does_not_settle{
     "The netlist does not settle. These keep changing:\n",
     "Le câblage ne se stabilise pas. Changent sans cesse :\n"};
-inline constexpr Message<std::size_t> and_more{"  and {} more\n", "  et {} autres\n"};
+inline constexpr CountedMessage<> and_more{{"  and {} more\n", "  et {} autre\n"},
+                                           {"  and {} more\n", "  et {} autres\n"}};
 
 /// Arguments: two sentences, from the rows below.
 inline constexpr Message<std::string, std::string> cause_and_remedy{
@@ -95,8 +143,8 @@ inline constexpr Message<std::string, std::string> cause_and_remedy{
 
 // The known causes. Arguments: the step, the others, two transitions.
 
-/// Between the last two of a list.
-inline constexpr Message<> and_last{" and ", " et "};
+/// A list: all but the last, and the last.
+inline constexpr Message<std::string, std::string> and_last{"{} and {}", "{} et {}"};
 
 using CauseMessage = Message<std::string, std::string, std::string, std::string>;
 

@@ -62,14 +62,16 @@ const CauseRow& row_of(CauseKind kind) {
     return rows[0];
 }
 
+/// `X1, X2 and X3`
+std::string listed(const std::vector<std::string>& names, Language language) {
+    if (names.size() < 2) return names.empty() ? "" : names[0];
+    return words::and_last.in(
+        language, fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", ")), names.back());
+}
+
 /// A sentence with its names.
 std::string filled(const words::CauseMessage& sentence, const Cause& cause, Language language) {
-    const std::string last = words::and_last.in(language);
-    std::string others;
-    for (std::size_t i = 0; i < cause.others.size(); ++i) {
-        if (i != 0) others += i + 1 == cause.others.size() ? last : ", ";
-        others += cause.others[i];
-    }
+    const std::string others = listed(cause.others, language);
     const auto transition = [&](std::size_t i) {
         return i < cause.transitions.size() ? cause.transitions[i] : std::string();
     };
@@ -128,8 +130,8 @@ class ExplanationText {
         if (witness_.kind == DifferenceKind::oscillation) {
             say(words::value_expected, part.name, digit_of(part.expected));
         } else {
-            say(words::values_differ, part.name, digit_of(part.expected),
-                words::the_netlist.in(language_), digit_of(part.got));
+            say(words::values_differ, part.name, digit_of(part.expected), words::the_netlist(),
+                digit_of(part.got));
         }
         if (!part.follows_from.empty()) {
             say(words::follows_from, joined(part.follows_from));
@@ -141,22 +143,33 @@ class ExplanationText {
 
     /// As it should be, with the values of its operands; and as the netlist has it, if otherwise.
     void write_equation(const Part& part, const EquationPair& pair) {
-        writer_.add(fmt::format("    {} = {}", pair.name, pair.expected));
+        if (pair.operands.empty()) {
+            say(words::equation, pair.name, pair.expected);
+        } else {
+            say(words::equation_with_values, pair.name, pair.expected, values_of(pair.operands));
+        }
+        if (part.fault == Fault::unread || pair.is_same) return;
+        const Localized got =
+            pair.got.empty() ? words::another_equation()
+                             : Localized::same_in_both(fmt::format("{} = {}", pair.name, pair.got));
+        if (pair.missing.empty() && pair.extra.empty()) {
+            say(words::in_netlist, got);
+        } else if (pair.extra.empty()) {
+            say(words::in_netlist_without, got, joined(pair.missing));
+        } else if (pair.missing.empty()) {
+            say(words::in_netlist_with, got, joined(pair.extra));
+        } else {
+            say(words::in_netlist_otherwise, got, joined(pair.missing), joined(pair.extra));
+        }
+    }
+
+    /// `X2=1 X3=0`
+    static std::string values_of(const std::vector<Explanation::Operand>& operands) {
         std::vector<std::string> values;
-        for (const Explanation::Operand& operand : pair.operands) {
+        for (const Explanation::Operand& operand : operands) {
             values.push_back(fmt::format("{}={}", operand.name, digit_of(operand.value)));
         }
-        if (!values.empty()) say(words::with_values, fmt::format("{}", fmt::join(values, " ")));
-        writer_.add("\n");
-        if (part.fault == Fault::unread || pair.is_same) return;
-        if (pair.got.empty()) {
-            say(words::another_equation);
-        } else {
-            say(words::equation_in_netlist, pair.name, pair.got);
-        }
-        if (!pair.missing.empty()) say(words::operands_missing, joined(pair.missing));
-        if (!pair.extra.empty()) say(words::operands_extra, joined(pair.extra));
-        writer_.add("\n");
+        return fmt::format("{}", fmt::join(values, " "));
     }
 
     /// What the equations do not show by themselves, when it shows, and where the gates stand.
@@ -169,11 +182,11 @@ class ExplanationText {
                 say(words::deactivation_wins);
                 break;
             case Fault::unread:
-                say(words::gates_cannot_be_compared);
-                for (const Explanation::Operand& operand : part.reads) {
-                    writer_.add(fmt::format(" {}={}", operand.name, digit_of(operand.value)));
+                if (part.reads.empty()) {
+                    say(words::gates_cannot_be_compared);
+                } else {
+                    say(words::gates_read, values_of(part.reads));
                 }
-                writer_.add("\n");
                 break;
             case Fault::equation:
             case Fault::order:
@@ -181,8 +194,11 @@ class ExplanationText {
         }
         if (part.decided_at) say(words::decided_at, time_text(*part.decided_at));
         if (part.lines.empty()) return;
-        say(part.lines.size() == 1 ? words::gates_in_line : words::gates_in_lines,
-            options_.source.empty() ? "" : options_.source + ", ", ranges(part.lines));
+        const std::size_t count = part.lines.size();
+        writer_.add(options_.source.empty()
+                        ? words::gates_in_lines.in(language_, count, ranges(part.lines))
+                        : words::gates_in_lines_of.in(language_, count, ranges(part.lines),
+                                                      options_.source));
     }
 
     static std::string joined(const std::vector<std::string>& names) {
@@ -212,14 +228,26 @@ class ExplanationText {
         return fmt::format("+{} ns", format_nanoseconds(after));
     }
 
-    static const Message<>& verb_of(Logic value) {
+    /// What is said of a net that takes a value: by itself, after others, as its delay ends, from
+    /// the start.
+    struct LinkWords {
+        const words::LinkMessage& alone;
+        const words::AfterMessage& after;
+        const words::LinkMessage& as_delay_ends;
+        const words::LinkMessage& from_the_start;
+    };
+    static LinkWords words_for(Logic value) {
         switch (value) {
             case Logic::one:
-                return words::rises;
+                return {words::rises, words::rises_after, words::rises_as_delay_ends,
+                        words::rises_from_the_start};
             case Logic::zero:
-                return words::falls;
+                return {words::falls, words::falls_after, words::falls_as_delay_ends,
+                        words::falls_from_the_start};
             default:
-                return words::becomes_undefined;
+                return {words::becomes_undefined, words::becomes_undefined_after,
+                        words::becomes_undefined_as_delay_ends,
+                        words::becomes_undefined_from_the_start};
         }
     }
 
@@ -234,35 +262,37 @@ class ExplanationText {
         std::size_t first = 0;
         if (most_links != 0 && chain.size() > most_links) {
             first = chain.size() - most_links;
-            say(words::links_in_file, first);
+            writer_.add(words::links_in_file.in(language_, first));
         }
         for (std::size_t i = first; i < chain.size(); ++i) write_link(chain[i]);
     }
 
     /// `  +3 ns  OR gate X2 (line 23) rises, after X2$1`
     void write_link(const Explanation::Link& link) {
-        writer_.add(fmt::format("  {}  ", time_text(link.after)));
-        if (link.cell == no_cell) {
-            say(words::input, link.net);
-        } else {
-            writer_.add(cell_description(netlist_, link.cell, language_));
-            const Origin& origin = netlist_.origin_of(netlist_.cells[link.cell]);
-            if (origin.kind == Origin::Kind::other && origin.where.is_known()) {
-                if (options_.source.empty()) {
-                    say(words::in_line, origin.where.line);
-                } else {
-                    writer_.add(fmt::format(" ({}:{})", options_.source, origin.where.line));
-                }
-            }
-        }
-        say(verb_of(link.value));
+        const std::string when = time_text(link.after);
+        const std::string what = subject_of(link);
+        const LinkWords sentences = words_for(link.value);
         if (!link.causes.empty()) {
-            say(words::after, joined(link.causes));
-        } else if (link.cell != no_cell) {
-            say(is_timer(netlist_.cells[link.cell].type) ? words::delay_has_ended
-                                                         : words::from_the_start);
+            say(sentences.after, when, what, joined(link.causes));
+        } else if (link.cell == no_cell) {
+            say(sentences.alone, when, what);
+        } else if (is_timer(netlist_.cells[link.cell].type)) {
+            say(sentences.as_delay_ends, when, what);
+        } else {
+            say(sentences.from_the_start, when, what);
         }
-        writer_.add("\n");
+    }
+
+    /// The input or cell that a link is about; of a cell that was read, its place as well.
+    std::string subject_of(const Explanation::Link& link) const {
+        if (link.cell == no_cell) return words::input.in(language_, link.net);
+        const std::string cell = cell_description(netlist_, link.cell, language_);
+        const Origin& origin = netlist_.origin_of(netlist_.cells[link.cell]);
+        if (origin.kind != Origin::Kind::other || !origin.where.is_known()) return cell;
+        if (options_.source.empty()) {
+            return words::cell_in_line.in(language_, cell, origin.where.line);
+        }
+        return fmt::format("{} ({}:{})", cell, options_.source, origin.where.line);
     }
 
     void write_oscillation() {
@@ -271,7 +301,8 @@ class ExplanationText {
         std::size_t shown = 0;
         for (const CellId cell : explanation_.oscillating) {
             if (shown++ == most_oscillating) {
-                say(words::and_more, explanation_.oscillating.size() - most_oscillating);
+                writer_.add(words::and_more.in(language_,
+                                               explanation_.oscillating.size() - most_oscillating));
                 break;
             }
             writer_.add(fmt::format("  {}\n", cell_description(netlist_, cell, language_)));

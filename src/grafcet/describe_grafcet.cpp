@@ -9,10 +9,12 @@
 
 #include "grafcet/messages.h"
 #include "grafcet/write_grafcet.h"
+#include "text/counted.h"
 
 namespace grafwire {
 
 namespace say = messages::grafcet;
+namespace counted = messages::counted;
 
 namespace {
 
@@ -34,9 +36,6 @@ class Description {
   private:
     static constexpr std::size_t most_listed = 24;
 
-    std::string counted(std::size_t count, const CountedMessage<>& noun) const {
-        return noun.in(language_, count);
-    }
     std::string step_name(StepId step) const {
         return quoted_where_needed(grafcet_.steps[step].name);
     }
@@ -63,19 +62,19 @@ class Description {
             static_cast<std::size_t>(std::count_if(grafcet_.steps.begin(), grafcet_.steps.end(),
                                                    [](const Step& step) { return step.initial; }));
         out_ += fmt::format("\n  {}, {}, {}, {}, {}\n",
-                            counted(grafcet_.graphs.size(), say::count_graphs),
-                            counted(grafcet_.steps.size(), say::count_steps),
-                            counted(initial, say::count_initial_steps),
-                            counted(grafcet_.transitions.size(), say::count_transitions),
-                            counted(grafcet_.macros.size(), say::count_macro_steps));
+                            counted::graphs.in(language_, grafcet_.graphs.size()),
+                            counted::steps.in(language_, grafcet_.steps.size()),
+                            counted::initial_steps.in(language_, initial),
+                            counted::transitions.in(language_, grafcet_.transitions.size()),
+                            counted::macro_steps.in(language_, grafcet_.macros.size()));
         out_ +=
-            fmt::format("  {}, {}, {}, {}\n", counted(grafcet_.inputs.size(), say::count_inputs),
-                        counted(grafcet_.outputs.size(), say::count_outputs),
-                        counted(grafcet_.vars.size(), say::count_vars),
-                        counted(grafcet_.counters.size(), say::count_counters));
+            fmt::format("  {}, {}, {}, {}\n", counted::inputs.in(language_, grafcet_.inputs.size()),
+                        counted::outputs.in(language_, grafcet_.outputs.size()),
+                        counted::vars.in(language_, grafcet_.vars.size()),
+                        counted::counters.in(language_, grafcet_.counters.size()));
         out_ += fmt::format(
-            "  {}, {}\n", counted(grafcet_.expressions.edges().size(), say::count_edges),
-            counted(grafcet_.expressions.time_conditions().size(), say::count_time_conditions));
+            "  {}, {}\n", counted::edges.in(language_, grafcet_.expressions.edges().size()),
+            counted::time_conditions.in(language_, grafcet_.expressions.time_conditions().size()));
     }
 
     void write_title(const Message<>& title) { out_ += fmt::format("\n{}\n", title.in(language_)); }
@@ -87,8 +86,8 @@ class Description {
             out_ += fmt::format(
                 "  {}\n",
                 say::graph_line.in(language_, quoted_where_needed(graph.name),
-                                   counted(graph.steps.count, say::count_steps),
-                                   counted(graph.transitions.count, say::count_transitions)));
+                                   counted::steps.in(language_, graph.steps.count),
+                                   counted::transitions.in(language_, graph.transitions.count)));
             if (graph.steps.count != 0) {
                 const std::string steps = listed(graph.steps.count, [&](std::size_t i) {
                     return step_in_list(graph.steps.first + i);
@@ -123,7 +122,7 @@ class Description {
                                         quoted_where_needed(grafcet_.blocks[macro.block].name),
                                         quoted_where_needed(grafcet_.blocks[macro.expansion].name),
                                         step_name(macro.entry), step_name(macro.exit),
-                                        counted(macro.steps.count, say::count_steps)));
+                                        counted::steps.in(language_, macro.steps.count)));
         }
     }
 

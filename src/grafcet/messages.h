@@ -85,7 +85,7 @@ inline constexpr Message<> file_too_large{
 inline constexpr Message<> name_of_grafcet{"the name of the GRAFCET", "le nom du GRAFCET"};
 inline constexpr Message<std::string_view> declaration_after_graphs{
     "declarations stand before the graphs; move this '{}' up",
-    "les déclarations précèdent les graphes ; remontez ce « {} »"};
+    "les déclarations précèdent les grafcets partiels ; remontez ce « {} »"};
 inline constexpr Message<> grafcet_not_first{
     "'grafcet' stands once, at the beginning of the file",
     "« grafcet » ne figure qu'une fois, au début du fichier"};
@@ -93,9 +93,9 @@ inline constexpr Message<> brace_closes_nothing{
     "this '}}' closes nothing; remove it", "cette accolade « }} » ne ferme rien ; supprimez-la"};
 inline constexpr Message<std::string_view> stands_inside_graph{
     "'{}' stands inside a graph or an expansion, as in graph G1 {{ … }}",
-    "« {} » se place dans un graphe ou une expansion, comme dans graph G1 {{ … }}"};
+    "« {} » se place dans un grafcet partiel ou une expansion, comme dans graph G1 {{ … }}"};
 inline constexpr Message<> declaration_or_graph{"a declaration or a graph",
-                                                "une déclaration ou un graphe"};
+                                                "une déclaration ou un grafcet partiel"};
 inline constexpr Message<> an_output{"an output", "une sortie"};
 inline constexpr Message<> a_var{"a var", "une variable interne"};
 inline constexpr Message<> an_input{"an input", "une entrée"};
@@ -113,28 +113,29 @@ inline constexpr Message<> number_for_range{"a number for the range of the count
 
 // Graphs and their steps.
 inline constexpr Message<> name_of_expansion{"the name of the expansion", "le nom de l'expansion"};
-inline constexpr Message<> name_of_graph{"the name of the graph", "le nom du graphe"};
+inline constexpr Message<> name_of_graph{"the name of the graph", "le nom du grafcet partiel"};
 inline constexpr Message<> brace_of_expansion{"'{{' and the steps of the expansion",
                                               "« {{ » et les étapes de l'expansion"};
 inline constexpr Message<> brace_of_graph{"'{{' and the steps of the graph",
-                                          "« {{ » et les étapes du graphe"};
+                                          "« {{ » et les étapes du grafcet partiel"};
 inline constexpr Message<Localized, Localized> end_of_expansion{
     "expected '}}' at the end of expansion {}, got {}",
     "on attend « }} » à la fin de l'expansion {} et non {}"};
 inline constexpr Message<Localized, Localized> end_of_graph{
     "expected '}}' at the end of graph {}, got {}",
-    "on attend « }} » à la fin du graphe {} et non {}"};
+    "on attend « }} » à la fin du grafcet partiel {} et non {}"};
 inline constexpr Message<> begins_here{"it begins here", "le début est ici"};
 inline constexpr Message<std::string_view> declaration_in_graph{
     "declarations stand before the graphs; move this '{}' up, or close the graph with '}}' before "
     "it",
-    "les déclarations précèdent les graphes ; remontez ce « {} », ou fermez d'abord le graphe par "
+    "les déclarations précèdent les grafcets partiels ; remontez ce « {} », ou fermez d'abord le "
+    "grafcet partiel par "
     "« }} »"};
 inline constexpr Message<> step_or_transition{"a step, a transition or '}}'",
                                               "une étape, une transition ou « }} »"};
 inline constexpr Message<> name_of_step{"the name of the step", "le nom de l'étape"};
 inline constexpr Message<> name_of_enclosed_graph{"the name of the enclosed graph",
-                                                  "le nom du graphe encapsulé"};
+                                                  "le nom du grafcet partiel encapsulé"};
 inline constexpr Message<> brace_of_links{"'{{' and the steps to activate, as in G3{{60}}",
                                           "« {{ » et les étapes à activer, comme dans G3{{60}},"};
 inline constexpr Message<> enclosure_without_links{
@@ -218,12 +219,12 @@ inline constexpr Message<> partly_overlined{
     "la barre ne couvre qu'une partie de ce nom ; mettez-la sur chaque lettre, ou écrivez / devant "
     "le nom"};
 inline constexpr Message<> remark_begins_otherwise{"a remark begins with '#'",
-                                                   "une remarque commence par « # »"};
+                                                   "un commentaire commence par « # »"};
 inline constexpr Message<> parenthesis_out_of_place{
     "a parenthesis cannot stand here: AND is written '.', as in a . (b + c); a priority is written "
     "out, as in b . /a; a remark begins with '#'; the label of a transition begins its line",
     "une parenthèse n'a pas de sens ici : ET s'écrit « . », comme dans a . (b + c) ; une priorité "
-    "s'écrit en toutes lettres, comme dans b . /a ; une remarque commence par « # » ; le repère "
+    "s'écrit en toutes lettres, comme dans b . /a ; un commentaire commence par « # » ; le repère "
     "d'une transition est en début de ligne"};
 inline constexpr Message<> negation_before{
     "NOT is written before what it negates: /a, or an overline over it",
@@ -241,7 +242,7 @@ inline constexpr Message<std::string_view, std::string_view> space_before_unit{
     "pas d'espace entre un nombre et son unité : {0}{1}, comme dans {0}{1}/X5"};
 inline constexpr Message<std::string_view, std::string_view> time_condition_order{
     "a time condition is written with the duration first and the variable behind it: {0}/{1}",
-    "une condition temporelle s'écrit avec la durée d'abord et la variable ensuite : {0}/{1}"};
+    "une temporisation s'écrit avec la durée d'abord et la variable ensuite : {0}/{1}"};
 inline constexpr Message<> comparison_without_brackets{
     "a variable is written alone where it is to be 1, with / where it is to be 0; counters are "
     "compared in brackets, as in [n = 1]; how long step 3 has been active is 5s/X3",
@@ -261,7 +262,8 @@ inline constexpr Message<std::string_view, std::string_view> qualifier_written{
 inline constexpr Message<std::string_view> order_written{
     "a forcing order names the graph and its situation: {0}{{10}}, {0}{{}} for none, {0}{{INIT}}, "
     "{0}{{*}} to freeze",
-    "un ordre de forçage nomme le graphe et sa situation : {0}{{10}}, {0}{{}} pour la situation "
+    "un ordre de forçage nomme le grafcet partiel et sa situation : {0}{{10}}, {0}{{}} pour la "
+    "situation "
     "vide, "
     "{0}{{INIT}}, {0}{{*}} pour figer"};
 inline constexpr Message<Localized, std::string_view> word_is_operator{
@@ -291,6 +293,7 @@ inline constexpr Message<Localized> no_plant_condition_behind_name{
     "{} stands for more than inputs, and an assumption is over inputs and control inputs alone",
     "{} ne désigne pas que des entrées, et une hypothèse ne porte que sur des entrées"};
 inline constexpr Message<> stands_for_this{"it stands for this", "il désigne ceci"};
+/// Of more than one.
 inline constexpr Message<Localized, std::uint32_t> definition_too_large{
     "{} stands for an expression of more than {} parts; keep a part of it in a var",
     "{} désigne une expression de plus de {} parties ; gardez-en une partie dans une variable "
@@ -346,13 +349,14 @@ inline constexpr Message<> no_steps{
     "il n'y a pas d'étape, et il en faut au moins une à un GRAFCET : graph G {{ initial 0 }}"};
 inline constexpr Message<Localized> encloses_twice{
     "step {} encloses a graph already; a step encloses one graph at most",
-    "l'étape {} encapsule déjà un graphe ; une étape encapsule un graphe au plus"};
+    "l'étape {} encapsule déjà un grafcet partiel ; une étape encapsule un grafcet partiel au "
+    "plus"};
 inline constexpr Message<> entry_outside_of_expansion{
     "'entry' stands in an expansion only; in a graph write 'step'",
-    "« entry » ne se place que dans une expansion ; dans un graphe, écrivez « step »"};
+    "« entry » ne se place que dans une expansion ; dans un grafcet partiel, écrivez « step »"};
 inline constexpr Message<> exit_outside_of_expansion{
     "'exit' stands in an expansion only; in a graph write 'step'",
-    "« exit » ne se place que dans une expansion ; dans un graphe, écrivez « step »"};
+    "« exit » ne se place que dans une expansion ; dans un grafcet partiel, écrivez « step »"};
 
 // Names.
 inline constexpr Message<> first_declared_here{"it is first declared here",
@@ -360,6 +364,7 @@ inline constexpr Message<> first_declared_here{"it is first declared here",
 inline constexpr Message<std::int64_t, std::int64_t, Localized> empty_range{
     "the range {}..{} of counter {} is empty; write the lowest value first",
     "la plage {}..{} du compteur {} est vide ; écrivez d'abord la plus petite valeur"};
+/// Of more than one.
 inline constexpr Message<std::int64_t, std::int64_t, Localized, std::int64_t, std::int64_t>
     range_too_wide{
         "the range {}..{} of counter {} spans {} values; a counter has {} at most",
@@ -377,7 +382,7 @@ inline constexpr Message<Localized> expansion_twice{
     "l'expansion {} existe déjà ; renommez l'une des deux"};
 inline constexpr Message<Localized> graph_twice{
     "the graph {} exists already; rename one of the two",
-    "le graphe {} existe déjà ; renommez l'un des deux"};
+    "le grafcet partiel {} existe déjà ; renommez l'un des deux"};
 inline constexpr Message<Localized> step_twice{
     "the step {} exists already; step names are unique in the whole file, so rename one of the two",
     "l'étape {} existe déjà ; un nom d'étape est unique dans tout le fichier, renommez donc l'une "
@@ -405,7 +410,7 @@ inline constexpr Message<Localized, Localized, Localized> variable_clash{
 inline constexpr Message<Localized> declared_here{"{} is declared here",
                                                   "la déclaration est ici : {}"};
 inline constexpr Message<Localized> expansion_named{"expansion {}", "l'expansion {}"};
-inline constexpr Message<Localized> graph_named{"graph {}", "le graphe {}"};
+inline constexpr Message<Localized> graph_named{"graph {}", "le grafcet partiel {}"};
 inline constexpr Message<Localized> macro_step_named{"macro-step {}", "la macro-étape {}"};
 inline constexpr Message<Localized> step_named{"step {}", "l'étape {}"};
 inline constexpr Message<Localized> unknown_step{"unknown step {}", "l'étape {} est inconnue"};
@@ -413,7 +418,8 @@ inline constexpr Message<Localized> unknown_step{"unknown step {}", "l'étape {}
 // Macro-steps and expansions.
 inline constexpr Message<Localized, std::string_view> expanded_by_graph{
     "{} is a graph; a macro-step is expanded by an expansion, declared with 'expansion {} {{ … }}'",
-    "{} est un graphe ; une macro-étape se développe en une expansion, déclarée par « expansion {} "
+    "{} est un grafcet partiel ; une macro-étape se développe en une expansion, déclarée par "
+    "« expansion {} "
     "{{ … }} »"};
 inline constexpr Message<Localized> unknown_expansion{"unknown expansion {}",
                                                       "l'expansion {} est inconnue"};
@@ -487,7 +493,7 @@ inline constexpr Message<> edge_in_condition{
 inline constexpr Message<Localized, Localized, Localized> step_of_another_graph{
     "{} belongs to {}; a transition of {} names steps and macro-steps of that graph only",
     "{} est dans {} ; une transition placée dans {} ne nomme que des étapes et des macro-étapes de "
-    "ce graphe"};
+    "ce grafcet partiel"};
 inline constexpr Message<Localized, Localized, Localized> step_of_another_expansion{
     "{} belongs to {}; a transition of {} names steps and macro-steps of that expansion only",
     "{} est dans {} ; une transition placée dans {} ne nomme que des étapes et des macro-étapes de "
@@ -524,13 +530,14 @@ inline constexpr Message<Localized> control_input_written{
 inline constexpr Message<Localized> step_variable_written{
     "{} follows the situation and is never written; use a forcing order to change the situation of "
     "a graph",
-    "{} suit la situation et ne s'écrit jamais ; pour changer la situation d'un graphe, utilisez "
+    "{} suit la situation et ne s'écrit jamais ; pour changer la situation d'un grafcet partiel, "
+    "utilisez "
     "un ordre de forçage"};
 inline constexpr Message<Localized> unknown_output{"unknown output {}",
                                                    "la sortie {} est inconnue"};
 inline constexpr Message<Localized, std::string_view> unknown_output_is_graph{
     "unknown output {0}; an order to graph {0} is written {1}{{…}}",
-    "la sortie {0} est inconnue ; un ordre au graphe {0} s'écrit {1}{{…}}"};
+    "la sortie {0} est inconnue ; un ordre au grafcet partiel {0} s'écrit {1}{{…}}"};
 inline constexpr Message<Localized, std::string_view> counter_set{
     "{} is a counter, which is neither set nor reset; write a value, as in {} := 0",
     "{} est un compteur, qui ne se met ni à 1 ni à 0 ; écrivez une valeur, comme dans {} := 0"};
@@ -542,8 +549,9 @@ inline constexpr Message<Localized> value_of_boolean{
     "{} n'est pas un compteur ; affectez-lui une condition"};
 inline constexpr Message<Localized> expansion_as_graph{
     "{} is an expansion; orders and enclosures name graphs",
-    "{} est une expansion ; un ordre et une encapsulation nomment des graphes"};
-inline constexpr Message<Localized> unknown_graph{"unknown graph {}", "le graphe {} est inconnu"};
+    "{} est une expansion ; un ordre et une encapsulation nomment des grafcets partiels"};
+inline constexpr Message<Localized> unknown_graph{"unknown graph {}",
+                                                  "le grafcet partiel {} est inconnu"};
 inline constexpr Message<Localized> macro_step_in_order{
     "{} is a macro-step; a forcing order names steps, such as the entry step of its expansion",
     "{} est une macro-étape ; un ordre de forçage nomme des étapes, par exemple l'étape d'entrée "
@@ -580,27 +588,31 @@ inline constexpr Message<> this_continuous_action{"this continuous action drives
 // The hierarchy of graphs.
 inline constexpr Message<Localized, Localized> encloses_its_graph{
     "{} encloses its own graph {}; only another graph can be forced or enclosed",
-    "{} encapsule son propre graphe {} ; on ne peut forcer ou encapsuler qu'un autre graphe"};
+    "{} encapsule son propre grafcet partiel {} ; on ne peut forcer ou encapsuler qu'un autre "
+    "grafcet partiel"};
 inline constexpr Message<Localized, Localized> forces_its_graph{
     "{} forces its own graph {}; only another graph can be forced or enclosed",
-    "{} force son propre graphe {} ; on ne peut forcer ou encapsuler qu'un autre graphe"};
+    "{} force son propre grafcet partiel {} ; on ne peut forcer ou encapsuler qu'un autre grafcet "
+    "partiel"};
 inline constexpr Message<Localized, Localized> encloses{"{} encloses {}", "{} encapsule {}"};
 inline constexpr Message<Localized, Localized> forces{"{} forces {}", "{} force {}"};
 inline constexpr Message<Localized> circle_of_graphs{
     "graphs force or enclose one another in a circle: {}; break the circle at one place",
-    "des graphes se forcent ou s'encapsulent en boucle : {} ; rompez cette boucle en un point"};
+    "des grafcets partiels se forcent ou s'encapsulent en boucle : {} ; rompez cette boucle en un "
+    "point"};
 inline constexpr Message<Localized, Localized, Localized> encloses_here{
     "{} of {} encloses {} here", "{} de {} encapsule ici {}"};
 inline constexpr Message<Localized, Localized, Localized> forces_here{"{} of {} forces {} here",
                                                                       "{} de {} force ici {}"};
 inline constexpr Message<Localized, Localized> enclosed_twice{
     "{} is enclosed by {} already; a graph is enclosed by one step at most",
-    "{} est déjà encapsulé par {} ; un graphe est encapsulé par une étape au plus"};
+    "{} est déjà encapsulé par {} ; un grafcet partiel est encapsulé par une étape au plus"};
 inline constexpr Message<> first_enclosed_here{"it is first enclosed here",
                                                "la première encapsulation est ici"};
 inline constexpr Message<Localized, Localized, Localized> initial_in_enclosed{
     "{} is initial, but {}, which encloses its graph {}, is not; make both initial or neither",
-    "{} est initiale, mais {}, qui encapsule son graphe {}, ne l'est pas ; rendez initiales les "
+    "{} est initiale, mais {}, qui encapsule son grafcet partiel {}, ne l'est pas ; rendez "
+    "initiales les "
     "deux étapes ou aucune"};
 inline constexpr Message<> enclosing_step_here{"the enclosing step is here",
                                                "l'étape encapsulante est ici"};
@@ -609,7 +621,7 @@ inline constexpr Message<Localized, Localized> initial_encloses{
     "{} est initiale, mais {}, qu'elle encapsule, n'a pas d'étape initiale ; donnez-lui-en une, ou "
     "rendez l'étape encapsulante non initiale"};
 inline constexpr Message<> enclosed_graph_here{"the enclosed graph is here",
-                                               "le graphe encapsulé est ici"};
+                                               "le grafcet partiel encapsulé est ici"};
 
 // Parts that a reader of another format may leave out or make too large.
 inline constexpr Message<> grafcet_without_name{"the GRAFCET has no name",
@@ -619,7 +631,8 @@ inline constexpr Message<> variable_without_name{"a variable has no name",
                                                  "une variable n'a pas de nom"};
 inline constexpr Message<> expansion_without_name{"an expansion has no name",
                                                   "une expansion n'a pas de nom"};
-inline constexpr Message<> graph_without_name{"a graph has no name", "un graphe n'a pas de nom"};
+inline constexpr Message<> graph_without_name{"a graph has no name",
+                                              "un grafcet partiel n'a pas de nom"};
 inline constexpr Message<> macro_step_without_name{"a macro-step has no name",
                                                    "une macro-étape n'a pas de nom"};
 inline constexpr Message<> step_without_name{"a step has no name", "une étape n'a pas de nom"};
@@ -647,6 +660,7 @@ inline constexpr Message<> bad_delay{
     "une durée est négative ou trop longue ; une durée va jusqu'à 106 jours"};
 inline constexpr Message<> side_of_comparison_empty{"a side of the comparison is empty",
                                                     "un membre de la comparaison est vide"};
+/// Of more than one.
 inline constexpr Message<int> nested_too_deep{
     "this expression is nested more than {} levels deep; give parts of it to vars of their own",
     "cette expression est imbriquée sur plus de {} niveaux ; confiez-en des parties à des "
@@ -654,6 +668,7 @@ inline constexpr Message<int> nested_too_deep{
 inline constexpr Message<std::int64_t, std::int64_t> number_too_large{
     "the number {} is too large; numbers go up to {}",
     "le nombre {} est trop grand ; un nombre va jusqu'à {}"};
+/// Of more than one.
 inline constexpr Message<std::uint32_t> sum_too_long{"a sum has {} terms at most",
                                                      "une somme a {} termes au plus"};
 
@@ -661,7 +676,8 @@ inline constexpr Message<std::uint32_t> sum_too_long{"a sum has {} terms at most
 inline constexpr Message<Localized> graph_without_start{
     "graph {} has no initial step and nothing forces it, so it never becomes active; make a step "
     "initial",
-    "le graphe {} n'a pas d'étape initiale et rien ne le force : il ne devient jamais actif ; "
+    "le grafcet partiel {} n'a pas d'étape initiale et rien ne le force : il ne devient jamais "
+    "actif ; "
     "rendez une étape initiale"};
 inline constexpr Message<Localized> unreachable_step{
     "nothing can activate step {}: it is not initial, and no transition, forcing order or "
@@ -692,28 +708,7 @@ inline constexpr Message<Localized> conflicting_writes{
 inline constexpr Message<> another_one_here{"another one is here", "une autre est ici"};
 
 // The description of a chart.
-inline constexpr CountedMessage<> count_graphs{{"{} graph", "{} graphe"},
-                                               {"{} graphs", "{} graphes"}};
-inline constexpr CountedMessage<> count_steps{{"{} step", "{} étape"}, {"{} steps", "{} étapes"}};
-inline constexpr CountedMessage<> count_initial_steps{{"{} initial step", "{} étape initiale"},
-                                                      {"{} initial steps", "{} étapes initiales"}};
-/// The same in both languages.
-inline constexpr CountedMessage<> count_transitions{{"{} transition", "{} transition"},
-                                                    {"{} transitions", "{} transitions"}};
-inline constexpr CountedMessage<> count_macro_steps{{"{} macro-step", "{} macro-étape"},
-                                                    {"{} macro-steps", "{} macro-étapes"}};
-inline constexpr CountedMessage<> count_inputs{{"{} input", "{} entrée"},
-                                               {"{} inputs", "{} entrées"}};
-inline constexpr CountedMessage<> count_outputs{{"{} output", "{} sortie"},
-                                                {"{} outputs", "{} sorties"}};
-inline constexpr CountedMessage<> count_vars{{"{} var", "{} variable interne"},
-                                             {"{} vars", "{} variables internes"}};
-inline constexpr CountedMessage<> count_counters{{"{} counter", "{} compteur"},
-                                                 {"{} counters", "{} compteurs"}};
-inline constexpr CountedMessage<> count_edges{{"{} edge", "{} front"}, {"{} edges", "{} fronts"}};
-inline constexpr CountedMessage<> count_time_conditions{
-    {"{} time condition", "{} temporisation"}, {"{} time conditions", "{} temporisations"}};
-inline constexpr Message<> graphs{"Graphs", "Graphes"};
+inline constexpr Message<> graphs{"Graphs", "Grafcets partiels"};
 inline constexpr Message<std::string, std::string, std::string> graph_line{"{}: {}, {}",
                                                                            "{} : {}, {}"};
 inline constexpr Message<std::string> steps_line{"steps: {}", "étapes : {}"};

@@ -23,11 +23,11 @@ std::string shown(const std::vector<Message>& messages, std::string_view file, L
     for (const Message& message : messages) {
         text += file;
         if (message.line != 0) text += fmt::format(":{}:{}", message.line, message.column);
-        const grafwire::Message<>& kind = message.severity == Message::Severity::error
-                                              ? messages::text::error
-                                              : messages::text::warning;
-        text +=
-            fmt::format(": {}: {}\n", kind.in(language_from(language)), message.text_in(language));
+        const grafwire::Message<std::string>& labelled =
+            message.severity == Message::Severity::error ? messages::text::error
+                                                         : messages::text::warning;
+        text += fmt::format(
+            ": {}\n", labelled.in(language_from(language), std::string(message.text_in(language))));
     }
     return text;
 }

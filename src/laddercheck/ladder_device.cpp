@@ -9,8 +9,6 @@
 
 #include "laddercheck/ladder_device.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "explain/explanation_writer.h"
@@ -237,10 +235,8 @@ std::string LadderDevice::explain(const Witness& witness, Language language) con
     if (!rungs.empty()) writer.say(words::networks_that_decide);
     for (const std::size_t r : rungs) {
         const ladder::Rung& rung = ladder_.rungs[r];
-        writer.say(words::network, rung.number);
-        if (rung.origin.is_known()) writer.say(words::at_line, rung.origin.line);
-        if (!rung.comment.empty()) writer.add(fmt::format(" ({})", rung.comment));
-        writer.say(scan.powers[r] == Logic::one ? words::power_passes : words::power_does_not_pass);
+        writer.say(scan.powers[r] == Logic::one ? words::power_passes : words::power_does_not_pass,
+                   writer.network_text(rung.number, rung.comment, rung.origin));
         writer.add(ladder::write_rung(ladder_, rung, 72, 4));
     }
     return writer.take();

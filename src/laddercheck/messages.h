@@ -16,10 +16,10 @@ inline constexpr Message<std::string, std::uint32_t> was_last_written{
 inline constexpr Message<> networks_that_decide{
     "The networks that decide it, in this scan:\n",
     "Les réseaux qui en décident, dans cette scrutation :\n"};
-inline constexpr Message<std::uint32_t> network{"  network {}", "  réseau {}"};
-inline constexpr Message<std::uint32_t> at_line{", line {}", ", ligne {}"};
-inline constexpr Message<> power_passes{": power reaches its end\n", " : le courant passe\n"};
-inline constexpr Message<> power_does_not_pass{": power does not reach its end\n",
-                                               " : le courant ne passe pas\n"};
+/// Argument: the network, with its comment and line.
+inline constexpr Message<std::string> power_passes{"  {}: power reaches its end\n",
+                                                   "  {} : le courant passe\n"};
+inline constexpr Message<std::string> power_does_not_pass{"  {}: power does not reach its end\n",
+                                                          "  {} : le courant ne passe pas\n"};
 
 }  // namespace grafwire::messages::laddercheck

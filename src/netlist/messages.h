@@ -47,7 +47,7 @@ inline constexpr Message<std::string, std::string> cell_of_var{"{} of var {}",
 inline constexpr Message<std::string, std::string> cell_of_counter{"{} of counter {}",
                                                                    "{} du compteur {}"};
 inline constexpr Message<std::string, std::string> cell_of_graph{"{} of graph {}",
-                                                                 "{} du graphe {}"};
+                                                                 "{} du grafcet partiel {}"};
 inline constexpr Message<std::string, std::string> cell_of_edge{"{} of edge {}", "{} du front {}"};
 inline constexpr Message<std::string, std::string> cell_of_time_condition{
     "{} of time condition {}", "{} de la temporisation {}"};

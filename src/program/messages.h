@@ -20,7 +20,7 @@ namespace messages::program {
 inline constexpr Message<std::string, std::string> titled{"{}: {}", "{} : {}"};
 
 inline constexpr Message<> no_graph_frozen{"no graph is frozen",
-                                           "aucun Grafcet partiel n'est figé"};
+                                           "aucun grafcet partiel n'est figé"};
 inline constexpr Message<std::string> initial_step{"initial step {}", "étape initiale {}"};
 inline constexpr Message<std::string> memory_of_edge{"memory of {}", "mémoire de {}"};
 inline constexpr Message<> init_sets{"Init: initial steps", "Init : étapes initiales"};

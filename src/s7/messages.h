@@ -79,7 +79,7 @@ inline constexpr Message<std::string_view, std::string_view> no_operand_near{
 inline constexpr Message<> offset_missing{
     "the offsets of the listing do not ascend, and this instruction has none: write all of them, "
     "or none",
-    "les adresses relatives du listing ne sont pas croissantes, et cette instruction n'en a pas : "
+    "les adresses relatives de la liste ne sont pas croissantes, et cette instruction n'en a pas : "
     "écrivez-les toutes, ou aucune"};
 inline constexpr Message<std::uint32_t> offset_repeated{
     "another instruction has the offset {} too",
@@ -146,8 +146,10 @@ inline constexpr Message<std::size_t, std::string_view, std::string_view, Locali
     "operand {} of {} is {}, and {} is wanted", "l'opérande {} de {} est {}, alors qu'il faut {}"};
 inline constexpr Message<std::string_view, Localized, std::int64_t, std::int64_t, std::string_view>
     out_of_bounds{"{}: {} is between {} and {} (the {})", "{} : {} va de {} à {} (pour la {})"};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::string_view, std::int64_t> beyond_bytes{
     "{}: the {} has {} bytes of this area", "{} : dans cette zone, la {} a {} octets"};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::string_view, std::int64_t> beyond_places{
     "{}: the {} has {} places of this area", "{} : dans cette zone, la {} a {} emplacements"};
 inline constexpr CountedMessage<std::string_view, std::string_view, std::int64_t> run_beyond_bytes{
@@ -173,6 +175,7 @@ inline constexpr CountedMessage<std::string_view, std::size_t> stack_too_low{
      "{1} porte sur {0} niveau de la pile, et le réseau en a chargé {2}"},
     {"{1} works on {0} levels of the stack, and the network has loaded {2}",
      "{1} porte sur {0} niveaux de la pile, et le réseau en a chargé {2}"}};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::size_t> pushed_out{
     "{} comes too late: the stack has {} levels, and what it needs has been pushed out by later "
     "loads",
@@ -207,7 +210,8 @@ inline constexpr Message<std::int32_t> calls_itself{"subroutine {} would call it
                                                     "le sous-programme {} s'appellerait lui-même"};
 
 inline constexpr Message<> no_instruction{"the listing holds no instruction",
-                                          "le listing ne contient aucune instruction"};
+                                          "la liste d'instructions ne contient aucune instruction"};
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::string_view, std::uint32_t> program_too_long{
     "the program takes {} bytes, and the {} holds {}",
     "le programme occupe {} octets, et la {} n'en a que {}"};

@@ -129,15 +129,14 @@ std::string bit_text(const Diagnosis& diagnosis, Language language) {
 }
 
 /// `network 49 (Traitement des forçages), line 187`
-std::string network_text(const s7::Listing& listing, std::uint32_t number, Language language) {
-    std::string text = words::network.in(language, number);
+std::string network_text(const ExplanationWriter& writer, const s7::Listing& listing,
+                         std::uint32_t number) {
     for (const s7::Network& network : listing.networks) {
-        if (network.number != number) continue;
-        if (!network.comment.empty()) text += fmt::format(" ({})", network.comment);
-        if (network.where.is_known()) text += words::at_line.in(language, network.where.line);
-        break;
+        if (network.number == number) {
+            return writer.network_text(number, network.comment, network.where);
+        }
     }
-    return text;
+    return writer.network_text(number, {}, {});
 }
 
 /// The instructions of the networks in question, with their lines.
@@ -153,8 +152,7 @@ void explain_instructions(ExplanationWriter& writer, const s7::Listing& listing,
         }
         for (const s7::Network& network : listing.networks) {
             if (network.number != diagnosis.networks[i]) continue;
-            writer.add(
-                fmt::format("  {}\n", network_text(listing, network.number, writer.language())));
+            writer.add(fmt::format("  {}\n", network_text(writer, listing, network.number)));
             const auto shown = excerpt(network, places, most_instructions + 1);
             for (std::size_t k = 0; k < shown.size(); ++k) {
                 if (k == most_instructions) {
@@ -183,7 +181,7 @@ void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
     }
     writer.say(
         diagnosis.should_have_written ? words::should_have_been_written_by : words::was_written_by,
-        network_text(listing, diagnosis.networks[0], language));
+        network_text(writer, listing, diagnosis.networks[0]));
     for (const Diagnosis::Read& read : diagnosis.reads) {
         if (read.writer) {
             writer.say(words::network_reads, read.network, place_text(read.place), read.value,
@@ -196,8 +194,8 @@ void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
     const std::vector<std::uint32_t> others(diagnosis.networks.begin() + 1,
                                             diagnosis.networks.end());
     if (!others.empty()) {
-        writer.say(others.size() == 1 ? words::look_at_network : words::look_at_networks,
-                   fmt::format("{}", fmt::join(others, ", ")));
+        writer.add(words::look_at_networks.in(language, others.size(),
+                                              fmt::format("{}", fmt::join(others, ", "))));
     }
     explain_instructions(writer, listing, diagnosis);
 }

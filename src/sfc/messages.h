@@ -50,10 +50,10 @@ inline constexpr Message<std::string> on_deactivation{"step {} on deactivation",
 inline constexpr Message<std::string, std::string> on_event{"step {} on {}", "étape {} sur {}"};
 inline constexpr CountedMessage<std::string> initial_step_count{
     {"graph {1} has {0} initial step here; many tools ask for exactly one",
-     "le Grafcet partiel {1} a ici {0} étape initiale ; beaucoup d'outils en demandent exactement "
+     "le grafcet partiel {1} a ici {0} étape initiale ; beaucoup d'outils en demandent exactement "
      "une"},
     {"graph {1} has {0} initial steps here; many tools ask for exactly one",
-     "le Grafcet partiel {1} a ici {0} étapes initiales ; beaucoup d'outils en demandent "
+     "le grafcet partiel {1} a ici {0} étapes initiales ; beaucoup d'outils en demandent "
      "exactement une"}};
 
 // Comments within actions.

@@ -116,11 +116,12 @@ class SourceLines {
 
 /// `chart.grafcet:5:12: error: …`, the line, and a caret below the column.
 void append_message(std::string& out, SourceLines& lines, std::string_view file, Location where,
-                    std::string_view kind, std::string_view message) {
+                    const Message<std::string>& labelled, std::string_view message,
+                    Language language) {
     out += visible(file);
     if (where.is_known()) out += fmt::format(":{}:{}", where.line, where.column);
-    out += fmt::format(": {}: ", kind);
-    out += visible(shortened(message, most_of_message));
+    out += ": ";
+    out += labelled.in(language, visible(shortened(message, most_of_message)));
     out += '\n';
     if (lines.has(where)) lines.append(out, where);
 }
@@ -144,11 +145,11 @@ std::string format_diagnostics(const Diagnostics& diagnostics, const SourceFile&
             continue;
         }
         append_message(out, lines, file, item.where,
-                       (is_error ? messages::text::error : messages::text::warning).in(language),
-                       item.message.in(language));
+                       is_error ? messages::text::error : messages::text::warning,
+                       item.message.in(language), language);
         for (const Diagnostic::Note& note : item.notes) {
-            append_message(out, note_lines, file, note.where, messages::text::note.in(language),
-                           note.message.in(language));
+            append_message(out, note_lines, file, note.where, messages::text::note,
+                           note.message.in(language), language);
         }
     }
     const auto count_rest = [&](std::size_t count, const CountedMessage<>& message) {

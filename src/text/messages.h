@@ -12,10 +12,9 @@ namespace messages::text {
 
 inline constexpr Message<std::string> quoted_name{"'{}'", "« {} »"};
 
-inline constexpr Message<> error{"error", "erreur"};
-inline constexpr Message<> warning{"warning", "avertissement"};
-/// The same in both languages.
-inline constexpr Message<> note{"note", "note"};
+inline constexpr Message<std::string> error{"error: {}", "erreur : {}"};
+inline constexpr Message<std::string> warning{"warning: {}", "avertissement : {}"};
+inline constexpr Message<std::string> note{"note: {}", "note : {}"};
 
 inline constexpr CountedMessage<> more_errors{
     {"{} more error not shown", "{} erreur de plus n'est pas affichée"},

@@ -89,7 +89,7 @@ TEST_CASE("the report of a wiring: verdict, what it rests on, coverage") {
           "power-up: Init\n"
           "  2 stable situations, 17 cases compared, 1 without a stable situation\n");
     CHECK(text_of(wiring(), equivalent(), Language::french) ==
-          "chart.grafcet: équivalent (style nand, CDX successor)\n"
+          "chart.grafcet : équivalent (style nand, CDX successor)\n"
           "  retards : 1 ns par porte ; changements : une entrée à la fois ; hypothèses : /(a.b) ; "
           "mise sous tension : Init\n"
           "  2 situations stables, 17 cas comparés, 1 sans situation stable\n");
@@ -114,10 +114,10 @@ TEST_CASE("the report of what is scanned") {
           "  scan period: 10ms; assumptions: /(a.b); power-up: initial values\n"
           "  2 situations, 17 scans compared\n");
     CHECK(text_of(program, equivalent(), Language::french) ==
-          "chart.grafcet: équivalent (programme list.awl)\n"
-          "  période de scrutation : 10ms ; hypothèses : /(a.b) ; mise sous tension : valeurs "
+          "chart.grafcet : équivalent (programme list.awl)\n"
+          "  période de scrutation : 10 ms ; hypothèses : /(a.b) ; mise sous tension : valeurs "
           "initiales\n"
-          "  2 situations, 17 cycles comparés\n");
+          "  2 situations, 17 scrutations comparées\n");
 }
 
 TEST_CASE("a netlist from elsewhere has no style, and may have no Init") {
@@ -248,7 +248,7 @@ TEST_CASE("a witness, and what the story does not say of its kind") {
               "Every X and output is right; what keeps changing beside them stands below.\n\n"
               "The story.\n");
     CHECK(rest_of_text(different(DifferenceKind::oscillation), Language::french) ==
-          "\nTémoin :\n  0s :\n  100ms : a=1\n  100ms : end\n\n"
+          "\nContre-exemple :\n  0s :\n  100ms : a=1\n  100ms : end\n\n"
           "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus "
           "bas.\n\nThe story.\n");
     CheckResult result = different(DifferenceKind::oscillation);

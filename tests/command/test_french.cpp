@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "command/english_words.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
@@ -21,48 +22,10 @@ using Request = std::vector<std::string>;
 const std::string chart = example("single-sequence.grafcet");
 const std::string stim = example("single-sequence.stim");
 
-/// Words of English sentences that are none of French, nor names of commands, options and values.
-const std::set<std::string> english_words{
-    "address",   "an",      "and",        "are",         "at",        "be",        "beside",
-    "between",   "both",    "but",        "by",          "cannot",    "cell",      "command",
-    "connected", "default", "delay",      "did",         "directory", "driver",    "each",
-    "error",     "every",   "example",    "exit",        "expected",  "file",      "first",
-    "float",     "folder",  "for",        "from",        "gate",      "give",      "given",
-    "has",       "have",    "here",       "in",          "input",     "inputs",    "into",
-    "is",        "it",      "its",        "keep",        "language",  "mean",      "missing",
-    "more",      "must",    "name",       "names",       "needs",     "neither",   "nor",
-    "not",       "nothing", "of",         "only",        "output",    "outputs",   "positionals",
-    "print",     "program", "read",       "received",    "report",    "required",  "row",
-    "second",    "settle",  "several",    "should",      "shows",     "started",   "status",
-    "step",      "steps",   "subcommand", "subcommands", "such",      "supported", "takes",
-    "than",      "that",    "the",        "there",       "these",     "they",      "this",
-    "those",     "time",    "uint",       "usage",       "warning",   "was",       "what",
-    "when",      "where",   "which",      "whole",       "width",     "will",      "with",
-    "without",   "word",    "write",      "you",         "your"};
-
-/// The English words of a text, apart from what is the same in every language: options, their
-/// values in braces, paths, and what stands in quotes or brackets.
-std::string english_in(const std::string& text) {
-    std::string found;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        if (word.find_first_of("-/.{[\"") == 0 || word.find('/') != std::string::npos) continue;
-        if (word.find(":{") != std::string::npos) continue;
-        std::string letters;
-        for (const char c : word) {
-            if (c != ',' && c != ';' && c != ':' && c != '(' && c != ')' && c != '.') {
-                letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-            }
-        }
-        if (english_words.count(letters) != 0) found += word + ' ';
-    }
-    return found;
-}
-
 /// The commands that a help lists.
 std::vector<std::string> commands_in(const std::string& help) {
     std::vector<std::string> commands;
-    std::istringstream lines(help.substr(help.find("\nCommandes:\n") + 12));
+    std::istringstream lines(help.substr(help.find("\nCommandes\u00a0:\n") + 14));
     for (std::string line; std::getline(lines, line);) {
         const bool begins = line.rfind("  ", 0) == 0 && line.find_first_not_of(' ') == 2;
         if (begins) commands.push_back(line.substr(2, line.find(' ', 2) - 2));
@@ -84,7 +47,7 @@ std::size_t options_in(const std::string& help) {
 TEST_CASE("help is French throughout") {
     std::string shown = grafwire_with({"--lang", "fr", "--help"}).out;
     CHECK(english_in(shown).empty());
-    CHECK(contains(shown, "Utilisation: grafwire [OPTIONS] COMMANDE"));
+    CHECK(contains(shown, "Utilisation\u00a0: grafwire [OPTIONS] COMMANDE"));
     const std::vector<std::string> commands = commands_in(shown);
     CHECK(commands.size() == 8);
     for (const std::string& command : commands) {

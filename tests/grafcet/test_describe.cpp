@@ -66,11 +66,11 @@ Hierarchy of forcing orders and enclosures
 
 TEST_CASE("a description in French") {
     CHECK(describe_grafcet(parsed(chart), Language::french) == R"(GRAFCET plant "Tri de caisses"
-  4 graphes, 9 étapes, 3 étapes initiales, 9 transitions, 1 macro-étape
+  4 grafcets partiels, 9 étapes, 3 étapes initiales, 9 transitions, 1 macro-étape
   2 entrées, 1 sortie, 1 variable interne, 1 compteur
   1 front, 1 temporisation
 
-Graphes
+Grafcets partiels
   Top : 3 étapes, 3 transitions
     étapes : 0 (initiale), 1, 2
     transitions : 0, 1, 2

@@ -568,13 +568,13 @@ graph "H 1" { step 2 2 -> 1 : 1 }
     }
     CHECK(shown ==
           R"(la sortie « lampe » est inconnue ; vouliez-vous dire « lamp » ?
-l'étape « 2 » force son propre graphe « G » ; on ne peut forcer ou encapsuler qu'un autre graphe
+l'étape « 2 » force son propre grafcet partiel « G » ; on ne peut forcer ou encapsuler qu'un autre grafcet partiel
 on attend ici une condition et non « ) »
 l'étape « 2 » existe déjà ; un nom d'étape est unique dans tout le fichier, renommez donc l'une des deux
   la première déclaration est ici
-l'étape « 1 » est dans le graphe « G » ; une transition placée dans le graphe « H 1 » ne nomme que des étapes et des macro-étapes de ce graphe
+l'étape « 1 » est dans le grafcet partiel « G » ; une transition placée dans le grafcet partiel « H 1 » ne nomme que des étapes et des macro-étapes de ce grafcet partiel
   la déclaration est ici : l'étape « 1 »
 )");
     CHECK(format_diagnostics(diagnostics, source, Language::french)
-              .starts_with("test:5:15: erreur: la sortie « lampe » est inconnue"));
+              .starts_with("test:5:15: erreur\u00a0: la sortie « lampe » est inconnue"));
 }

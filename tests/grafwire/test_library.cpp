@@ -47,7 +47,7 @@ TEST_CASE("reading: a chart, or messages with their places") {
     CHECK(wrong.messages[0].column == 12);
     CHECK(contains(refusal(wrong), "text:4:12: error: "));
     CHECK(contains(gw::shown(wrong.messages, "text", gw::Language::french),
-                   "text:4:12: erreur: " + wrong.messages[0].text_in(gw::Language::french)));
+                   "text:4:12: erreur\u00a0: " + wrong.messages[0].text_in(gw::Language::french)));
 }
 
 TEST_CASE("equations in every form") {

@@ -88,7 +88,7 @@ TEST_CASE("its mistake: the network that wrote the step, and what it had read") 
                     Language::english) == R"(At 0 ms: go=1 back=1.
 The reference:
   before: X0
-  scan at 0 ms: clears (0) 0 -> 1 -> X1
+  scan at 0 ms: clears (0) 0 -> 1. Situation: X1
 Where they part:
   X0: the reference gives 0, the listing 1
   X1: the reference gives 1, the listing 0
@@ -116,14 +116,14 @@ The instructions:
 
 TEST_CASE("its mistake, in French: an output that no network writes") {
     CHECK(explained(replaced(good_lamp, "LD M0.1\n= A0.0\n", ""), Language::french) ==
-          R"(À 0 ms : go=1.
+          R"(À 0 ms : go=1.
 La référence :
   avant : X0
-  cycle à 0 ms : franchit (0) 0 -> 1 -> X1
-Où ils se séparent :
-  lamp : la référence donne 1, le programme 0
-D'où cela vient dans le programme :
-  lamp (A0.0) vaut 0 après le cycle à 0 ms, et devrait valoir 1
+  scrutation à 0 ms : franchit (0) 0 -> 1. Situation : X1
+Écart constaté :
+  lamp : la référence donne 1, la liste d'instructions 0
+D'où cela vient dans la liste d'instructions :
+  lamp (A0.0) vaut 0 après la scrutation à 0 ms, et devrait valoir 1
   aucun réseau ne l'écrit
 )");
 }
@@ -134,7 +134,7 @@ TEST_CASE("a scan that does not come to an end") {
                     Language::english) == R"(At 0 ms: go=1.
 The reference:
   before: X0
-  scan at 0 ms: clears (0) 0 -> 1 -> X1
+  scan at 0 ms: clears (0) 0 -> 1. Situation: X1
 The listing stops (network 4, line 21): the scan does not come to an end: more than 100000 instructions
 )");
 }

@@ -1,8 +1,10 @@
 #pragma once
 
-// The catalogues of the product, src/**/messages.h, read as text: so that a row is looked at even
-// where no test makes the program say it.
+// The catalogues of the product read as text: so that a row is looked at even where no test makes
+// the program say it. A catalogue is a header of src with rows `inline constexpr Message<…> name{`:
+// messages.h of a folder, and what several folders share.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,6 +17,8 @@ namespace grafwire::testing {
 struct CatalogueRow {
     std::string name;
     std::vector<std::string> texts;  ///< English, French; twice that where the row counts
+    std::string type;                ///< `Message<std::size_t, Localized>`, or an alias
+    std::string comment;             ///< the line above it, if that is a comment
     bool counts = false;
     bool is_same_on_purpose = false;
 };
@@ -37,11 +41,12 @@ inline std::string read_literal(std::string_view text, std::size_t& at) {
 /// Literals that stand side by side are one text, as for the compiler.
 inline CatalogueRow read_row(std::string_view text, std::size_t& at) {
     CatalogueRow row;
-    const std::size_t arguments = at;
+    const std::size_t type = at;
     at = text.find('{', at);
-    const std::size_t name = text.rfind('>', at) + 2;
+    const std::size_t name = text.find_last_of(" \n", at) + 1;
     row.name = std::string(text.substr(name, at - name));
-    row.counts = text.substr(arguments).starts_with("CountedMessage<");
+    row.type = std::string(text.substr(type, name - 1 - type));
+    row.counts = row.type.starts_with("CountedMessage<");
     bool goes_on = false;
     while (at < text.size() && text[at] != ';') {
         if (text[at] == '"') {
@@ -67,15 +72,35 @@ inline std::vector<CatalogueRow> rows_of(const std::filesystem::path& path) {
         const bool is_commented = comment != text.npos && text.find('\n', comment + 1) + 1 == at;
         at += beginning.size();
         const std::string_view rest = std::string_view(text).substr(at);
-        if (!rest.starts_with("Message<") && !rest.starts_with("CountedMessage<")) continue;
+        const std::string_view type = rest.substr(0, rest.find_first_of("< "));
+        if (!type.ends_with("Message")) continue;
         CatalogueRow row = read_row(text, at);
-        row.is_same_on_purpose =
-            is_commented &&
-            text.substr(comment, text.find('\n', comment + 1) - comment).find("same in both") !=
-                text.npos;
+        if (is_commented) {
+            row.comment = text.substr(comment, text.find('\n', comment + 1) - comment);
+        }
+        row.is_same_on_purpose = row.comment.find("same in both") != row.comment.npos;
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+struct Catalogue {
+    std::filesystem::path path;
+    std::vector<CatalogueRow> rows;
+};
+
+/// All of them, in the order of their paths.
+inline std::vector<Catalogue> all_catalogues() {
+    std::vector<Catalogue> catalogues;
+    const std::filesystem::path root = std::filesystem::path(GRAFWIRE_ROOT) / "src";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+        if (entry.path().extension() != ".h") continue;
+        std::vector<CatalogueRow> rows = rows_of(entry.path());
+        if (!rows.empty()) catalogues.push_back({entry.path(), std::move(rows)});
+    }
+    std::sort(catalogues.begin(), catalogues.end(),
+              [](const Catalogue& a, const Catalogue& b) { return a.path < b.path; });
+    return catalogues;
 }
 
 }  // namespace grafwire::testing

@@ -14,6 +14,7 @@
 #include "equations/report/messages.h"
 #include "equations/report/page.h"
 #include "equations/report/report_parts.h"
+#include "text/shown_duration.h"
 
 namespace grafwire {
 
@@ -253,8 +254,8 @@ class Report {
             for (const ExprId id : used.time_conditions) {
                 const TimeCondition& condition = pool.time_condition_of(id);
                 page_.row({shown(id), shown(condition.operand),
-                           Page::words(format_duration(condition.on_delay)),
-                           Page::words(format_duration(condition.off_delay))});
+                           Page::words(shown_duration(condition.on_delay).in(language_)),
+                           Page::words(shown_duration(condition.off_delay).in(language_))});
             }
             page_.end_table();
         }

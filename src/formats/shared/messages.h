@@ -52,9 +52,11 @@ inline constexpr Message<std::string_view> library_cell{
 inline constexpr Message<std::string_view> not_supported{"'{}' is not supported",
                                                          "« {} » n'est pas admis"};
 inline constexpr Message<> names_without_output{".names without an output", ".names sans sortie"};
-inline constexpr Message<std::size_t> expected_row{
-    "expected a row of {} characters 0, 1 or - and a 0 or 1",
-    "une ligne de caractères 0, 1 ou - (au nombre de {}), puis un 0 ou un 1, est attendue"};
+inline constexpr CountedMessage<> expected_row{
+    {"expected a row of {} character 0, 1 or - and a 0 or 1",
+     "une ligne de {} caractère 0, 1 ou -, puis un 0 ou un 1, est attendue"},
+    {"expected a row of {} characters 0, 1 or - and a 0 or 1",
+     "une ligne de {} caractères 0, 1 ou -, puis un 0 ou un 1, est attendue"}};
 inline constexpr Message<> rows_differ{
     "the rows of one .names must end alike, all 0 or all 1",
     "les lignes d'un même .names doivent finir de la même façon, toutes par 0 ou toutes par 1"};
@@ -99,9 +101,11 @@ inline constexpr Message<> several_modules{
     "hierarchy -auto-top; flatten)",
     "il y a plusieurs modules et aucun n'est marqué comme le premier ; mettez d'abord le câblage "
     "à plat (Yosys : hierarchy -auto-top puis flatten)"};
-inline constexpr Message<std::string_view, std::size_t> wide_port{
-    "port '{}' has {} bits; ports of one bit are supported",
-    "le port « {} » a {} bits ; seuls les ports d'un bit sont admis"};
+inline constexpr CountedMessage<std::string_view> wide_port{
+    {"port '{1}' has {0} bit; ports of one bit are supported",
+     "le port « {1} » a {0} bit ; seuls les ports d'un bit sont admis"},
+    {"port '{1}' has {0} bits; ports of one bit are supported",
+     "le port « {1} » a {0} bits ; seuls les ports d'un bit sont admis"}};
 inline constexpr Message<std::string_view, std::string_view> port_connected_to{
     "port '{}' is connected to '{}'", "le port « {} » est connecté à « {} »"};
 inline constexpr Message<std::string_view> port_without_direction{
@@ -117,9 +121,11 @@ inline constexpr Message<std::string_view, std::string_view> pin_connected_to{
     "port {} is connected to '{}'", "le port {} est connecté à « {} »"};
 inline constexpr Message<std::string_view> pin_not_connected{"its port {} is not connected",
                                                              "son port {} n'est pas connecté"};
-inline constexpr Message<std::string_view, std::size_t> wide_pin{
-    "its port {} has {} bits; split words into bits first (Yosys: simplemap)",
-    "son port {} a {} bits ; décomposez d'abord les mots en bits (Yosys : simplemap)"};
+inline constexpr CountedMessage<std::string_view> wide_pin{
+    {"its port {1} has {0} bit; split words into bits first (Yosys: simplemap)",
+     "son port {1} a {0} bit ; décomposez d'abord les mots en bits (Yosys : simplemap)"},
+    {"its port {1} has {0} bits; split words into bits first (Yosys: simplemap)",
+     "son port {1} a {0} bits ; décomposez d'abord les mots en bits (Yosys : simplemap)"}};
 inline constexpr Message<std::string_view> output_is_constant{
     "its output {} is connected to a constant", "sa sortie {} est connectée à une constante"};
 inline constexpr Message<> operands_differ{"its operands differ in width",

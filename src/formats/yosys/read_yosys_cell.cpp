@@ -128,7 +128,7 @@ NetId YosysCellReader::bit(std::string_view port) {
     if (connection == nullptr) {
         refuse(say::pin_not_connected(port));
     } else {
-        refuse(say::wide_pin(port, connection->bits.size()));
+        refuse(say::wide_pin(connection->bits.size(), port));
     }
     return no_net;
 }

@@ -134,7 +134,7 @@ void YosysReader::read_port(const std::string& name, const JsonValue& port) {
     const std::string& direction = port.find("direction")->text;
     if (bits == nullptr || bits->items.size() != 1) {
         return refuse(port.where,
-                      say::wide_port(shortened(name), bits == nullptr ? 0 : bits->items.size()));
+                      say::wide_port(bits == nullptr ? 0 : bits->items.size(), shortened(name)));
     }
     const JsonValue& bit = bits->items[0];
     const std::string port_name = percent_decoded(name);

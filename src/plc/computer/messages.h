@@ -17,11 +17,13 @@ inline constexpr Message<std::size_t, std::size_t, std::size_t> too_many_steps{
     "this is step {} of {}, and a set of Free Pascal holds {}; write --to c or --to python",
     "c'est l'étape {} sur {}, et un ensemble de Free Pascal en contient {} ; écrivez --to c ou "
     "--to python"};
+/// Of more than one.
 inline constexpr Message<std::size_t, std::size_t> too_many_pins{
     "{} inputs and outputs need a pin each, and the largest board, an Arduino Mega 2560, has {}; "
     "write --to c and connect them by yourself",
     "{} entrées et sorties demandent une broche chacune, et la plus grande carte, une Arduino "
     "Mega 2560, en a {} ; écrivez --to c et raccordez-les vous-même"};
+/// Of more than one.
 inline constexpr Message<std::size_t, std::size_t> too_many_pins_with_modes{
     "{} inputs and outputs need a pin each, and the largest board, an Arduino Mega 2560, has {}; "
     "write --to c and connect them by yourself, or --modes off to save three",

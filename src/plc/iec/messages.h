@@ -30,7 +30,7 @@ inline constexpr Message<std::string, std::string> changed_name{"  {} is {}", " 
 // Blocks of declarations, and variables.
 inline constexpr Message<> places_in_tables{
     "the places of steps, transitions and graphs in the tables",
-    "rangs des étapes, transitions et Grafcets partiels dans les tables"};
+    "rangs des étapes, transitions et grafcets partiels dans les tables"};
 inline constexpr Message<> tables{"the tables", "les tables"};
 inline constexpr Message<> steps{"the steps: 1 while active", "étapes : 1 si active"};
 inline constexpr Message<> steps_before{"Tp, the steps as the scan began",

@@ -12,31 +12,16 @@ inline constexpr Message<> integer_too_wide{
     "an integer needs more than the 16 bits of a word of PL7-2; make the range of the counter "
     "smaller",
     "un entier demande plus que les 16 bits d'un mot de PL7-2 ; réduisez la plage du compteur"};
-inline constexpr Message<std::string_view> no_timer_holds{
+inline constexpr Message<Localized> no_timer_holds{
     "no timer of PL7-2 holds {}: it counts up to 9999 times 10 ms, 100 ms, 1 s or 1 min; choose "
     "another time",
     "aucun temporisateur de PL7-2 ne contient {} : il compte jusqu'à 9999 fois 10 ms, 100 ms, "
     "1 s ou 1 min ; choisissez une autre durée"};
 
 // What the program needs, and what there is of it.
-inline constexpr Message<std::size_t, std::size_t> too_many_inputs{
-    "the program needs {} inputs, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} entrées, et PL7-2 en a {} ; partagez le GRAFCET"};
-inline constexpr Message<std::size_t, std::size_t> too_many_outputs{
-    "the program needs {} outputs, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} sorties, et PL7-2 en a {} ; partagez le GRAFCET"};
-inline constexpr Message<std::size_t, std::size_t> too_many_steps{
-    "the program needs {} steps, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} étapes, et PL7-2 en a {} ; partagez le GRAFCET"};
-inline constexpr Message<std::size_t, std::size_t> too_many_bits{
-    "the program needs {} internal bits, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} bits internes, et PL7-2 en a {} ; partagez le GRAFCET"};
-inline constexpr Message<std::size_t, std::size_t> too_many_words{
-    "the program needs {} words, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} mots, et PL7-2 en a {} ; partagez le GRAFCET"};
-inline constexpr Message<std::size_t, std::size_t> too_many_timers{
-    "the program needs {} timers, and PL7-2 has {}; divide the GRAFCET",
-    "le programme demande {} temporisateurs, et PL7-2 en a {} ; partagez le GRAFCET"};
+inline constexpr Message<Localized, std::size_t> needs_too_many{
+    "the program needs {}, and PL7-2 has {}; divide the GRAFCET",
+    "le programme demande {}, et PL7-2 en a {} ; partagez le GRAFCET"};
 
 // The head of a listing.
 inline constexpr Message<> what_it_is{
@@ -58,7 +43,7 @@ inline constexpr Message<> conventions{
     "has no\n"
     "                      step, or keeps the steps that were set and reset there, and does not "
     "evolve\n",
-    "Conventions de ce listing : le programme se saisit sous forme graphique, GRAFCET et réseaux "
+    "Conventions de cette liste : le programme se saisit sous forme graphique, GRAFCET et réseaux "
     "de contacts.\n"
     "   ** LABEL 3         un ou plusieurs réseaux ; . relie les contacts en série, + ceux en "
     "parallèle,\n"
@@ -67,7 +52,7 @@ inline constexpr Message<> conventions{
     "   --( ) --(S) --(R)  une bobine ; --(#) termine le réseau d'une transition\n"
     "   [W0 < 5]           un bloc COMPAR ; --[W0 + 1 -> W0] un bloc OPERATE\n"
     "   --T0 TB=1s P=3     un bloc temporisateur, E et C pilotées par le réseau ; T0,D vaut 1 "
-    "après 3 s\n"
+    "après 3 s\n"
     "   SY0                1 à la première scrutation après un démarrage à froid, GRAFCET déjà "
     "initialisé\n"
     "   SY21, SY22, SY23   1 en traitement préliminaire : dans cette scrutation le GRAFCET est "
@@ -77,11 +62,11 @@ inline constexpr Message<> conventions{
 inline constexpr Message<> source_convention{
     "   always active      a step of this listing alone; a source transition leaves and enters "
     "it\n",
-    "   toujours active    étape propre à ce listing ; une transition source en part et y "
+    "   toujours active    étape propre à cette liste ; une transition source en part et y "
     "revient\n"};
 inline constexpr Message<> sink_convention{
     "   sink               a step of this listing alone, where sink transitions lead\n",
-    "   puits              étape propre à ce listing, où mènent les transitions puits\n"};
+    "   puits              étape propre à cette liste, où mènent les transitions puits\n"};
 
 // Headings.
 inline constexpr Message<> assignment{"ASSIGNMENT", "AFFECTATION"};

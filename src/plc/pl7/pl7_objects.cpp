@@ -16,6 +16,7 @@
 #include "plc/pl7/messages.h"
 #include "program/bit_names.h"
 #include "program/messages.h"
+#include "text/counted.h"
 
 namespace grafwire {
 
@@ -134,21 +135,21 @@ std::vector<std::pair<std::string, std::string>> Pl7Objects::assignment() {
 }
 
 void Pl7Objects::check_limits(Diagnostics& diagnostics) const {
-    const auto check = [&](std::size_t used, std::size_t there_are,
-                           const Message<std::size_t, std::size_t>& message) {
+    namespace counted = messages::counted;
+    const auto check = [&](std::size_t used, std::size_t there_are, const CountedMessage<>& what) {
         if (used <= there_are) return;
-        diagnostics.error(code::unsupported_by_language, {}, message(used, there_are));
+        diagnostics.error(code::unsupported_by_language, {},
+                          messages::plc_pl7::needs_too_many(what(used), there_are));
     };
     const std::size_t inputs =
         grafcet_.inputs.size() + (program_.has_modes ? control_input_count : 0);
-    check(inputs, inputs_of_a_module * modules, messages::plc_pl7::too_many_inputs);
-    check(grafcet_.outputs.size(), outputs_of_a_module * modules,
-          messages::plc_pl7::too_many_outputs);
+    check(inputs, inputs_of_a_module * modules, counted::inputs);
+    check(grafcet_.outputs.size(), outputs_of_a_module * modules, counted::outputs);
     const std::size_t beside = (source_step_.empty() ? 0U : 1U) + (sink_step_.empty() ? 0U : 1U);
-    check(grafcet_.steps.size() + beside, steps, messages::plc_pl7::too_many_steps);
-    check(bits_used_, bits, messages::plc_pl7::too_many_bits);
-    check(words_used_, words, messages::plc_pl7::too_many_words);
-    check(timers_used_, timers, messages::plc_pl7::too_many_timers);
+    check(grafcet_.steps.size() + beside, steps, counted::steps);
+    check(bits_used_, bits, counted::internal_bits);
+    check(words_used_, words, counted::words);
+    check(timers_used_, timers, counted::timers);
 }
 
 }  // namespace grafwire

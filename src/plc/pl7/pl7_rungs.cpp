@@ -16,6 +16,7 @@
 #include "plc/pl7/messages.h"
 #include "plc/shared/program_needs.h"
 #include "program/messages.h"
+#include "text/shown_duration.h"
 
 namespace grafwire {
 
@@ -234,7 +235,7 @@ void Pl7Statements::run_timer(const std::string& timer, Time duration, const Con
                            fmt::format("{} TB={} P={}", timer, preset->base, preset->count));
     }
     diagnostics_.error(code::unsupported_by_language, where,
-                       messages::plc_pl7::no_timer_holds(format_duration(duration)));
+                       messages::plc_pl7::no_timer_holds(shown_duration(duration)));
 }
 
 /// With an on-delay only, D of the timer is the value (name_timers); else two rungs set and reset

@@ -16,7 +16,7 @@ inline constexpr Message<> integer_too_wide{
 inline constexpr Message<> too_many_labels{
     "the program needs more than 999 jump labels; divide the GRAFCET",
     "le programme demande plus de 999 repères de saut ; partagez le GRAFCET"};
-inline constexpr Message<std::string_view> no_timer_holds{
+inline constexpr Message<Localized> no_timer_holds{
     "no timer of an S7-300 or S7-400 holds {}: S5 timers and the IEC timers count whole "
     "milliseconds, up to 24 days; choose another time",
     "aucune temporisation d'un S7-300 ou S7-400 ne contient {} : les temporisations S5 et CEI "

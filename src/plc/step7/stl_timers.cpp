@@ -15,6 +15,7 @@
 
 #include "plc/step7/messages.h"
 #include "program/messages.h"
+#include "text/shown_duration.h"
 
 namespace grafwire {
 
@@ -66,7 +67,7 @@ void StlTimers::add(Time duration, bool is_off_delay, Location origin, Diagnosti
         timer.out = memory_.new_bit();
     } else {
         diagnostics.error(code::unsupported_by_language, origin,
-                          messages::plc_step7::no_timer_holds(format_duration(duration)));
+                          messages::plc_step7::no_timer_holds(shown_duration(duration)));
     }
     timers_.push_back(timer);
 }

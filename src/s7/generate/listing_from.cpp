@@ -23,6 +23,7 @@
 #include "s7/generate/listing_build.h"
 #include "s7/generate/messages.h"
 #include "s7/instruction_set.h"
+#include "text/counted.h"
 
 namespace grafwire::s7 {
 
@@ -37,14 +38,13 @@ std::size_t image_bits(Cpu cpu) {
 
 void check_tables(const Grafcet& grafcet, Diagnostics& diagnostics) {
     const TableLayout layout = standard_tables();
-    const auto check = [&](const Message<std::size_t, std::uint32_t>& message, std::size_t count,
-                           std::uint32_t bytes) {
+    const auto check = [&](const CountedMessage<>& what, std::size_t count, std::uint32_t bytes) {
         if (count <= std::size_t{bytes} * 8) return;
-        diagnostics.error(code::beyond_limit, {}, message(count, bytes * 8));
+        diagnostics.error(code::beyond_limit, {}, say::beyond_tables(what(count), bytes * 8));
     };
-    check(say::too_many_steps, grafcet.steps.size(), layout.step_bytes);
-    check(say::too_many_transitions, grafcet.transitions.size(), layout.transition_bytes);
-    check(say::too_many_graphs, grafcet.graphs.size(), layout.graph_bytes);
+    check(messages::counted::steps, grafcet.steps.size(), layout.step_bytes);
+    check(messages::counted::transitions, grafcet.transitions.size(), layout.transition_bytes);
+    check(messages::counted::graphs, grafcet.graphs.size(), layout.graph_bytes);
 }
 
 /// What did not find room in the process images, and what the assignment forgot.

@@ -10,21 +10,11 @@
 namespace grafwire::messages::s7_generate {
 
 // What the tables of the method hold.
-inline constexpr Message<std::size_t, std::uint32_t> too_many_steps{
-    "the chart has {} steps, and the tables of the method hold {}: wide tables (--tables wide) "
-    "hold them all",
-    "le GRAFCET a {} étapes, et les tables de la méthode en contiennent {} : les tables étendues "
-    "(--tables wide) les contiennent toutes"};
-inline constexpr Message<std::size_t, std::uint32_t> too_many_transitions{
-    "the chart has {} transitions, and the tables of the method hold {}: wide tables (--tables "
-    "wide) hold them all",
-    "le GRAFCET a {} transitions, et les tables de la méthode en contiennent {} : les tables "
-    "étendues (--tables wide) les contiennent toutes"};
-inline constexpr Message<std::size_t, std::uint32_t> too_many_graphs{
-    "the chart has {} graphs, and the tables of the method hold {}: wide tables (--tables wide) "
-    "hold them all",
-    "le GRAFCET a {} graphes partiels, et les tables de la méthode en contiennent {} : les tables "
-    "étendues (--tables wide) les contiennent tous"};
+inline constexpr Message<Localized, std::uint32_t> beyond_tables{
+    "the chart has {}, and the tables of the method hold {}: wide tables (--tables wide) hold them "
+    "all",
+    "le GRAFCET a {}, et les tables de la méthode en contiennent {} : les tables étendues "
+    "(--tables wide) suffisent à tout GRAFCET"};
 
 // Assignments.
 inline constexpr Message<std::string_view> not_in_the_chart{"the chart has no '{}'",
@@ -54,7 +44,8 @@ inline constexpr Message<> wide_transition{
     "ligne"};
 inline constexpr Message<> wide_graph{
     "in wide tables the place of a graph follows from the chart; leave it out",
-    "dans les tables étendues, la place d'un graphe partiel se déduit du GRAFCET ; supprimez cette "
+    "dans les tables étendues, la place d'un grafcet partiel se déduit du GRAFCET ; supprimez "
+    "cette "
     "ligne"};
 inline constexpr Message<std::int32_t, std::int32_t> place_of_step{
     "a step is a bit of the table Ts, V{}.0 … V{}.7",
@@ -64,29 +55,28 @@ inline constexpr Message<std::int32_t, std::int32_t> place_of_transition{
     "une transition est un bit de la table Tt, V{}.0 … V{}.7"};
 inline constexpr Message<std::int32_t, std::int32_t> place_of_graph{
     "a graph is a bit of the table Tfig, V{}.0 … V{}.7",
-    "un graphe partiel est un bit de la table Tfig, V{}.0 … V{}.7"};
+    "un grafcet partiel est un bit de la table Tfig, V{}.0 … V{}.7"};
 
 // Timers.
-inline constexpr Message<std::string_view, Localized> uncountable{
+inline constexpr Message<Localized, Localized> uncountable{
     "no timer of an S7-200 counts {} of '{}': the timers count up to 32767 times 1 ms, 10 ms or "
     "100 ms; choose a delay that is a multiple of one of these, or divide a long one between two "
     "steps",
     "aucune temporisation d'un S7-200 ne compte {} de « {} » : les temporisations comptent "
     "jusqu'à 32767 fois 1 ms, 10 ms ou 100 ms ; choisissez un retard qui en soit un multiple, ou "
     "partagez un long retard entre deux étapes"};
-inline constexpr Message<std::string_view> or_finer{"{} or finer", "{} ou moins"};
-inline constexpr Message<Localized, std::string_view, std::string_view, Localized> no_timer_left{
+inline constexpr Message<Localized> or_finer{"{} or finer", "{} ou moins"};
+inline constexpr Message<Localized, std::string_view, Localized, Localized> no_timer_left{
     "no timer of {} is left on a {} for {} of '{}'; round delays to 100 ms, of which there "
     "are most timers",
     "il ne reste aucune temporisation de {} dans une {} pour {} de « {} » ; arrondissez les "
     "retards à 100 ms, base de la plupart des temporisations"};
-inline constexpr Message<Localized, std::string_view, std::string_view, Localized>
-    no_timer_left_on_212{
-        "no timer of {} is left on a {} for {} of '{}'; round delays to 100 ms, of which there "
-        "are most timers, or take a CPU 214, which has twice as many",
-        "il ne reste aucune temporisation de {} dans une {} pour {} de « {} » ; arrondissez les "
-        "retards à 100 ms, base de la plupart des temporisations, ou prenez une CPU 214, qui en "
-        "a deux fois plus"};
+inline constexpr Message<Localized, std::string_view, Localized, Localized> no_timer_left_on_212{
+    "no timer of {} is left on a {} for {} of '{}'; round delays to 100 ms, of which there "
+    "are most timers, or take a CPU 214, which has twice as many",
+    "il ne reste aucune temporisation de {} dans une {} pour {} de « {} » ; arrondissez les "
+    "retards à 100 ms, base de la plupart des temporisations, ou prenez une CPU 214, qui en "
+    "a deux fois plus"};
 
 // Integers.
 inline constexpr Message<Localized> counter_too_wide{
@@ -107,12 +97,14 @@ inline constexpr Message<std::string_view> double_word_needed{
     "double mot"};
 
 // Inputs and outputs.
+/// Of more than one.
 inline constexpr Message<std::string_view, std::size_t> no_room_for_input{
     "input '{}' finds no room: an S7-200 has {} inputs, E0.0 … E7.7; give some of them addresses "
     "in M or V with an assignment (--io) and carry them over to another controller",
     "il n'y a plus de place pour l'entrée « {} » : un S7-200 a {} entrées, E0.0 … E7.7 ; donnez "
     "à certaines des adresses dans M ou V par une affectation (--io) et confiez-les à un autre "
     "automate"};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::size_t> no_room_for_output{
     "output '{}' finds no room: an S7-200 has {} outputs, A0.0 … A7.7; give some of them "
     "addresses in M or V with an assignment (--io) and carry them over to another controller",
@@ -124,16 +116,19 @@ inline constexpr Message<std::string_view, std::string_view> unassigned{
     "« {} » n'a pas d'adresse dans l'affectation ; {} lui est attribué"};
 
 // Memory.
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::string_view, std::int32_t> too_much_v_memory{
     "the program needs {} bytes of V memory, and a {} has {}: divide the chart between two "
     "controllers",
     "le programme demande {} octets de mémoire V, et une {} en a {} : partagez le GRAFCET entre "
     "deux automates"};
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::string_view, std::int32_t> too_much_v_memory_of_212{
     "the program needs {} bytes of V memory, and a {} has {}: divide the chart between two "
     "controllers, or take a CPU 214",
     "le programme demande {} octets de mémoire V, et une {} en a {} : partagez le GRAFCET entre "
     "deux automates, ou prenez une CPU 214"};
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::string_view, std::uint32_t, Localized>
     program_too_long{
         "the program takes {} bytes, and the program memory of a {} holds {}: {}",
@@ -152,21 +147,25 @@ inline constexpr Message<> without_modes_or_divide{
 inline constexpr Message<> what_it_is{
     "A GRAFCET by the table method of Cordier (1998) for Siemens S7-200.",
     "GRAFCET par la méthode des tables de Cordier (1998), pour Siemens S7-200."};
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::uint32_t> program_memory{
     "Program memory: {} bytes; {} of them are the skeleton of the method.",
     "Mémoire de programme : {} octets, dont {} pour le squelette de la méthode."};
+/// Of more than one.
 inline constexpr Message<std::uint32_t, std::string, std::uint32_t> bytes_of_chart{
     "The chart takes {} bytes, {} a step (usual: {}).",
     "Le GRAFCET occupe {} octets, soit {} par étape (en général : {})."};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::uint32_t, std::int32_t> fits{
     "{}, {} bytes of program, {} of V memory: fits.",
     "{}, {} octets de programme, {} de mémoire V : suffisant."};
+/// Of more than one.
 inline constexpr Message<std::string_view, std::uint32_t, std::int32_t> does_not_fit{
     "{}, {} bytes of program, {} of V memory: does not fit.",
     "{}, {} octets de programme, {} de mémoire V : insuffisant."};
 inline constexpr Message<> tables{"Tables:", "Tables :"};
 inline constexpr Message<> table_of_graphs{"0: the graph is frozen",
-                                           "0 : le Grafcet partiel est figé"};
+                                           "0 : le grafcet partiel est figé"};
 inline constexpr Message<> accumulator{"accumulator", "accumulateur"};
 inline constexpr Message<> free_bits{"free bits", "bits libres"};
 inline constexpr Message<> steps_before{"steps, the scan before", "étapes, scrutation précédente"};
@@ -204,7 +203,7 @@ inline constexpr Message<> subroutine_3{
     "SBR 3: transition conditions, Tt = transition condition and Tfig",
     "SBR 3 : réceptivités des transitions, Tt = réceptivité et Tfig"};
 inline constexpr Message<> subroutine_4{"SBR 4: evolution of the graphs",
-                                        "SBR 4 : évolution des Grafcets partiels"};
+                                        "SBR 4 : évolution des grafcets partiels"};
 inline constexpr Message<> subroutine_5{"SBR 5: forcing", "SBR 5 : forçages"};
 inline constexpr Message<> subroutine_6{"SBR 6: timers and counters",
                                         "SBR 6 : temporisations et compteurs"};
@@ -214,7 +213,7 @@ inline constexpr Message<> subroutine_10{"SBR 10: Tpulse, the steps that have be
 
 // Networks that are the same in every listing.
 inline constexpr Message<> no_graph_frozen{"Tfig = 1: no graph is frozen",
-                                           "Tfig = 1 : aucun Grafcet partiel n'est figé"};
+                                           "Tfig = 1 : aucun grafcet partiel n'est figé"};
 inline constexpr Message<> other_tables_cleared{"All other tables = 0",
                                                 "Toutes les autres tables = 0"};
 inline constexpr Message<> initial_steps{"Initial steps", "Étapes initiales"};

@@ -12,6 +12,7 @@
 
 #include "program/messages.h"
 #include "s7/generate/messages.h"
+#include "text/shown_duration.h"
 
 namespace grafwire::s7 {
 
@@ -61,18 +62,17 @@ class FreeTimers {
 void report_uncountable(const Statement& statement, Time length, Diagnostics& diagnostics) {
     diagnostics.error(
         code::beyond_limit, statement.origin,
-        messages::s7_generate::uncountable(format_duration(length), statement.comment));
+        messages::s7_generate::uncountable(shown_duration(length), statement.comment));
 }
 
 void report_no_timer(const Wanted& wanted, const CpuRow& cpu, Diagnostics& diagnostics) {
     const Time tick = ticks[wanted.coarsest];
-    const std::string shown = format_duration(tick);
+    const Localized shown = shown_duration(tick);
     const auto& message = cpu.cpu == Cpu::cpu_212 ? messages::s7_generate::no_timer_left_on_212
                                                   : messages::s7_generate::no_timer_left;
     diagnostics.error(code::beyond_limit, wanted.statement->origin,
-                      message(tick == ticks.back() ? Localized(shown, shown)
-                                                   : messages::s7_generate::or_finer(shown),
-                              cpu.name, format_duration(wanted.length), wanted.statement->comment));
+                      message(tick == ticks.back() ? shown : messages::s7_generate::or_finer(shown),
+                              cpu.name, shown_duration(wanted.length), wanted.statement->comment));
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ inline constexpr Message<std::string_view> step_without_address{
 inline constexpr Message<std::string_view> output_without_address{
     "output '{}' of the GRAFCET has no address", "la sortie « {} » du GRAFCET n'a pas d'adresse"};
 
+/// Of more than one.
 inline constexpr Message<std::size_t> scan_without_end{
     "the scan does not come to an end: more than {} instructions",
     "la scrutation ne se termine pas : plus de {} instructions"};
