@@ -76,6 +76,7 @@ inline constexpr Message<> file{"the GRAFCET, - for standard input",
 inline constexpr Message<> stim{"the stimuli (.stim), - for standard input",
                                 "les stimuli (.stim), - pour l'entrée standard"};
 inline constexpr Message<> file_name{"FILE", "FICHIER"};
+/// The same in both languages.
 inline constexpr Message<> stim_name{"STIM", "STIM"};
 inline constexpr Message<> style{"how the equations become cells",
                                  "comment les équations deviennent des cellules"};

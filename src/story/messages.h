@@ -16,17 +16,18 @@ inline constexpr Message<> no_output{"none", "aucune"};
 inline constexpr Message<> no_var{"none", "aucune"};
 /// A time condition whose delay is running: the condition, its value, when the delay ends.
 inline constexpr Message<std::string, std::int64_t, std::string> running_operand{
-    "{}={} until {} ms", "{}={} jusqu'à {} ms"};
+    "{}={} until {} ms", "{}={} jusqu'à {} ms"};
 
 // How an instant begins.
 
-inline constexpr Message<std::string, std::string> at{"At {} ms: {}\n", "À {} ms : {}\n"};
+inline constexpr Message<std::string, std::string> at{"At {} ms: {}\n", "À {} ms : {}\n"};
 inline constexpr Message<> all_inputs_0{"all inputs are 0", "toutes les entrées sont à 0"};
 inline constexpr Message<> no_input_changes{"no input changes", "aucune entrée ne change"};
 inline constexpr Message<> nothing_changes{"nothing changes", "rien ne change"};
+/// Of more than one.
 inline constexpr Message<std::string, std::string, std::size_t> nothing_changes_until{
     "From {} ms to {} ms: nothing changes ({} scans)\n",
-    "De {} ms à {} ms : rien ne change ({} scrutations)\n"};
+    "De {} ms à {} ms : rien ne change ({} scrutations)\n"};
 inline constexpr Message<std::string> delay_is_over{"the delay of {} is over",
                                                     "la temporisation {} est écoulée"};
 inline constexpr Message<std::string> rule_1{"initial situation: {} (rule 1)\n",
@@ -72,10 +73,10 @@ inline constexpr Message<std::string, std::string, std::string> forces{"{} force
 inline constexpr Message<std::string, std::string> freezes{"{} freezes {}\n", "{} fige {}\n"};
 inline constexpr Message<std::string, std::string, std::string> opens{
     "{} has become active and opens {}, which it encloses; {}\n",
-    "{} devient active et lance {}, qu'elle englobe ; {}\n"};
+    "{} devient active et lance {}, qu'elle encapsule ; {}\n"};
 inline constexpr Message<std::string, std::string, std::string> empties{
     "{} is not active, so {}, which it encloses, is emptied; {}\n",
-    "{} n'est pas active, donc {}, qu'elle englobe, se vide ; {}\n"};
+    "{} n'est pas active, donc {}, qu'elle encapsule, se vide ; {}\n"};
 /// Arguments: what is written, the variable and its new value.
 inline constexpr Message<std::string, std::string, std::string> on_activation{
     "stored action on activation of {}: {}, gives {}\n",
@@ -90,7 +91,7 @@ inline constexpr Message<std::string, std::string, std::string> on_clearing{
     "stored action on clearing of {}: {}, gives {}\n",
     "action mémorisée au franchissement de {} : {}, donne {}\n"};
 inline constexpr Message<std::string, std::string> delay_begins{
-    "the delay of {} begins, until {} ms\n", "la temporisation {} commence, jusqu'à {} ms\n"};
+    "the delay of {} begins, until {} ms\n", "la temporisation {} commence, jusqu'à {} ms\n"};
 inline constexpr Message<std::string> delay_is_dropped{"the delay of {} is broken off\n",
                                                        "la temporisation {} est interrompue\n"};
 inline constexpr Message<std::string> becomes_1{"{} becomes 1\n", "{} passe à 1\n"};
@@ -98,8 +99,9 @@ inline constexpr Message<std::string> becomes_0{"{} becomes 0\n", "{} passe à 0
 
 // How an instant ends.
 
-inline constexpr Message<std::size_t> untold{"… and {} more evolutions\n",
-                                             "… et {} autres évolutions\n"};
+inline constexpr CountedMessage<> untold{
+    {"… and {} more evolution\n", "… et {} autre évolution\n"},
+    {"… and {} more evolutions\n", "… et {} autres évolutions\n"}};
 inline constexpr Message<std::string> unstable{
     "no stable situation: {} keep changing\n",
     "pas de situation stable : {} changent sans cesse\n"};
@@ -151,7 +153,7 @@ inline constexpr Message<> session_help{
     "show          situation, outputs, and what the enabled transitions wait for\n"
     "save FILE     write all that was done as stimuli (.stim)\n"
     "quit          end\n",
-    "a=1 b=0           changer des entrées (les premières : à 0 ms ; ensuite 1 ms après le dernier "
+    "a=1 b=0           changer des entrées (les premières : à 0 ms ; ensuite 1 ms après le dernier "
     "instant)\n"
     "+500ms            laisser passer le temps ; des temporisations s'écoulent\n"
     "+500ms b=1        laisser passer le temps, puis changer des entrées ; 2s b=1 : à ce moment\n"
@@ -191,18 +193,18 @@ inline constexpr Message<> save_needs_path{"save where? Write save FILE.stim\n",
                                            "enregistrer où ? Écrivez enregistrer FICHIER.stim\n"};
 inline constexpr Message<std::string> instant_is_over{
     "the instant {} ms is over: give a later time\n",
-    "l'instant {} ms est passé : donnez un temps ultérieur\n"};
+    "l'instant {} ms est passé : donnez un temps ultérieur\n"};
 inline constexpr Message<> no_way_on{"there is no stable situation to go on from: go back\n",
                                      "il n'y a pas de situation stable d'où continuer : faites "
                                      "retour\n"};
 inline constexpr Message<std::string> long_way{"a long way: stopped at {} ms\n",
-                                               "c'est long : arrêt à {} ms\n"};
+                                               "c'est long : arrêt à {} ms\n"};
 inline constexpr Message<std::string> read_by_next_scan{
-    "The scan at {} ms will read the inputs.\n", "La scrutation à {} ms lira les entrées.\n"};
+    "The scan at {} ms will read the inputs.\n", "La scrutation à {} ms lira les entrées.\n"};
 inline constexpr Message<> not_begun{"Not begun: all inputs are 0.\n",
                                      "Rien n'a commencé : toutes les entrées sont à 0.\n"};
 /// Arguments: the time, the inputs at 1.
 inline constexpr Message<std::string, std::string> shown_at{"At {} ms; inputs at 1: {}\n",
-                                                            "À {} ms ; entrées à 1 : {}\n"};
+                                                            "À {} ms ; entrées à 1 : {}\n"};
 
 }  // namespace grafwire::messages::story

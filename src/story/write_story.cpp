@@ -183,7 +183,9 @@ void StoryWriter::tell(const InstantStory& story) {
         tell_scan(story.scans[i], story);
         indent_ = 2;
     }
-    if (story.untold > 0) say(words::untold, story.untold);
+    if (story.untold > 0) {
+        text_.append(indent_, ' ') += words::untold.in(language_, story.untold);
+    }
     tell_outcome(story);
     indent_ = 0;
 }

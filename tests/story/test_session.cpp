@@ -127,7 +127,7 @@ TEST_CASE("an input that is called like a command; no way on without a stable si
 
 TEST_CASE("in French, English words are taken as well") {
     Typed typed(std::nullopt, Language::french);
-    CHECK(has(typed.obeyed("a=1"), "À 0 ms"));
+    CHECK(has(typed.obeyed("a=1"), "À 0 ms"));
     CHECK(has(typed.obeyed("scruter"), "la temporisation 50ms/X1 est écoulée"));
     CHECK(has(typed.obeyed("retour"), "entrées à 1"));
     CHECK(has(typed.obeyed("montrer"), "situation stable"));

@@ -58,7 +58,7 @@ At 20 ms: a=0
 TEST_CASE("the end of a delay, in French, and an instant at which nothing changes") {
     const std::string text =
         told(lamp, "0s : a=1\n55ms : a=0\n70ms : end\n", std::nullopt, Language::french);
-    CHECK(text.substr(text.find("À 50")) == R"(À 50 ms : la temporisation 50ms/X1 est écoulée
+    CHECK(text.substr(text.find("À 50")) == R"(À 50 ms : la temporisation 50ms/X1 est écoulée
   évolution 1 :
     (1) 1 -> 0 est franchie (règle 2) : X1 est active et 50ms/X1 vaut 1
     désactivation : X1 ; activation : X0 (règle 3)
@@ -66,17 +66,17 @@ TEST_CASE("the end of a delay, in French, and an instant at which nothing change
   évolution 2 :
     (0) 0 -> 1 est franchie (règle 2) : X0 est active et a./b vaut 1 (a=1 b=0)
     désactivation : X0 ; activation : X1 (règle 3)
-    la temporisation 50ms/X1 commence, jusqu'à 100 ms
+    la temporisation 50ms/X1 commence, jusqu'à 100 ms
   situation stable : X1
   sorties à 1 : L
-  validée : (1) 1 -> 0, attend 50ms/X1 (50ms/X1=0 jusqu'à 100 ms)
+  validée : (1) 1 -> 0, attend 50ms/X1 (50ms/X1=0 jusqu'à 100 ms)
 
-À 55 ms : a=0
+À 55 ms : a=0
   situation stable : X1
   sorties à 1 : L
-  validée : (1) 1 -> 0, attend 50ms/X1 (50ms/X1=0 jusqu'à 100 ms)
+  validée : (1) 1 -> 0, attend 50ms/X1 (50ms/X1=0 jusqu'à 100 ms)
 
-À 70 ms : rien ne change
+À 70 ms : rien ne change
 )");
 }
 

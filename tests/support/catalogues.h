@@ -15,7 +15,7 @@
 namespace grafwire::testing {
 
 struct CatalogueRow {
-    std::string name;
+    std::string name;                ///< of an array of messages with `[]`
     std::vector<std::string> texts;  ///< English, French; twice that where the row counts
     std::string type;                ///< `Message<std::size_t, Localized>`, or an alias
     std::string comment;             ///< the line above it, if that is a comment
@@ -43,8 +43,9 @@ inline CatalogueRow read_row(std::string_view text, std::size_t& at) {
     CatalogueRow row;
     const std::size_t type = at;
     at = text.find('{', at);
-    const std::size_t name = text.find_last_of(" \n", at) + 1;
-    row.name = std::string(text.substr(name, at - name));
+    const std::size_t name_end = text.find_last_not_of(" =", at - 1) + 1;
+    const std::size_t name = text.find_last_of(" \n", name_end - 1) + 1;
+    row.name = std::string(text.substr(name, name_end - name));
     row.type = std::string(text.substr(type, name - 1 - type));
     row.counts = row.type.starts_with("CountedMessage<");
     bool goes_on = false;

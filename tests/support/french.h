@@ -56,7 +56,7 @@ inline std::string english_word_in(std::string_view french) {
                              "not",     "no",      "of",   "and",   "or",     "with",     "without",
                              "from",    "to",      "by",   "here",  "has",    "have",     "it",
                              "its",     "which",   "only", "must",  "cannot", "expected", "got",
-                             "unknown", "already", "step", "steps", "graph",  "output",   "input",
+                             "already", "step", "steps", "graph",  "output",   "input",
                              "counter", "edge",    "name", "order", "error",  "warning"}) &&
             // `graph G { … }` is the language of charts.
             !(word == "graph" && text.substr(i).starts_with(" G"))) {

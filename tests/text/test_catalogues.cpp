@@ -169,7 +169,9 @@ TEST_CASE("every row of every catalogue is whole, in English and in French") {
             ++rows;
             CAPTURE(catalogue.path.string());
             CAPTURE(row.name);
-            REQUIRE(row.texts.size() == (row.counts ? 4 : 2));
+            const std::size_t texts_of_one = row.counts ? 4 : 2;
+            REQUIRE(row.texts.size() % texts_of_one == 0);
+            REQUIRE((row.texts.size() == texts_of_one) == !row.name.ends_with("[]"));
             for (std::size_t i = 0; i < row.texts.size(); i += 2) {
                 check_pair(row, row.texts[i], row.texts[i + 1]);
             }
