@@ -90,7 +90,7 @@ TEST_CASE("the report of a wiring: verdict, what it rests on, coverage") {
           "  2 stable situations, 17 cases compared, 1 without a stable situation\n");
     CHECK(text_of(wiring(), equivalent(), Language::french) ==
           "chart.grafcet : équivalent (style nand, CDX successor)\n"
-          "  retards : 1 ns par porte ; changements : une entrée à la fois ; hypothèses : /(a.b) ; "
+          "  retards : 1 ns par porte ; changements : une entrée à la fois ; hypothèses : /(a.b) ; "
           "mise sous tension : Init\n"
           "  2 situations stables, 17 cas comparés, 1 sans situation stable\n");
 }

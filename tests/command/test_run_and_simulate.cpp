@@ -135,7 +135,7 @@ TEST_CASE("run --explain: words in place of the trace, which goes where -o says"
     CHECK(grafwire_with({"run", chart, stim, "--explain", "-o", csv}).out == ran.out);
     CHECK(text_of(csv) == grafwire_with({"run", chart, stim}).out);
     const Ran french = grafwire_with({"run", chart, stim, "--explain", "--lang", "fr"});
-    CHECK(french.out.rfind("À 0 ms : toutes les entrées sont à 0\n", 0) == 0);
+    CHECK(french.out.rfind("À 0 ms : toutes les entrées sont à 0\n", 0) == 0);
     // Without a stable situation the status is 1, in words as in a trace.
     const Ran unstable = grafwire_with({"run", axis, scan_stim, "--explain"});
     CHECK(unstable.status == 1);
