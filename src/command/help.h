@@ -99,7 +99,7 @@ inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
 inline constexpr Message<> waveform{
     "the waveform as VCD for GTKWave; beside OUT.vcd goes OUT.gtkw, which says what to show",
-    "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};
+    "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};
 
 // equations
 
