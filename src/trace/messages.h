@@ -71,6 +71,7 @@ inline constexpr Message<Localized> unknown_input{
 // The heads of a table at the terminal.
 
 inline constexpr Message<> inputs{"inputs", "entrées"};
+/// The same in both languages.
 inline constexpr Message<> situation{"situation", "situation"};
 inline constexpr Message<> outputs{"outputs", "sorties"};
 inline constexpr Message<> vars{"vars", "variables"};
