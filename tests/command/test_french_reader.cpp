@@ -49,9 +49,9 @@ std::string english_beside(const std::string& text, const std::string& chart) {
     std::string left;
     std::istringstream words(english_in(without_quoted(text)));
     for (std::string word; words >> word;) {
-        const bool is_own =
-            (" " + own + " ").find(" " + word.substr(0, word.find(',')) + " ") != std::string::npos;
-        if (!is_own && word != "nor,") left += word + " ";  // the style
+        word = word.substr(0, word.find(','));
+        const bool is_own = (" " + own + " ").find(" " + word + " ") != std::string::npos;
+        if (!is_own && word != "nor") left += word + " ";  // the style
     }
     return left;
 }
@@ -73,9 +73,10 @@ std::vector<Request> reports_on(const std::string& name) {
         requests.push_back({"equations", chart, "--to", form, "--karnaugh"});
     }
     for (const std::string& style : choices_of("check", "--style")) {
-        requests.push_back({"check", chart, "--style", style});
+        requests.push_back({"check", chart, "--style", style, "--max-cases", "500"});
     }
-    requests.push_back({"check", chart, "--style", "clocked", "--scan", "10ms"});
+    requests.push_back(
+        {"check", chart, "--style", "clocked", "--scan", "10ms", "--max-cases", "500"});
     requests.push_back({"check", chart, "--style", "nand", "--max-cases", "1"});
     return requests;
 }

@@ -73,7 +73,7 @@ TEST_CASE("the version") {
 TEST_CASE("an unknown command is refused with the nearest one and all of them") {
     CHECK(refusal({"chek", example("rule-5.grafcet")}) ==
           "grafwire: error: there is no command 'chek'; did you mean 'check'? "
-          "(commands: info, equations, run, netlist, simulate, check, plc, s7)\n"
+          "(commands: info, equations, run, netlist, simulate, check, plc, s7, fmt)\n"
           "'grafwire --help' shows what there is.\n");
     CHECK(contains(refusal({"draw", example("rule-5.grafcet")}), "'draw'"));
     CHECK(contains(refusal({}), "--help"));
@@ -167,7 +167,7 @@ TEST_CASE("unknown values are refused with those there are") {
 
 TEST_CASE("what is missing is named") {
     CHECK(contains(refusal({"info"}), "FILE"));
-    CHECK(contains(refusal({"run", example("rule-5.grafcet")}), "STIM"));
+    CHECK(contains(refusal({"simulate", example("rule-5.grafcet"), "--style", "nand"}), "STIM"));
     CHECK(contains(refusal({"netlist", example("rule-5.grafcet"), "--to", "blif"}), "--style"));
     CHECK(contains(refusal({"netlist", example("rule-5.grafcet"), "--style", "nand"}), "--to"));
 }

@@ -159,9 +159,8 @@ TEST_CASE("black boxes and what is said about them") {
 }
 
 TEST_CASE("initial values of nets") {
-    CHECK(read_as_blif(
-              ".model m\n.inputs a\n.outputs X1\n#@initially X1 1\n#@something else\n.names a "
-              "X1\n1 1\n.end\n") ==
+    CHECK(read_as_blif(".model m\n.inputs a\n.outputs X1\n#@initially X1 1\n#@initially a 2\n"
+                       "#@something else\n.names a X1\n1 1\n.end\n") ==
           "netlist m\ninput a\noutput X1 = X1\nmodule m\n  X1 = buf(a)\ninitially X1 = 1\n");
 }
 
