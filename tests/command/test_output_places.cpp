@@ -288,7 +288,7 @@ TEST_CASE("what goes to standard output is part of the whole") {
         for (const std::string option : {"--help", "--version", "check --help"}) {
             const Ran ran = shell(program + " " + option + end);
             CHECK(ran.status == 2);
-            CHECK(contains(ran.err, "cannot write to standard output"));
+            CHECK(contains(ran.err, "cannot write standard output"));
         }
     }
 }
