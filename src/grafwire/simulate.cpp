@@ -25,8 +25,8 @@ Result<Run> run(const Chart& chart, std::string stimuli,
     Result<Run> result{std::nullopt, std::move(start.messages)};
     if (!start.is_good) return result;
     const RunResult ran = run_reference(read, *start.stimuli, start.period);
-    result.value =
-        Run{write_csv(ran.trace), waveform_of(ran.trace, read.grafcet.name).vcd, moment(ran.unstable_at)};
+    result.value = Run{write_csv(ran.trace), waveform_of(ran.trace, read.grafcet.name).vcd,
+                       moment(ran.unstable_at)};
     return result;
 }
 

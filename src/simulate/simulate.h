@@ -24,7 +24,7 @@ struct SimulateOptions {
 };
 
 struct SimulateResult {
-    Trace trace;           ///< in the columns of the reference; what the netlist lacks is unknown
+    Trace trace;        ///< in the columns of the reference; what the netlist lacks is unknown
     Waveform waveform;  ///< of every net, if asked for
     std::optional<Time> unsettled_at;  ///< the first instant at which the netlist does not settle
     std::vector<NetId> oscillating;

@@ -52,12 +52,12 @@ inline std::string english_word_in(std::string_view french) {
             word += text[i];
             continue;
         }
-        if (is_one_of(word, {"the",     "The",     "this", "that",  "is",     "are",      "was",
-                             "not",     "no",      "of",   "and",   "or",     "with",     "without",
-                             "from",    "to",      "by",   "here",  "has",    "have",     "it",
-                             "its",     "which",   "only", "must",  "cannot", "expected", "got",
-                             "already", "step", "steps", "graph",  "output",   "input",
-                             "counter", "edge",    "name", "order", "error",  "warning"}) &&
+        if (is_one_of(word, {"the",     "The",   "this",  "that",  "is",     "are",      "was",
+                             "not",     "no",    "of",    "and",   "or",     "with",     "without",
+                             "from",    "to",    "by",    "here",  "has",    "have",     "it",
+                             "its",     "which", "only",  "must",  "cannot", "expected", "got",
+                             "already", "step",  "steps", "graph", "output", "input",    "counter",
+                             "edge",    "name",  "order", "error", "warning"}) &&
             // `graph G { … }` is the language of charts.
             !(word == "graph" && text.substr(i).starts_with(" G"))) {
             return word;
