@@ -89,7 +89,7 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     OutputFiles files({request.path, request.stimuli, request.against});
     request.output.add_files(
         files, trace_text(result.trace, chart->grafcet, request.output.csv, line.language()),
-        std::move(result.waveform));
+        result.waveform);
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
