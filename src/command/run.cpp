@@ -45,9 +45,10 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
     }
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
-    request.output.add_files(files,
-                             trace_text(result.trace, chart.grafcet, request.output.csv, language),
-                             waveform_of(result.trace, chart.grafcet.name), request.explain);
+    request.output.add_files(
+        files, trace_text(result.trace, chart.grafcet, request.output.csv, language),
+        request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
+        request.explain);
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 

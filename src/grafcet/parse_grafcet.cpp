@@ -21,24 +21,27 @@ bool is_readable(const SourceFile& source, Diagnostics& diagnostics) {
     return check_utf8(source.text, diagnostics);
 }
 
+/// `tokens`: where to keep the tokens of the text; nullptr where nobody asks.
+std::optional<Grafcet> parse(const SourceFile& source, std::vector<ReadToken>* tokens,
+                             Diagnostics& diagnostics) {
+    if (!is_readable(source, diagnostics)) return std::nullopt;
+    GrafcetBuilder builder(diagnostics);
+    ChartParser parser(source.text, builder, diagnostics);
+    if (tokens != nullptr) parser.keep_tokens_in(*tokens);
+    parser.parse_file();
+    return builder.finish();
+}
+
 }  // namespace
 
 std::optional<Grafcet> parse_grafcet(const SourceFile& source, Diagnostics& diagnostics) {
-    if (!is_readable(source, diagnostics)) return std::nullopt;
-    GrafcetBuilder builder(diagnostics);
-    ChartParser(source.text, builder, diagnostics).parse_file();
-    return builder.finish();
+    return parse(source, nullptr, diagnostics);
 }
 
 std::optional<Grafcet> parse_keeping_tokens(const SourceFile& source,
                                             std::vector<ReadToken>& tokens,
                                             Diagnostics& diagnostics) {
-    if (!is_readable(source, diagnostics)) return std::nullopt;
-    GrafcetBuilder builder(diagnostics);
-    ChartParser parser(source.text, builder, diagnostics);
-    parser.keep_tokens_in(tokens);
-    parser.parse_file();
-    return builder.finish();
+    return parse(source, &tokens, diagnostics);
 }
 
 void parse_assumption(const SourceFile& source, Grafcet& grafcet, Diagnostics& diagnostics) {
