@@ -4,8 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "check/check_equivalence.h"
-#include "check/compare_ports.h"
-#include "formats/blif/read_blif.h"
+#include "netlist_from_blif.h"
 #include "support/small_netlists.h"
 
 namespace grafwire::testing {
@@ -20,13 +19,7 @@ Netlist slow_follower(const Grafcet& grafcet) {
         text += ".names n" + std::to_string(i - 1) + " n" + std::to_string(i) + "\n1 1\n";
     }
     text += ".names n" + std::to_string(gates - 1) + " y\n1 1\n.end\n";
-    Diagnostics diagnostics;
-    auto netlist = read_blif({"slow.blif", text}, diagnostics);
-    REQUIRE(netlist);
-    REQUIRE(compare_ports(grafcet, *netlist).can_compare());
-    adopt_ports(grafcet, *netlist);
-    netlist->starts_initially = true;
-    return std::move(*netlist);
+    return blif(grafcet, text);
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "check/check_equivalence.h"
-#include "check/compare_ports.h"
 #include "check/netlist_witness.h"
 #include "check/path.h"
-#include "formats/blif/read_blif.h"
+#include "netlist_from_blif.h"
 #include "support/small_netlists.h"
 
 namespace grafwire::testing {
@@ -18,16 +17,6 @@ CheckResult check_at(const Grafcet& grafcet, const Netlist& netlist, Time period
     CheckOptions options;
     if (period != 0) options.scan_period = period;
     return check_equivalence(grafcet, netlist, options);
-}
-
-Netlist blif(const Grafcet& grafcet, const std::string& text, bool starts_initially = true) {
-    Diagnostics diagnostics;
-    auto netlist = read_blif({"test.blif", text}, diagnostics);
-    REQUIRE(netlist);
-    REQUIRE(compare_ports(grafcet, *netlist).can_compare());
-    adopt_ports(grafcet, *netlist);
-    netlist->starts_initially = starts_initially;
-    return std::move(*netlist);
 }
 
 }  // namespace
