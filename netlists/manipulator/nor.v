@@ -1,17 +1,18 @@
 // manipulator: 64 cells.
 //   \Voyant%20CI = Voyant CI
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
 // When the netlist is let go after power-up, in ns, and the moment, in ps, from which a delay that
 // begins now counts. A test bench may set these before.
 `ifndef GRAFWIRE_START
-`define GRAFWIRE_START 100
+`define GRAFWIRE_START (100 * GATE_NS)
 `endif
 `ifndef GRAFWIRE_INSTANT
 `define GRAFWIRE_INSTANT $time
 `endif
 
-module manipulator (
+module manipulator #(parameter GATE_NS = 1) (
   input v0,
   input v1,
   input h0,
@@ -48,114 +49,114 @@ module manipulator (
   wire \Voyant%20CI$1 , \Voyant%20CI$2 , \Voyant%20CI$3 , \Voyant%20CI$4 , \Voyant%20CI$5 , AUdoux$not$buf;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X0 = (X3./au + /X1.X0 + Init)./AUdur
-  and #1 X0$reset0$g (X0$reset0, X1, Init$not);
-  not #1 au$not$g (au$not, au);
-  not #1 X0$reset0$not$g (X0$reset0$not, X0$reset0);
-  and #1 X0$set3$g (X0$set3, X3, au$not, X0$reset0$not, AUdur$not);
-  and #1 X0$init$g (X0$init, Init, X0$reset0$not, AUdur$not);
-  nor #1 X0$g (X0, X0$reset0, AUdur, X0$q);
-  nor #1 X0$q$g (X0$q, X0$set3, X0$init, X0);
+  and #GATE_NS X0$reset0$g (X0$reset0, X1, Init$not);
+  not #GATE_NS au$not$g (au$not, au);
+  not #GATE_NS X0$reset0$not$g (X0$reset0$not, X0$reset0);
+  and #GATE_NS X0$set3$g (X0$set3, X3, au$not, X0$reset0$not, AUdur$not);
+  and #GATE_NS X0$init$g (X0$init, Init, X0$reset0$not, AUdur$not);
+  nor #GATE_NS X0$g (X0, X0$reset0, AUdur, X0$q);
+  nor #GATE_NS X0$q$g (X0$q, X0$set3, X0$init, X0);
 
   // X1 = (X0.↑dcy./au + /X2.X1)./Init./AUdur
-  grafwire_rise_pulse #(.WIDTH_PS(64'd3000)) dcy$rise0$g (.a(dcy), .q(dcy$rise0));  // 0.003us
-  not #1 X2$not$g (X2$not, X2);
-  and #1 X1$set0$g (X1$set0, X0, dcy$rise0, au$not, X2$not, Init$not, AUdur$not);
-  nor #1 X1$g (X1, X2, Init, AUdur, X1$q);
-  nor #1 X1$q$g (X1$q, X1$set0, X1);
+  grafwire_rise_pulse #(.GATE_NS(GATE_NS), .WIDTH_NS(3 * GATE_NS)) dcy$rise0$g (.a(dcy), .q(dcy$rise0));
+  not #GATE_NS X2$not$g (X2$not, X2);
+  and #GATE_NS X1$set0$g (X1$set0, X0, dcy$rise0, au$not, X2$not, Init$not, AUdur$not);
+  nor #GATE_NS X1$g (X1, X2, Init, AUdur, X1$q);
+  nor #GATE_NS X1$q$g (X1$q, X1$set0, X1);
 
   // X2 = (X1 + /X3.X2)./Init./AUdur
-  not #1 X3$not$g (X3$not, X3);
-  and #1 X2$set1$g (X2$set1, X1, X3$not, Init$not, AUdur$not);
-  nor #1 X2$g (X2, X3, Init, AUdur, X2$q);
-  nor #1 X2$q$g (X2$q, X2$set1, X2);
+  not #GATE_NS X3$not$g (X3$not, X3);
+  and #GATE_NS X2$set1$g (X2$set1, X1, X3$not, Init$not, AUdur$not);
+  nor #GATE_NS X2$g (X2, X3, Init, AUdur, X2$q);
+  nor #GATE_NS X2$q$g (X2$q, X2$set1, X2);
 
   // X3 = (X2.au + /X0.X3)./Init./AUdur
-  not #1 X0$not$g (X0$not, X0);
-  and #1 X3$set2$g (X3$set2, X2, au, X0$not, Init$not, AUdur$not);
-  nor #1 X3$g (X3, X0, Init, AUdur, X3$q);
-  nor #1 X3$q$g (X3$q, X3$set2, X3);
+  not #GATE_NS X0$not$g (X0$not, X0);
+  and #GATE_NS X3$set2$g (X3$set2, X2, au, X0$not, Init$not, AUdur$not);
+  nor #GATE_NS X3$g (X3, X0, Init, AUdur, X3$q);
+  nor #GATE_NS X3$q$g (X3$q, X3$set2, X3);
 
   // X10 = ((X13 . 5s/X13./X3 + /X11.X10)./Init./(X0 + X1) + X1)./AUdur
-  or #1 X10$1$g (X10$1, X0, X1);
-  not #1 X1$not$g (X1$not, X1);
-  and #1 X10$reset0$g (X10$reset0, X11, X1$not);
-  and #1 X10$unforced$g (X10$unforced, X10$1, X1$not);
-  and #1 X10$clear$g (X10$clear, Init, X1$not);
-  grafwire_timer #(.RISE_PS(64'd5000000000000), .FALL_PS(64'd0), .INIT(1'b0)) X13$timer0$g (.a(X13), .q(X13$timer0));  // 5s, 0s
-  buf #1 X13$buf$g (X13$buf, X13);
-  not #1 X10$reset0$not$g (X10$reset0$not, X10$reset0);
-  not #1 X10$unforced$not$g (X10$unforced$not, X10$unforced);
-  not #1 X10$clear$not$g (X10$clear$not, X10$clear);
-  and #1 X10$set13$g (X10$set13, X13$buf, X13$timer0, X3$not, X10$reset0$not, X10$unforced$not, X10$clear$not, AUdur$not);
-  and #1 X10$forced$g (X10$forced, X1, AUdur$not);
-  nor #1 X10$g (X10, X10$reset0, X10$unforced, X10$clear, AUdur, X10$q);
-  nor #1 X10$q$g (X10$q, X10$set13, X10$forced, X10);
+  or #GATE_NS X10$1$g (X10$1, X0, X1);
+  not #GATE_NS X1$not$g (X1$not, X1);
+  and #GATE_NS X10$reset0$g (X10$reset0, X11, X1$not);
+  and #GATE_NS X10$unforced$g (X10$unforced, X10$1, X1$not);
+  and #GATE_NS X10$clear$g (X10$clear, Init, X1$not);
+  grafwire_timer #(.GATE_NS(GATE_NS), .RISE_PS(64'd5000000000000), .FALL_PS(64'd0), .INIT(1'b0)) X13$timer0$g (.a(X13), .q(X13$timer0));  // 5s, 0s
+  buf #GATE_NS X13$buf$g (X13$buf, X13);
+  not #GATE_NS X10$reset0$not$g (X10$reset0$not, X10$reset0);
+  not #GATE_NS X10$unforced$not$g (X10$unforced$not, X10$unforced);
+  not #GATE_NS X10$clear$not$g (X10$clear$not, X10$clear);
+  and #GATE_NS X10$set13$g (X10$set13, X13$buf, X13$timer0, X3$not, X10$reset0$not, X10$unforced$not, X10$clear$not, AUdur$not);
+  and #GATE_NS X10$forced$g (X10$forced, X1, AUdur$not);
+  nor #GATE_NS X10$g (X10, X10$reset0, X10$unforced, X10$clear, AUdur, X10$q);
+  nor #GATE_NS X10$q$g (X10$q, X10$set13, X10$forced, X10);
 
   // X11 = (X10.h1./X3 + /X12.X11)./Init./(X0 + X1)./AUdur
-  buf #1 X10$buf$g (X10$buf, X10);
-  not #1 X12$not$g (X12$not, X12);
-  not #1 X10$1$not$g (X10$1$not, X10$1);
-  and #1 X11$set10$g (X11$set10, X10$buf, h1, X3$not, X12$not, X10$1$not, Init$not, AUdur$not);
-  nor #1 X11$g (X11, X12, X10$1, Init, AUdur, X11$q);
-  nor #1 X11$q$g (X11$q, X11$set10, X11);
+  buf #GATE_NS X10$buf$g (X10$buf, X10);
+  not #GATE_NS X12$not$g (X12$not, X12);
+  not #GATE_NS X10$1$not$g (X10$1$not, X10$1);
+  and #GATE_NS X11$set10$g (X11$set10, X10$buf, h1, X3$not, X12$not, X10$1$not, Init$not, AUdur$not);
+  nor #GATE_NS X11$g (X11, X12, X10$1, Init, AUdur, X11$q);
+  nor #GATE_NS X11$q$g (X11$q, X11$set10, X11);
 
   // X12 = (X11.v1./X3 + /X13.X12)./Init./(X0 + X1)./AUdur
-  buf #1 X11$buf$g (X11$buf, X11);
-  not #1 X13$not$g (X13$not, X13);
-  and #1 X12$set11$g (X12$set11, X11$buf, v1, X3$not, X13$not, X10$1$not, Init$not, AUdur$not);
-  nor #1 X12$g (X12, X13, X10$1, Init, AUdur, X12$q);
-  nor #1 X12$q$g (X12$q, X12$set11, X12);
+  buf #GATE_NS X11$buf$g (X11$buf, X11);
+  not #GATE_NS X13$not$g (X13$not, X13);
+  and #GATE_NS X12$set11$g (X12$set11, X11$buf, v1, X3$not, X13$not, X10$1$not, Init$not, AUdur$not);
+  nor #GATE_NS X12$g (X12, X13, X10$1, Init, AUdur, X12$q);
+  nor #GATE_NS X12$q$g (X12$q, X12$set11, X12);
 
   // X13 = (X12.h0./X3 + /X10.X13)./Init./(X0 + X1)./AUdur
-  buf #1 X12$buf$g (X12$buf, X12);
-  not #1 X10$not$g (X10$not, X10);
-  and #1 X13$set12$g (X13$set12, X12$buf, h0, X3$not, X10$not, X10$1$not, Init$not, AUdur$not);
-  nor #1 X13$g (X13, X10, X10$1, Init, AUdur, X13$q);
-  nor #1 X13$q$g (X13$q, X13$set12, X13);
+  buf #GATE_NS X12$buf$g (X12$buf, X12);
+  not #GATE_NS X10$not$g (X10$not, X10);
+  and #GATE_NS X13$set12$g (X13$set12, X12$buf, h0, X3$not, X10$not, X10$1$not, Init$not, AUdur$not);
+  nor #GATE_NS X13$g (X13, X10, X10$1, Init, AUdur, X13$q);
+  nor #GATE_NS X13$q$g (X13$q, X13$set12, X13);
 
   // V+ = X11./AUdoux
-  not #1 AUdoux$not$g (AUdoux$not, AUdoux);
-  and #1 \V+$g  (\V+ , X11, AUdoux$not);
+  not #GATE_NS AUdoux$not$g (AUdoux$not, AUdoux);
+  and #GATE_NS \V+$g  (\V+ , X11, AUdoux$not);
 
   // H- = X12.v0./AUdoux
-  buf #1 v0$buf$g (v0$buf, v0);
-  and #1 \H-$g  (\H- , X12, v0$buf, AUdoux$not);
+  buf #GATE_NS v0$buf$g (v0$buf, v0);
+  and #GATE_NS \H-$g  (\H- , X12, v0$buf, AUdoux$not);
 
   // H+ = X10./AUdoux
-  and #1 \H+$g  (\H+ , X10, AUdoux$not);
+  and #GATE_NS \H+$g  (\H+ , X10, AUdoux$not);
 
   // Voyant CI = (X0.v0.h0 + X1.v0.h0 + X2.v0.h0 + X3.v0.h0)./AUdoux
-  and #1 \Voyant%20CI$1$g  (\Voyant%20CI$1 , X0, v0, h0);
-  and #1 \Voyant%20CI$2$g  (\Voyant%20CI$2 , X1, v0, h0);
-  and #1 \Voyant%20CI$3$g  (\Voyant%20CI$3 , X2, v0, h0);
-  and #1 \Voyant%20CI$4$g  (\Voyant%20CI$4 , X3, v0, h0);
-  or #1 \Voyant%20CI$5$g  (\Voyant%20CI$5 , \Voyant%20CI$1 , \Voyant%20CI$2 , \Voyant%20CI$3 , \Voyant%20CI$4 );
-  buf #1 AUdoux$not$buf$g (AUdoux$not$buf, AUdoux$not);
-  and #1 \Voyant%20CI$g  (\Voyant%20CI , \Voyant%20CI$5 , AUdoux$not$buf);
+  and #GATE_NS \Voyant%20CI$1$g  (\Voyant%20CI$1 , X0, v0, h0);
+  and #GATE_NS \Voyant%20CI$2$g  (\Voyant%20CI$2 , X1, v0, h0);
+  and #GATE_NS \Voyant%20CI$3$g  (\Voyant%20CI$3 , X2, v0, h0);
+  and #GATE_NS \Voyant%20CI$4$g  (\Voyant%20CI$4 , X3, v0, h0);
+  or #GATE_NS \Voyant%20CI$5$g  (\Voyant%20CI$5 , \Voyant%20CI$1 , \Voyant%20CI$2 , \Voyant%20CI$3 , \Voyant%20CI$4 );
+  buf #GATE_NS AUdoux$not$buf$g (AUdoux$not$buf, AUdoux$not);
+  and #GATE_NS \Voyant%20CI$g  (\Voyant%20CI , \Voyant%20CI$5 , AUdoux$not$buf);
 endmodule
 
 `timescale 1ps/1ps
 
-// Rising-edge pulse: 1 for WIDTH_PS after each rise of a, begun again by a new rise.
+// Rising-edge pulse: 1 for WIDTH_NS after each rise of a, begun again by a new rise.
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module grafwire_rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module grafwire_rise_pulse #(parameter GATE_NS = 1, WIDTH_NS = 1) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
   always @(a) begin
     if (last === 1'b0 && a === 1'b1) begin
       begun = begun + 1;
-      ended <= #(WIDTH_PS) begun;
+      ended <= #(1000 * WIDTH_NS) begun;
     end
     last = a;
   end
-  assign #1000 q = begun != ended;
+  assign #(1000 * GATE_NS) q = begun != ended;
 `endif
 endmodule
 
@@ -164,8 +165,10 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module grafwire_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
+module grafwire_timer #(parameter GATE_NS = 1, parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0)
+    (input a, output q);
 `ifndef SYNTHESIS
+  localparam [63:0] GATE_PS = 1000 * GATE_NS;
   reg m, started, waiting, target;
   integer begun, due;
   reg [63:0] delay, end_time;
@@ -181,7 +184,7 @@ module grafwire_timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INI
       begun = begun + 1;
       target = a;
       delay = a ? RISE_PS : FALL_PS;
-      end_time = delay == 0 ? $time + 1000 : `GRAFWIRE_INSTANT + delay;
+      end_time = delay == 0 ? $time + GATE_PS : `GRAFWIRE_INSTANT + delay;
       due <= #(end_time > $time ? end_time - $time : 64'd0) begun;
     end
   end

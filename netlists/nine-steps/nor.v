@@ -1,7 +1,8 @@
 // nine_steps: 42 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module nine_steps (
+module nine_steps #(parameter GATE_NS = 1) (
   input m,
   input a,
   input b,
@@ -37,66 +38,66 @@ module nine_steps (
   wire AUdoux$not;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X1 = (X4.X8 + /(X2.X5).X1 + Init)./AUdur
-  and #1 X1$reset0$g (X1$reset0, X2, X5, Init$not);
-  not #1 X1$reset0$not$g (X1$reset0$not, X1$reset0);
-  and #1 X1$set4$g (X1$set4, X4, X8, X1$reset0$not, AUdur$not);
-  and #1 X1$init$g (X1$init, Init, X1$reset0$not, AUdur$not);
-  nor #1 X1$g (X1, X1$reset0, AUdur, X1$q);
-  nor #1 X1$q$g (X1$q, X1$set4, X1$init, X1);
+  and #GATE_NS X1$reset0$g (X1$reset0, X2, X5, Init$not);
+  not #GATE_NS X1$reset0$not$g (X1$reset0$not, X1$reset0);
+  and #GATE_NS X1$set4$g (X1$set4, X4, X8, X1$reset0$not, AUdur$not);
+  and #GATE_NS X1$init$g (X1$init, Init, X1$reset0$not, AUdur$not);
+  nor #GATE_NS X1$g (X1, X1$reset0, AUdur, X1$q);
+  nor #GATE_NS X1$q$g (X1$q, X1$set4, X1$init, X1);
 
   // X2 = (X1.m + /X3.X2)./Init./AUdur
-  not #1 X3$not$g (X3$not, X3);
-  and #1 X2$set1$g (X2$set1, X1, m, X3$not, Init$not, AUdur$not);
-  nor #1 X2$g (X2, X3, Init, AUdur, X2$q);
-  nor #1 X2$q$g (X2$q, X2$set1, X2);
+  not #GATE_NS X3$not$g (X3$not, X3);
+  and #GATE_NS X2$set1$g (X2$set1, X1, m, X3$not, Init$not, AUdur$not);
+  nor #GATE_NS X2$g (X2, X3, Init, AUdur, X2$q);
+  nor #GATE_NS X2$q$g (X2$q, X2$set1, X2);
 
   // X3 = (X2.b + /X4.X3)./Init./AUdur
-  not #1 X4$not$g (X4$not, X4);
-  and #1 X3$set2$g (X3$set2, X2, b, X4$not, Init$not, AUdur$not);
-  nor #1 X3$g (X3, X4, Init, AUdur, X3$q);
-  nor #1 X3$q$g (X3$q, X3$set2, X3);
+  not #GATE_NS X4$not$g (X4$not, X4);
+  and #GATE_NS X3$set2$g (X3$set2, X2, b, X4$not, Init$not, AUdur$not);
+  nor #GATE_NS X3$g (X3, X4, Init, AUdur, X3$q);
+  nor #GATE_NS X3$q$g (X3$q, X3$set2, X3);
 
   // X4 = (X3.c + /X1.X4)./Init./AUdur
-  not #1 X1$not$g (X1$not, X1);
-  and #1 X4$set3$g (X4$set3, X3, c, X1$not, Init$not, AUdur$not);
-  nor #1 X4$g (X4, X1, Init, AUdur, X4$q);
-  nor #1 X4$q$g (X4$q, X4$set3, X4);
+  not #GATE_NS X1$not$g (X1$not, X1);
+  and #GATE_NS X4$set3$g (X4$set3, X3, c, X1$not, Init$not, AUdur$not);
+  nor #GATE_NS X4$g (X4, X1, Init, AUdur, X4$q);
+  nor #GATE_NS X4$q$g (X4$q, X4$set3, X4);
 
   // X5 = (X1.m + /X6.X5)./Init./AUdur
-  not #1 X6$not$g (X6$not, X6);
-  and #1 X5$set1$g (X5$set1, X1, m, X6$not, Init$not, AUdur$not);
-  nor #1 X5$g (X5, X6, Init, AUdur, X5$q);
-  nor #1 X5$q$g (X5$q, X5$set1, X5);
+  not #GATE_NS X6$not$g (X6$not, X6);
+  and #GATE_NS X5$set1$g (X5$set1, X1, m, X6$not, Init$not, AUdur$not);
+  nor #GATE_NS X5$g (X5, X6, Init, AUdur, X5$q);
+  nor #GATE_NS X5$q$g (X5$q, X5$set1, X5);
 
   // X6 = (X5.a + /(X7 + X9).X6)./Init./AUdur
-  not #1 X7$not$g (X7$not, X7);
-  not #1 X9$not$g (X9$not, X9);
-  and #1 X6$set5$g (X6$set5, X5, a, X7$not, X9$not, Init$not, AUdur$not);
-  nor #1 X6$g (X6, X7, X9, Init, AUdur, X6$q);
-  nor #1 X6$q$g (X6$q, X6$set5, X6);
+  not #GATE_NS X7$not$g (X7$not, X7);
+  not #GATE_NS X9$not$g (X9$not, X9);
+  and #GATE_NS X6$set5$g (X6$set5, X5, a, X7$not, X9$not, Init$not, AUdur$not);
+  nor #GATE_NS X6$g (X6, X7, X9, Init, AUdur, X6$q);
+  nor #GATE_NS X6$q$g (X6$q, X6$set5, X6);
 
   // X7 = (X6.d1 + /X8.X7)./Init./AUdur
-  not #1 X8$not$g (X8$not, X8);
-  and #1 X7$set6$g (X7$set6, X6, d1, X8$not, Init$not, AUdur$not);
-  nor #1 X7$g (X7, X8, Init, AUdur, X7$q);
-  nor #1 X7$q$g (X7$q, X7$set6, X7);
+  not #GATE_NS X8$not$g (X8$not, X8);
+  and #GATE_NS X7$set6$g (X7$set6, X6, d1, X8$not, Init$not, AUdur$not);
+  nor #GATE_NS X7$g (X7, X8, Init, AUdur, X7$q);
+  nor #GATE_NS X7$q$g (X7$q, X7$set6, X7);
 
   // X8 = (X7.e + X9.f + /X1.X8)./Init./AUdur
-  and #1 X8$set7$g (X8$set7, X7, e, X1$not, Init$not, AUdur$not);
-  and #1 X8$set9$g (X8$set9, X9, f, X1$not, Init$not, AUdur$not);
-  nor #1 X8$g (X8, X1, Init, AUdur, X8$q);
-  nor #1 X8$q$g (X8$q, X8$set7, X8$set9, X8);
+  and #GATE_NS X8$set7$g (X8$set7, X7, e, X1$not, Init$not, AUdur$not);
+  and #GATE_NS X8$set9$g (X8$set9, X9, f, X1$not, Init$not, AUdur$not);
+  nor #GATE_NS X8$g (X8, X1, Init, AUdur, X8$q);
+  nor #GATE_NS X8$q$g (X8$q, X8$set7, X8$set9, X8);
 
   // X9 = (X6.d2 + /X8.X9)./Init./AUdur
-  and #1 X9$set8$g (X9$set8, X6, d2, X8$not, Init$not, AUdur$not);
-  nor #1 X9$g (X9, X8, Init, AUdur, X9$q);
-  nor #1 X9$q$g (X9$q, X9$set8, X9);
+  and #GATE_NS X9$set8$g (X9$set8, X6, d2, X8$not, Init$not, AUdur$not);
+  nor #GATE_NS X9$g (X9, X8, Init, AUdur, X9$q);
+  nor #GATE_NS X9$q$g (X9$q, X9$set8, X9);
 
   // A = X3./AUdoux
-  not #1 AUdoux$not$g (AUdoux$not, AUdoux);
-  and #1 A$g (A, X3, AUdoux$not);
+  not #GATE_NS AUdoux$not$g (AUdoux$not, AUdoux);
+  and #GATE_NS A$g (A, X3, AUdoux$not);
 endmodule

@@ -1,7 +1,8 @@
 // parallel_convergence: 40 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module parallel_convergence (
+module parallel_convergence #(parameter GATE_NS = 1) (
   input x,
   input b,
   input c,
@@ -28,58 +29,58 @@ module parallel_convergence (
   wire T6$clear, X0$not, X7$hold, X7$or;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X0 = (X7./x + /(X30.X47).X0 + Init)./AUdur
-  not #1 x$not$g (x$not, x);
-  and #1 T7$clear$g (T7$clear, X7, x$not);
-  and #1 X0$cdx0$g (X0$cdx0, X30, X47);
-  not #1 X0$cdx0$not$g (X0$cdx0$not, X0$cdx0);
-  and #1 X0$hold$g (X0$hold, X0$cdx0$not, X0);
-  buf #1 AUdur$not$buf$g (AUdur$not$buf, AUdur$not);
-  buf #1 AUdur$not$buf$buf$g (AUdur$not$buf$buf, AUdur$not$buf);
-  or #1 X0$or$g (X0$or, T7$clear, X0$hold, Init);
-  and #1 X0$g (X0, X0$or, AUdur$not$buf$buf);
+  not #GATE_NS x$not$g (x$not, x);
+  and #GATE_NS T7$clear$g (T7$clear, X7, x$not);
+  and #GATE_NS X0$cdx0$g (X0$cdx0, X30, X47);
+  not #GATE_NS X0$cdx0$not$g (X0$cdx0$not, X0$cdx0);
+  and #GATE_NS X0$hold$g (X0$hold, X0$cdx0$not, X0);
+  buf #GATE_NS AUdur$not$buf$g (AUdur$not$buf, AUdur$not);
+  buf #GATE_NS AUdur$not$buf$buf$g (AUdur$not$buf$buf, AUdur$not$buf);
+  or #GATE_NS X0$or$g (X0$or, T7$clear, X0$hold, Init);
+  and #GATE_NS X0$g (X0, X0$or, AUdur$not$buf$buf);
 
   // X30 = (X0.x + /X31.X30)./Init./AUdur
-  and #1 T0$clear$g (T0$clear, X0, x);
-  not #1 X31$not$g (X31$not, X31);
-  and #1 X30$hold$g (X30$hold, X31$not, X30);
-  buf #1 Init$not$buf$g (Init$not$buf, Init$not);
-  or #1 X30$or$g (X30$or, T0$clear, X30$hold);
-  and #1 X30$g (X30, X30$or, Init$not$buf, AUdur$not$buf);
+  and #GATE_NS T0$clear$g (T0$clear, X0, x);
+  not #GATE_NS X31$not$g (X31$not, X31);
+  and #GATE_NS X30$hold$g (X30$hold, X31$not, X30);
+  buf #GATE_NS Init$not$buf$g (Init$not$buf, Init$not);
+  or #GATE_NS X30$or$g (X30$or, T0$clear, X30$hold);
+  and #GATE_NS X30$g (X30, X30$or, Init$not$buf, AUdur$not$buf);
 
   // X31 = (X30.b + /X6.X31)./Init./AUdur
-  and #1 T30$clear$g (T30$clear, X30, b);
-  not #1 X6$not$g (X6$not, X6);
-  and #1 X31$hold$g (X31$hold, X6$not, X31);
-  or #1 X31$or$g (X31$or, T30$clear, X31$hold);
-  and #1 X31$g (X31, X31$or, Init$not$buf, AUdur$not$buf);
+  and #GATE_NS T30$clear$g (T30$clear, X30, b);
+  not #GATE_NS X6$not$g (X6$not, X6);
+  and #GATE_NS X31$hold$g (X31$hold, X6$not, X31);
+  or #GATE_NS X31$or$g (X31$or, T30$clear, X31$hold);
+  and #GATE_NS X31$g (X31, X31$or, Init$not$buf, AUdur$not$buf);
 
   // X47 = (X0.x + /X48.X47)./Init./AUdur
-  not #1 X48$not$g (X48$not, X48);
-  and #1 X47$hold$g (X47$hold, X48$not, X47);
-  or #1 X47$or$g (X47$or, T0$clear, X47$hold);
-  and #1 X47$g (X47, X47$or, Init$not$buf, AUdur$not$buf);
+  not #GATE_NS X48$not$g (X48$not, X48);
+  and #GATE_NS X47$hold$g (X47$hold, X48$not, X47);
+  or #GATE_NS X47$or$g (X47$or, T0$clear, X47$hold);
+  and #GATE_NS X47$g (X47, X47$or, Init$not$buf, AUdur$not$buf);
 
   // X48 = (X47.c + /X6.X48)./Init./AUdur
-  and #1 T47$clear$g (T47$clear, X47, c);
-  and #1 X48$hold$g (X48$hold, X6$not, X48);
-  or #1 X48$or$g (X48$or, T47$clear, X48$hold);
-  and #1 X48$g (X48, X48$or, Init$not$buf, AUdur$not$buf);
+  and #GATE_NS T47$clear$g (T47$clear, X47, c);
+  and #GATE_NS X48$hold$g (X48$hold, X6$not, X48);
+  or #GATE_NS X48$or$g (X48$or, T47$clear, X48$hold);
+  and #GATE_NS X48$g (X48, X48$or, Init$not$buf, AUdur$not$buf);
 
   // X6 = (X31.X48.d + /X7.X6)./Init./AUdur
-  and #1 T31$clear$g (T31$clear, X31, X48, d);
-  not #1 X7$not$g (X7$not, X7);
-  and #1 X6$hold$g (X6$hold, X7$not, X6);
-  or #1 X6$or$g (X6$or, T31$clear, X6$hold);
-  and #1 X6$g (X6, X6$or, Init$not$buf, AUdur$not$buf);
+  and #GATE_NS T31$clear$g (T31$clear, X31, X48, d);
+  not #GATE_NS X7$not$g (X7$not, X7);
+  and #GATE_NS X6$hold$g (X6$hold, X7$not, X6);
+  or #GATE_NS X6$or$g (X6$or, T31$clear, X6$hold);
+  and #GATE_NS X6$g (X6, X6$or, Init$not$buf, AUdur$not$buf);
 
   // X7 = (X6.f + /X0.X7)./Init./AUdur
-  and #1 T6$clear$g (T6$clear, X6, f);
-  not #1 X0$not$g (X0$not, X0);
-  and #1 X7$hold$g (X7$hold, X0$not, X7);
-  or #1 X7$or$g (X7$or, T6$clear, X7$hold);
-  and #1 X7$g (X7, X7$or, Init$not$buf, AUdur$not$buf);
+  and #GATE_NS T6$clear$g (T6$clear, X6, f);
+  not #GATE_NS X0$not$g (X0$not, X0);
+  and #GATE_NS X7$hold$g (X7$hold, X0$not, X7);
+  or #GATE_NS X7$or$g (X7$or, T6$clear, X7$hold);
+  and #GATE_NS X7$g (X7, X7$or, Init$not$buf, AUdur$not$buf);
 endmodule

@@ -1,7 +1,8 @@
 // parallel_convergence: 32 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module parallel_convergence (
+module parallel_convergence #(parameter GATE_NS = 1) (
   input x,
   input b,
   input c,
@@ -28,50 +29,50 @@ module parallel_convergence (
   wire X0$not, X7$set6, X7$q;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X0 = (X7./x + /(X30.X47).X0 + Init)./AUdur
-  and #1 X0$reset0$g (X0$reset0, X30, X47, Init$not);
-  not #1 x$not$g (x$not, x);
-  not #1 X0$reset0$not$g (X0$reset0$not, X0$reset0);
-  and #1 X0$set7$g (X0$set7, X7, x$not, X0$reset0$not, AUdur$not);
-  and #1 X0$init$g (X0$init, Init, X0$reset0$not, AUdur$not);
-  nor #1 X0$g (X0, X0$reset0, AUdur, X0$q);
-  nor #1 X0$q$g (X0$q, X0$set7, X0$init, X0);
+  and #GATE_NS X0$reset0$g (X0$reset0, X30, X47, Init$not);
+  not #GATE_NS x$not$g (x$not, x);
+  not #GATE_NS X0$reset0$not$g (X0$reset0$not, X0$reset0);
+  and #GATE_NS X0$set7$g (X0$set7, X7, x$not, X0$reset0$not, AUdur$not);
+  and #GATE_NS X0$init$g (X0$init, Init, X0$reset0$not, AUdur$not);
+  nor #GATE_NS X0$g (X0, X0$reset0, AUdur, X0$q);
+  nor #GATE_NS X0$q$g (X0$q, X0$set7, X0$init, X0);
 
   // X30 = (X0.x + /X31.X30)./Init./AUdur
-  not #1 X31$not$g (X31$not, X31);
-  and #1 X30$set0$g (X30$set0, X0, x, X31$not, Init$not, AUdur$not);
-  nor #1 X30$g (X30, X31, Init, AUdur, X30$q);
-  nor #1 X30$q$g (X30$q, X30$set0, X30);
+  not #GATE_NS X31$not$g (X31$not, X31);
+  and #GATE_NS X30$set0$g (X30$set0, X0, x, X31$not, Init$not, AUdur$not);
+  nor #GATE_NS X30$g (X30, X31, Init, AUdur, X30$q);
+  nor #GATE_NS X30$q$g (X30$q, X30$set0, X30);
 
   // X31 = (X30.b + /X6.X31)./Init./AUdur
-  not #1 X6$not$g (X6$not, X6);
-  and #1 X31$set30$g (X31$set30, X30, b, X6$not, Init$not, AUdur$not);
-  nor #1 X31$g (X31, X6, Init, AUdur, X31$q);
-  nor #1 X31$q$g (X31$q, X31$set30, X31);
+  not #GATE_NS X6$not$g (X6$not, X6);
+  and #GATE_NS X31$set30$g (X31$set30, X30, b, X6$not, Init$not, AUdur$not);
+  nor #GATE_NS X31$g (X31, X6, Init, AUdur, X31$q);
+  nor #GATE_NS X31$q$g (X31$q, X31$set30, X31);
 
   // X47 = (X0.x + /X48.X47)./Init./AUdur
-  not #1 X48$not$g (X48$not, X48);
-  and #1 X47$set0$g (X47$set0, X0, x, X48$not, Init$not, AUdur$not);
-  nor #1 X47$g (X47, X48, Init, AUdur, X47$q);
-  nor #1 X47$q$g (X47$q, X47$set0, X47);
+  not #GATE_NS X48$not$g (X48$not, X48);
+  and #GATE_NS X47$set0$g (X47$set0, X0, x, X48$not, Init$not, AUdur$not);
+  nor #GATE_NS X47$g (X47, X48, Init, AUdur, X47$q);
+  nor #GATE_NS X47$q$g (X47$q, X47$set0, X47);
 
   // X48 = (X47.c + /X6.X48)./Init./AUdur
-  and #1 X48$set47$g (X48$set47, X47, c, X6$not, Init$not, AUdur$not);
-  nor #1 X48$g (X48, X6, Init, AUdur, X48$q);
-  nor #1 X48$q$g (X48$q, X48$set47, X48);
+  and #GATE_NS X48$set47$g (X48$set47, X47, c, X6$not, Init$not, AUdur$not);
+  nor #GATE_NS X48$g (X48, X6, Init, AUdur, X48$q);
+  nor #GATE_NS X48$q$g (X48$q, X48$set47, X48);
 
   // X6 = (X31.X48.d + /X7.X6)./Init./AUdur
-  not #1 X7$not$g (X7$not, X7);
-  and #1 X6$set31$g (X6$set31, X31, X48, d, X7$not, Init$not, AUdur$not);
-  nor #1 X6$g (X6, X7, Init, AUdur, X6$q);
-  nor #1 X6$q$g (X6$q, X6$set31, X6);
+  not #GATE_NS X7$not$g (X7$not, X7);
+  and #GATE_NS X6$set31$g (X6$set31, X31, X48, d, X7$not, Init$not, AUdur$not);
+  nor #GATE_NS X6$g (X6, X7, Init, AUdur, X6$q);
+  nor #GATE_NS X6$q$g (X6$q, X6$set31, X6);
 
   // X7 = (X6.f + /X0.X7)./Init./AUdur
-  not #1 X0$not$g (X0$not, X0);
-  and #1 X7$set6$g (X7$set6, X6, f, X0$not, Init$not, AUdur$not);
-  nor #1 X7$g (X7, X0, Init, AUdur, X7$q);
-  nor #1 X7$q$g (X7$q, X7$set6, X7);
+  not #GATE_NS X0$not$g (X0$not, X0);
+  and #GATE_NS X7$set6$g (X7$set6, X6, f, X0$not, Init$not, AUdur$not);
+  nor #GATE_NS X7$g (X7, X0, Init, AUdur, X7$q);
+  nor #GATE_NS X7$q$g (X7$q, X7$set6, X7);
 endmodule

@@ -1,7 +1,8 @@
 // parallel_divergence: 28 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module parallel_divergence (
+module parallel_divergence #(parameter GATE_NS = 1) (
   input a,
   input x,
   input y,
@@ -25,44 +26,44 @@ module parallel_divergence (
   wire X21$set20, X21$reset0, X21$q;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X6 = (X11.X21./a + /X7.X6 + Init)./AUdur
-  not #1 a$not$g (a$not, a);
-  nand #1 X6$set11$g (X6$set11, X11, X21, a$not, AUdur$not);
-  nand #1 X6$init$g (X6$init, Init, AUdur$not);
-  nand #1 X6$reset0$g (X6$reset0, X7, X6$set11, X6$init);
-  nand #1 X6$g (X6, X6$set11, X6$init, X6$q);
-  nand #1 X6$q$g (X6$q, X6$reset0, AUdur$not, X6);
+  not #GATE_NS a$not$g (a$not, a);
+  nand #GATE_NS X6$set11$g (X6$set11, X11, X21, a$not, AUdur$not);
+  nand #GATE_NS X6$init$g (X6$init, Init, AUdur$not);
+  nand #GATE_NS X6$reset0$g (X6$reset0, X7, X6$set11, X6$init);
+  nand #GATE_NS X6$g (X6, X6$set11, X6$init, X6$q);
+  nand #GATE_NS X6$q$g (X6$q, X6$reset0, AUdur$not, X6);
 
   // X7 = (X6.a + /(X10.X20).X7)./Init./AUdur
-  nand #1 X7$set6$g (X7$set6, X6, a, Init$not, AUdur$not);
-  nand #1 X7$reset0$g (X7$reset0, X10, X20, X7$set6);
-  nand #1 X7$g (X7, X7$set6, X7$q);
-  nand #1 X7$q$g (X7$q, X7$reset0, Init$not, AUdur$not, X7);
+  nand #GATE_NS X7$set6$g (X7$set6, X6, a, Init$not, AUdur$not);
+  nand #GATE_NS X7$reset0$g (X7$reset0, X10, X20, X7$set6);
+  nand #GATE_NS X7$g (X7, X7$set6, X7$q);
+  nand #GATE_NS X7$q$g (X7$q, X7$reset0, Init$not, AUdur$not, X7);
 
   // X10 = (X7.x + /X11.X10)./Init./AUdur
-  nand #1 X10$set7$g (X10$set7, X7, x, Init$not, AUdur$not);
-  nand #1 X10$reset0$g (X10$reset0, X11, X10$set7);
-  nand #1 X10$g (X10, X10$set7, X10$q);
-  nand #1 X10$q$g (X10$q, X10$reset0, Init$not, AUdur$not, X10);
+  nand #GATE_NS X10$set7$g (X10$set7, X7, x, Init$not, AUdur$not);
+  nand #GATE_NS X10$reset0$g (X10$reset0, X11, X10$set7);
+  nand #GATE_NS X10$g (X10, X10$set7, X10$q);
+  nand #GATE_NS X10$q$g (X10$q, X10$reset0, Init$not, AUdur$not, X10);
 
   // X11 = (X10.y + /X6.X11)./Init./AUdur
-  nand #1 X11$set10$g (X11$set10, X10, y, Init$not, AUdur$not);
-  nand #1 X11$reset0$g (X11$reset0, X6, X11$set10);
-  nand #1 X11$g (X11, X11$set10, X11$q);
-  nand #1 X11$q$g (X11$q, X11$reset0, Init$not, AUdur$not, X11);
+  nand #GATE_NS X11$set10$g (X11$set10, X10, y, Init$not, AUdur$not);
+  nand #GATE_NS X11$reset0$g (X11$reset0, X6, X11$set10);
+  nand #GATE_NS X11$g (X11, X11$set10, X11$q);
+  nand #GATE_NS X11$q$g (X11$q, X11$reset0, Init$not, AUdur$not, X11);
 
   // X20 = (X7.x + /X21.X20)./Init./AUdur
-  nand #1 X20$set7$g (X20$set7, X7, x, Init$not, AUdur$not);
-  nand #1 X20$reset0$g (X20$reset0, X21, X20$set7);
-  nand #1 X20$g (X20, X20$set7, X20$q);
-  nand #1 X20$q$g (X20$q, X20$reset0, Init$not, AUdur$not, X20);
+  nand #GATE_NS X20$set7$g (X20$set7, X7, x, Init$not, AUdur$not);
+  nand #GATE_NS X20$reset0$g (X20$reset0, X21, X20$set7);
+  nand #GATE_NS X20$g (X20, X20$set7, X20$q);
+  nand #GATE_NS X20$q$g (X20$q, X20$reset0, Init$not, AUdur$not, X20);
 
   // X21 = (X20.t + /X6.X21)./Init./AUdur
-  nand #1 X21$set20$g (X21$set20, X20, t, Init$not, AUdur$not);
-  nand #1 X21$reset0$g (X21$reset0, X6, X21$set20);
-  nand #1 X21$g (X21, X21$set20, X21$q);
-  nand #1 X21$q$g (X21$q, X21$reset0, Init$not, AUdur$not, X21);
+  nand #GATE_NS X21$set20$g (X21$set20, X20, t, Init$not, AUdur$not);
+  nand #GATE_NS X21$reset0$g (X21$reset0, X6, X21$set20);
+  nand #GATE_NS X21$g (X21, X21$set20, X21$q);
+  nand #GATE_NS X21$q$g (X21$q, X21$reset0, Init$not, AUdur$not, X21);
 endmodule

@@ -3,18 +3,19 @@
 //   \Sens%20Moteur = Sens Moteur
 //   \Voyant%20Droite = Voyant Droite
 //   \Voyant%20Gauche = Voyant Gauche
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
 // When the netlist is let go after power-up, in ns, and the moment, in ps, from which a delay that
 // begins now counts. A test bench may set these before.
 `ifndef GRAFWIRE_START
-`define GRAFWIRE_START 100
+`define GRAFWIRE_START (100 * GATE_NS)
 `endif
 `ifndef GRAFWIRE_INSTANT
 `define GRAFWIRE_INSTANT $time
 `endif
 
-module positioning_axis (
+module positioning_axis #(parameter GATE_NS = 1) (
   input p0,
   input p1,
   input p2,
@@ -57,186 +58,186 @@ module positioning_axis (
   wire b2$not, b3$buf, r3$1, r3$set0, r3$1$not, r3$reset0, r3;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X0 = (X3.(p0 + p1 + p2 + p3) + X2.(p0.r0 + p1.r1 + p2.r2 + p3.r3) + X5.(p0.r0 + p1.r1 + p2.r2 + p3.r3) + /(X1 + X3).X0 + Init)./AUdur
-  or #1 T3$1$g (T3$1, p0, p1, p2, p3);
-  and #1 T3$clear$g (T3$clear, X3, T3$1);
-  and #1 T4$1$g (T4$1, p0, r0);
-  and #1 T4$2$g (T4$2, p1, r1);
-  and #1 T4$3$g (T4$3, p2, r2);
-  and #1 T4$4$g (T4$4, p3, r3);
-  or #1 T4$5$g (T4$5, T4$1, T4$2, T4$3, T4$4);
-  buf #1 X2$buf$g (X2$buf, X2);
-  buf #1 X2$buf$buf$g (X2$buf$buf, X2$buf);
-  buf #1 X2$buf$buf$buf$g (X2$buf$buf$buf, X2$buf$buf);
-  buf #1 X2$buf$buf$buf$buf$g (X2$buf$buf$buf$buf, X2$buf$buf$buf);
-  buf #1 X2$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf);
-  buf #1 X2$buf$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf$buf);
-  and #1 T4$clear$g (T4$clear, X2$buf$buf$buf$buf$buf$buf, T4$5);
-  buf #1 X5$buf$g (X5$buf, X5);
-  buf #1 X5$buf$buf$g (X5$buf$buf, X5$buf);
-  buf #1 X5$buf$buf$buf$g (X5$buf$buf$buf, X5$buf$buf);
-  buf #1 X5$buf$buf$buf$buf$g (X5$buf$buf$buf$buf, X5$buf$buf$buf);
-  buf #1 X5$buf$buf$buf$buf$buf$g (X5$buf$buf$buf$buf$buf, X5$buf$buf$buf$buf);
-  buf #1 X5$buf$buf$buf$buf$buf$buf$g (X5$buf$buf$buf$buf$buf$buf, X5$buf$buf$buf$buf$buf);
-  and #1 T7$clear$g (T7$clear, X5$buf$buf$buf$buf$buf$buf, T4$5);
-  or #1 X0$cdx$g (X0$cdx, X1, X3);
-  not #1 X0$cdx$not$g (X0$cdx$not, X0$cdx);
-  and #1 X0$hold$g (X0$hold, X0$cdx$not, X0);
-  buf #1 AUdur$not$buf$g (AUdur$not$buf, AUdur$not);
-  buf #1 AUdur$not$buf$buf$g (AUdur$not$buf$buf, AUdur$not$buf);
-  buf #1 AUdur$not$buf$buf$buf$g (AUdur$not$buf$buf$buf, AUdur$not$buf$buf);
-  buf #1 AUdur$not$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf, AUdur$not$buf$buf$buf);
-  buf #1 AUdur$not$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf);
-  buf #1 AUdur$not$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf);
-  buf #1 AUdur$not$buf$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf);
-  or #1 X0$or$g (X0$or, T3$clear, T4$clear, T7$clear, X0$hold, Init);
-  and #1 X0$g (X0, X0$or, AUdur$not$buf$buf$buf$buf$buf$buf$buf);
+  or #GATE_NS T3$1$g (T3$1, p0, p1, p2, p3);
+  and #GATE_NS T3$clear$g (T3$clear, X3, T3$1);
+  and #GATE_NS T4$1$g (T4$1, p0, r0);
+  and #GATE_NS T4$2$g (T4$2, p1, r1);
+  and #GATE_NS T4$3$g (T4$3, p2, r2);
+  and #GATE_NS T4$4$g (T4$4, p3, r3);
+  or #GATE_NS T4$5$g (T4$5, T4$1, T4$2, T4$3, T4$4);
+  buf #GATE_NS X2$buf$g (X2$buf, X2);
+  buf #GATE_NS X2$buf$buf$g (X2$buf$buf, X2$buf);
+  buf #GATE_NS X2$buf$buf$buf$g (X2$buf$buf$buf, X2$buf$buf);
+  buf #GATE_NS X2$buf$buf$buf$buf$g (X2$buf$buf$buf$buf, X2$buf$buf$buf);
+  buf #GATE_NS X2$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf);
+  buf #GATE_NS X2$buf$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf$buf);
+  and #GATE_NS T4$clear$g (T4$clear, X2$buf$buf$buf$buf$buf$buf, T4$5);
+  buf #GATE_NS X5$buf$g (X5$buf, X5);
+  buf #GATE_NS X5$buf$buf$g (X5$buf$buf, X5$buf);
+  buf #GATE_NS X5$buf$buf$buf$g (X5$buf$buf$buf, X5$buf$buf);
+  buf #GATE_NS X5$buf$buf$buf$buf$g (X5$buf$buf$buf$buf, X5$buf$buf$buf);
+  buf #GATE_NS X5$buf$buf$buf$buf$buf$g (X5$buf$buf$buf$buf$buf, X5$buf$buf$buf$buf);
+  buf #GATE_NS X5$buf$buf$buf$buf$buf$buf$g (X5$buf$buf$buf$buf$buf$buf, X5$buf$buf$buf$buf$buf);
+  and #GATE_NS T7$clear$g (T7$clear, X5$buf$buf$buf$buf$buf$buf, T4$5);
+  or #GATE_NS X0$cdx$g (X0$cdx, X1, X3);
+  not #GATE_NS X0$cdx$not$g (X0$cdx$not, X0$cdx);
+  and #GATE_NS X0$hold$g (X0$hold, X0$cdx$not, X0);
+  buf #GATE_NS AUdur$not$buf$g (AUdur$not$buf, AUdur$not);
+  buf #GATE_NS AUdur$not$buf$buf$g (AUdur$not$buf$buf, AUdur$not$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$g (AUdur$not$buf$buf$buf, AUdur$not$buf$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf, AUdur$not$buf$buf$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf);
+  or #GATE_NS X0$or$g (X0$or, T3$clear, T4$clear, T7$clear, X0$hold, Init);
+  and #GATE_NS X0$g (X0, X0$or, AUdur$not$buf$buf$buf$buf$buf$buf$buf);
 
   // X1 = (X0.(p0 + p1 + p2 + p3) + /X2.X1)./Init./AUdur
-  and #1 T0$clear$g (T0$clear, X0, T3$1);
-  not #1 X2$not$g (X2$not, X2);
-  and #1 X1$hold$g (X1$hold, X2$not, X1);
-  buf #1 Init$not$buf$g (Init$not$buf, Init$not);
-  buf #1 Init$not$buf$buf$g (Init$not$buf$buf, Init$not$buf);
-  or #1 X1$or$g (X1$or, T0$clear, X1$hold);
-  and #1 X1$g (X1, X1$or, Init$not$buf$buf, AUdur$not$buf$buf);
+  and #GATE_NS T0$clear$g (T0$clear, X0, T3$1);
+  not #GATE_NS X2$not$g (X2$not, X2);
+  and #GATE_NS X1$hold$g (X1$hold, X2$not, X1);
+  buf #GATE_NS Init$not$buf$g (Init$not$buf, Init$not);
+  buf #GATE_NS Init$not$buf$buf$g (Init$not$buf$buf, Init$not$buf);
+  or #GATE_NS X1$or$g (X1$or, T0$clear, X1$hold);
+  and #GATE_NS X1$g (X1, X1$or, Init$not$buf$buf, AUdur$not$buf$buf);
 
   // X2 = (X1.(b0 + b1 + b2 + b3) + /(X0 + X4).X2)./Init./AUdur
-  or #1 T1$1$g (T1$1, b0, b1, b2, b3);
-  and #1 T1$clear$g (T1$clear, X1, T1$1);
-  or #1 X2$cdx$g (X2$cdx, X0, X4);
-  not #1 X2$cdx$not$g (X2$cdx$not, X2$cdx);
-  and #1 X2$hold$g (X2$hold, X2$cdx$not, X2);
-  or #1 X2$or$g (X2$or, T1$clear, X2$hold);
-  and #1 X2$g (X2, X2$or, Init$not$buf$buf, AUdur$not$buf$buf);
+  or #GATE_NS T1$1$g (T1$1, b0, b1, b2, b3);
+  and #GATE_NS T1$clear$g (T1$clear, X1, T1$1);
+  or #GATE_NS X2$cdx$g (X2$cdx, X0, X4);
+  not #GATE_NS X2$cdx$not$g (X2$cdx$not, X2$cdx);
+  and #GATE_NS X2$hold$g (X2$hold, X2$cdx$not, X2);
+  or #GATE_NS X2$or$g (X2$or, T1$clear, X2$hold);
+  and #GATE_NS X2$g (X2, X2$or, Init$not$buf$buf, AUdur$not$buf$buf);
 
   // X3 = (X0./(p0 + p1 + p2 + p3) + /X0.X3)./Init./AUdur
-  not #1 T3$1$not$g (T3$1$not, T3$1);
-  and #1 T2$clear$g (T2$clear, X0, T3$1$not);
-  not #1 X0$not$g (X0$not, X0);
-  and #1 X3$hold$g (X3$hold, X0$not, X3);
-  buf #1 Init$not$buf$buf$buf$g (Init$not$buf$buf$buf, Init$not$buf$buf);
-  or #1 X3$or$g (X3$or, T2$clear, X3$hold);
-  and #1 X3$g (X3, X3$or, Init$not$buf$buf$buf, AUdur$not$buf$buf$buf);
+  not #GATE_NS T3$1$not$g (T3$1$not, T3$1);
+  and #GATE_NS T2$clear$g (T2$clear, X0, T3$1$not);
+  not #GATE_NS X0$not$g (X0$not, X0);
+  and #GATE_NS X3$hold$g (X3$hold, X0$not, X3);
+  buf #GATE_NS Init$not$buf$buf$buf$g (Init$not$buf$buf$buf, Init$not$buf$buf);
+  or #GATE_NS X3$or$g (X3$or, T2$clear, X3$hold);
+  and #GATE_NS X3$g (X3, X3$or, Init$not$buf$buf$buf, AUdur$not$buf$buf$buf);
 
   // X4 = (X2./(p0.r0 + p1.r1 + p2.r2 + p3.r3) + /X5.X4)./Init./AUdur
-  not #1 T4$5$not$g (T4$5$not, T4$5);
-  buf #1 X2$buf$buf$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf$buf$buf);
-  and #1 T5$clear$g (T5$clear, X2$buf$buf$buf$buf$buf$buf$buf, T4$5$not);
-  not #1 X5$not$g (X5$not, X5);
-  and #1 X4$hold$g (X4$hold, X5$not, X4);
-  buf #1 Init$not$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf, Init$not$buf$buf$buf);
-  buf #1 Init$not$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf);
-  buf #1 Init$not$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf);
-  buf #1 Init$not$buf$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf$buf);
-  buf #1 Init$not$buf$buf$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf$buf$buf);
-  buf #1 AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf$buf);
-  or #1 X4$or$g (X4$or, T5$clear, X4$hold);
-  and #1 X4$g (X4, X4$or, Init$not$buf$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf);
+  not #GATE_NS T4$5$not$g (T4$5$not, T4$5);
+  buf #GATE_NS X2$buf$buf$buf$buf$buf$buf$buf$g (X2$buf$buf$buf$buf$buf$buf$buf, X2$buf$buf$buf$buf$buf$buf);
+  and #GATE_NS T5$clear$g (T5$clear, X2$buf$buf$buf$buf$buf$buf$buf, T4$5$not);
+  not #GATE_NS X5$not$g (X5$not, X5);
+  and #GATE_NS X4$hold$g (X4$hold, X5$not, X4);
+  buf #GATE_NS Init$not$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf, Init$not$buf$buf$buf);
+  buf #GATE_NS Init$not$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf);
+  buf #GATE_NS Init$not$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf);
+  buf #GATE_NS Init$not$buf$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf$buf);
+  buf #GATE_NS Init$not$buf$buf$buf$buf$buf$buf$buf$buf$g (Init$not$buf$buf$buf$buf$buf$buf$buf$buf, Init$not$buf$buf$buf$buf$buf$buf$buf);
+  buf #GATE_NS AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf$g (AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf$buf);
+  or #GATE_NS X4$or$g (X4$or, T5$clear, X4$hold);
+  and #GATE_NS X4$g (X4, X4$or, Init$not$buf$buf$buf$buf$buf$buf$buf$buf, AUdur$not$buf$buf$buf$buf$buf$buf$buf$buf);
 
   // X5 = (X4 + /X0.X5)./Init./AUdur
-  buf #1 X4$buf$g (X4$buf, X4);
-  buf #1 X4$buf$buf$g (X4$buf$buf, X4$buf);
-  buf #1 X4$buf$buf$buf$g (X4$buf$buf$buf, X4$buf$buf);
-  buf #1 X4$buf$buf$buf$buf$g (X4$buf$buf$buf$buf, X4$buf$buf$buf);
-  and #1 X5$hold$g (X5$hold, X0$not, X5);
-  or #1 X5$or$g (X5$or, X4$buf$buf$buf$buf, X5$hold);
-  and #1 X5$g (X5, X5$or, Init$not$buf, AUdur$not$buf);
+  buf #GATE_NS X4$buf$g (X4$buf, X4);
+  buf #GATE_NS X4$buf$buf$g (X4$buf$buf, X4$buf);
+  buf #GATE_NS X4$buf$buf$buf$g (X4$buf$buf$buf, X4$buf$buf);
+  buf #GATE_NS X4$buf$buf$buf$buf$g (X4$buf$buf$buf$buf, X4$buf$buf$buf);
+  and #GATE_NS X5$hold$g (X5$hold, X0$not, X5);
+  or #GATE_NS X5$or$g (X5$or, X4$buf$buf$buf$buf, X5$hold);
+  and #GATE_NS X5$g (X5, X5$or, Init$not$buf, AUdur$not$buf);
 
   // Marche Moteur = (X3 + X5)./AUdoux
-  or #1 \Marche%20Moteur$1$g  (\Marche%20Moteur$1 , X3, X5);
-  not #1 AUdoux$not$g (AUdoux$not, AUdoux);
-  and #1 \Marche%20Moteur$g  (\Marche%20Moteur , \Marche%20Moteur$1 , AUdoux$not);
+  or #GATE_NS \Marche%20Moteur$1$g  (\Marche%20Moteur$1 , X3, X5);
+  not #GATE_NS AUdoux$not$g (AUdoux$not, AUdoux);
+  and #GATE_NS \Marche%20Moteur$g  (\Marche%20Moteur , \Marche%20Moteur$1 , AUdoux$not);
 
   // Voyant Droite = (X3."Sens Moteur" + X5."Sens Moteur")./AUdoux
-  buf #1 X3$buf$g (X3$buf, X3);
-  buf #1 X3$buf$buf$g (X3$buf$buf, X3$buf);
-  buf #1 X3$buf$buf$buf$g (X3$buf$buf$buf, X3$buf$buf);
-  buf #1 X3$buf$buf$buf$buf$g (X3$buf$buf$buf$buf, X3$buf$buf$buf);
-  and #1 \Voyant%20Droite$1$g  (\Voyant%20Droite$1 , X3$buf$buf$buf$buf, \Sens%20Moteur );
-  and #1 \Voyant%20Droite$2$g  (\Voyant%20Droite$2 , X5$buf$buf$buf$buf, \Sens%20Moteur );
-  or #1 \Voyant%20Droite$3$g  (\Voyant%20Droite$3 , \Voyant%20Droite$1 , \Voyant%20Droite$2 );
-  and #1 \Voyant%20Droite$g  (\Voyant%20Droite , \Voyant%20Droite$3 , AUdoux$not);
+  buf #GATE_NS X3$buf$g (X3$buf, X3);
+  buf #GATE_NS X3$buf$buf$g (X3$buf$buf, X3$buf);
+  buf #GATE_NS X3$buf$buf$buf$g (X3$buf$buf$buf, X3$buf$buf);
+  buf #GATE_NS X3$buf$buf$buf$buf$g (X3$buf$buf$buf$buf, X3$buf$buf$buf);
+  and #GATE_NS \Voyant%20Droite$1$g  (\Voyant%20Droite$1 , X3$buf$buf$buf$buf, \Sens%20Moteur );
+  and #GATE_NS \Voyant%20Droite$2$g  (\Voyant%20Droite$2 , X5$buf$buf$buf$buf, \Sens%20Moteur );
+  or #GATE_NS \Voyant%20Droite$3$g  (\Voyant%20Droite$3 , \Voyant%20Droite$1 , \Voyant%20Droite$2 );
+  and #GATE_NS \Voyant%20Droite$g  (\Voyant%20Droite , \Voyant%20Droite$3 , AUdoux$not);
 
   // Voyant Gauche = (X3./"Sens Moteur" + X5./"Sens Moteur")./AUdoux
-  not #1 \Sens%20Moteur$not$g  (\Sens%20Moteur$not , \Sens%20Moteur );
-  buf #1 X3$buf$buf$buf$buf$buf$g (X3$buf$buf$buf$buf$buf, X3$buf$buf$buf$buf);
-  and #1 \Voyant%20Gauche$1$g  (\Voyant%20Gauche$1 , X3$buf$buf$buf$buf$buf, \Sens%20Moteur$not );
-  and #1 \Voyant%20Gauche$2$g  (\Voyant%20Gauche$2 , X5$buf$buf$buf$buf$buf, \Sens%20Moteur$not );
-  or #1 \Voyant%20Gauche$3$g  (\Voyant%20Gauche$3 , \Voyant%20Gauche$1 , \Voyant%20Gauche$2 );
-  and #1 \Voyant%20Gauche$g  (\Voyant%20Gauche , \Voyant%20Gauche$3 , AUdoux$not);
+  not #GATE_NS \Sens%20Moteur$not$g  (\Sens%20Moteur$not , \Sens%20Moteur );
+  buf #GATE_NS X3$buf$buf$buf$buf$buf$g (X3$buf$buf$buf$buf$buf, X3$buf$buf$buf$buf);
+  and #GATE_NS \Voyant%20Gauche$1$g  (\Voyant%20Gauche$1 , X3$buf$buf$buf$buf$buf, \Sens%20Moteur$not );
+  and #GATE_NS \Voyant%20Gauche$2$g  (\Voyant%20Gauche$2 , X5$buf$buf$buf$buf$buf, \Sens%20Moteur$not );
+  or #GATE_NS \Voyant%20Gauche$3$g  (\Voyant%20Gauche$3 , \Voyant%20Gauche$1 , \Voyant%20Gauche$2 );
+  and #GATE_NS \Voyant%20Gauche$g  (\Voyant%20Gauche , \Voyant%20Gauche$3 , AUdoux$not);
 
   // r0: set ↑X2.b0 reset ↑X2./b0
-  grafwire_rise_pulse #(.WIDTH_PS(64'd3000)) X2$rise0$g (.a(X2), .q(X2$rise0));  // 0.003us
-  not #1 r0$idle$g (r0$idle, X2$rise0);
-  grafwire_hold #(.INIT(1'b0)) r0$held$g (.d(r0), .e(r0$idle), .q(r0$held));
+  grafwire_rise_pulse #(.GATE_NS(GATE_NS), .WIDTH_NS(3 * GATE_NS)) X2$rise0$g (.a(X2), .q(X2$rise0));
+  not #GATE_NS r0$idle$g (r0$idle, X2$rise0);
+  grafwire_hold #(.GATE_NS(GATE_NS), .INIT(1'b0)) r0$held$g (.d(r0), .e(r0$idle), .q(r0$held));
 
   // r1: set ↑X2.b1./b0 reset ↑X2./(b1./b0)
-  not #1 r1$idle$g (r1$idle, X2$rise0);
-  grafwire_hold #(.INIT(1'b0)) r1$held$g (.d(r1), .e(r1$idle), .q(r1$held));
+  not #GATE_NS r1$idle$g (r1$idle, X2$rise0);
+  grafwire_hold #(.GATE_NS(GATE_NS), .INIT(1'b0)) r1$held$g (.d(r1), .e(r1$idle), .q(r1$held));
 
   // r2: set ↑X2.b2./b1./b0 reset ↑X2./(b2./b1./b0)
-  not #1 r2$idle$g (r2$idle, X2$rise0);
-  grafwire_hold #(.INIT(1'b0)) r2$held$g (.d(r2), .e(r2$idle), .q(r2$held));
+  not #GATE_NS r2$idle$g (r2$idle, X2$rise0);
+  grafwire_hold #(.GATE_NS(GATE_NS), .INIT(1'b0)) r2$held$g (.d(r2), .e(r2$idle), .q(r2$held));
 
   // Sens Moteur: set ↑X4./(r0.(p1 + p2 + p3) + r1.(p2 + p3) + r2.p3) reset ↑X4.(r0.(p1 + p2 + p3) + r1.(p2 + p3) + r2.p3)
-  grafwire_rise_pulse #(.WIDTH_PS(64'd3000)) X4$rise1$g (.a(X4), .q(X4$rise1));  // 0.003us
-  or #1 \Sens%20Moteur$1$g  (\Sens%20Moteur$1 , p1, p2, p3);
-  and #1 \Sens%20Moteur$2$g  (\Sens%20Moteur$2 , r0$held, \Sens%20Moteur$1 );
-  and #1 \Sens%20Moteur$3$g  (\Sens%20Moteur$3 , r0, \Sens%20Moteur$1 );
-  or #1 \Sens%20Moteur$4$g  (\Sens%20Moteur$4 , p2, p3);
-  and #1 \Sens%20Moteur$5$g  (\Sens%20Moteur$5 , r1$held, \Sens%20Moteur$4 );
-  and #1 \Sens%20Moteur$6$g  (\Sens%20Moteur$6 , r1, \Sens%20Moteur$4 );
-  and #1 \Sens%20Moteur$7$g  (\Sens%20Moteur$7 , r2$held, p3);
-  and #1 \Sens%20Moteur$8$g  (\Sens%20Moteur$8 , r2, p3);
-  buf #1 \Sens%20Moteur$7$buf$g  (\Sens%20Moteur$7$buf , \Sens%20Moteur$7 );
-  or #1 \Sens%20Moteur$9$g  (\Sens%20Moteur$9 , \Sens%20Moteur$2 , \Sens%20Moteur$5 , \Sens%20Moteur$7$buf );
-  or #1 \Sens%20Moteur$10$g  (\Sens%20Moteur$10 , \Sens%20Moteur$3 , \Sens%20Moteur$6 , \Sens%20Moteur$8 );
-  not #1 \Sens%20Moteur$9$not$g  (\Sens%20Moteur$9$not , \Sens%20Moteur$9 );
-  and #1 \Sens%20Moteur$set0$g  (\Sens%20Moteur$set0 , X4$rise1, \Sens%20Moteur$9$not );
-  and #1 \Sens%20Moteur$reset0$g  (\Sens%20Moteur$reset0 , X4$rise1, \Sens%20Moteur$9 );
-  grafwire_latch #(.INIT(1'b0)) \Sens%20Moteur$g  (.s(\Sens%20Moteur$set0 ), .r(\Sens%20Moteur$reset0 ), .q(\Sens%20Moteur ));
+  grafwire_rise_pulse #(.GATE_NS(GATE_NS), .WIDTH_NS(3 * GATE_NS)) X4$rise1$g (.a(X4), .q(X4$rise1));
+  or #GATE_NS \Sens%20Moteur$1$g  (\Sens%20Moteur$1 , p1, p2, p3);
+  and #GATE_NS \Sens%20Moteur$2$g  (\Sens%20Moteur$2 , r0$held, \Sens%20Moteur$1 );
+  and #GATE_NS \Sens%20Moteur$3$g  (\Sens%20Moteur$3 , r0, \Sens%20Moteur$1 );
+  or #GATE_NS \Sens%20Moteur$4$g  (\Sens%20Moteur$4 , p2, p3);
+  and #GATE_NS \Sens%20Moteur$5$g  (\Sens%20Moteur$5 , r1$held, \Sens%20Moteur$4 );
+  and #GATE_NS \Sens%20Moteur$6$g  (\Sens%20Moteur$6 , r1, \Sens%20Moteur$4 );
+  and #GATE_NS \Sens%20Moteur$7$g  (\Sens%20Moteur$7 , r2$held, p3);
+  and #GATE_NS \Sens%20Moteur$8$g  (\Sens%20Moteur$8 , r2, p3);
+  buf #GATE_NS \Sens%20Moteur$7$buf$g  (\Sens%20Moteur$7$buf , \Sens%20Moteur$7 );
+  or #GATE_NS \Sens%20Moteur$9$g  (\Sens%20Moteur$9 , \Sens%20Moteur$2 , \Sens%20Moteur$5 , \Sens%20Moteur$7$buf );
+  or #GATE_NS \Sens%20Moteur$10$g  (\Sens%20Moteur$10 , \Sens%20Moteur$3 , \Sens%20Moteur$6 , \Sens%20Moteur$8 );
+  not #GATE_NS \Sens%20Moteur$9$not$g  (\Sens%20Moteur$9$not , \Sens%20Moteur$9 );
+  and #GATE_NS \Sens%20Moteur$set0$g  (\Sens%20Moteur$set0 , X4$rise1, \Sens%20Moteur$9$not );
+  and #GATE_NS \Sens%20Moteur$reset0$g  (\Sens%20Moteur$reset0 , X4$rise1, \Sens%20Moteur$9 );
+  grafwire_latch #(.GATE_NS(GATE_NS), .INIT(1'b0)) \Sens%20Moteur$g  (.s(\Sens%20Moteur$set0 ), .r(\Sens%20Moteur$reset0 ), .q(\Sens%20Moteur ));
 
   // r0: set ↑X2.b0 reset ↑X2./b0
-  and #1 r0$set0$g (r0$set0, X2$rise0, b0);
-  not #1 b0$not$g (b0$not, b0);
-  and #1 r0$reset0$g (r0$reset0, X2$rise0, b0$not);
-  grafwire_latch #(.INIT(1'b0)) r0$g (.s(r0$set0), .r(r0$reset0), .q(r0));
+  and #GATE_NS r0$set0$g (r0$set0, X2$rise0, b0);
+  not #GATE_NS b0$not$g (b0$not, b0);
+  and #GATE_NS r0$reset0$g (r0$reset0, X2$rise0, b0$not);
+  grafwire_latch #(.GATE_NS(GATE_NS), .INIT(1'b0)) r0$g (.s(r0$set0), .r(r0$reset0), .q(r0));
 
   // r1: set ↑X2.b1./b0 reset ↑X2./(b1./b0)
-  buf #1 b1$buf$g (b1$buf, b1);
-  and #1 r1$1$g (r1$1, b1$buf, b0$not);
-  and #1 r1$set0$g (r1$set0, X2$rise0, r1$1);
-  not #1 r1$1$not$g (r1$1$not, r1$1);
-  and #1 r1$reset0$g (r1$reset0, X2$rise0, r1$1$not);
-  grafwire_latch #(.INIT(1'b0)) r1$g (.s(r1$set0), .r(r1$reset0), .q(r1));
+  buf #GATE_NS b1$buf$g (b1$buf, b1);
+  and #GATE_NS r1$1$g (r1$1, b1$buf, b0$not);
+  and #GATE_NS r1$set0$g (r1$set0, X2$rise0, r1$1);
+  not #GATE_NS r1$1$not$g (r1$1$not, r1$1);
+  and #GATE_NS r1$reset0$g (r1$reset0, X2$rise0, r1$1$not);
+  grafwire_latch #(.GATE_NS(GATE_NS), .INIT(1'b0)) r1$g (.s(r1$set0), .r(r1$reset0), .q(r1));
 
   // r2: set ↑X2.b2./b1./b0 reset ↑X2./(b2./b1./b0)
-  not #1 b1$not$g (b1$not, b1);
-  buf #1 b2$buf$g (b2$buf, b2);
-  and #1 r2$1$g (r2$1, b2$buf, b1$not, b0$not);
-  and #1 r2$set0$g (r2$set0, X2$rise0, r2$1);
-  not #1 r2$1$not$g (r2$1$not, r2$1);
-  and #1 r2$reset0$g (r2$reset0, X2$rise0, r2$1$not);
-  grafwire_latch #(.INIT(1'b0)) r2$g (.s(r2$set0), .r(r2$reset0), .q(r2));
+  not #GATE_NS b1$not$g (b1$not, b1);
+  buf #GATE_NS b2$buf$g (b2$buf, b2);
+  and #GATE_NS r2$1$g (r2$1, b2$buf, b1$not, b0$not);
+  and #GATE_NS r2$set0$g (r2$set0, X2$rise0, r2$1);
+  not #GATE_NS r2$1$not$g (r2$1$not, r2$1);
+  and #GATE_NS r2$reset0$g (r2$reset0, X2$rise0, r2$1$not);
+  grafwire_latch #(.GATE_NS(GATE_NS), .INIT(1'b0)) r2$g (.s(r2$set0), .r(r2$reset0), .q(r2));
 
   // r3: set ↑X2.b3./b2./b1./b0 reset ↑X2./(b3./b2./b1./b0)
-  not #1 b2$not$g (b2$not, b2);
-  buf #1 b3$buf$g (b3$buf, b3);
-  and #1 r3$1$g (r3$1, b3$buf, b2$not, b1$not, b0$not);
-  and #1 r3$set0$g (r3$set0, X2$rise0, r3$1);
-  not #1 r3$1$not$g (r3$1$not, r3$1);
-  and #1 r3$reset0$g (r3$reset0, X2$rise0, r3$1$not);
-  grafwire_latch #(.INIT(1'b0)) r3$g (.s(r3$set0), .r(r3$reset0), .q(r3));
+  not #GATE_NS b2$not$g (b2$not, b2);
+  buf #GATE_NS b3$buf$g (b3$buf, b3);
+  and #GATE_NS r3$1$g (r3$1, b3$buf, b2$not, b1$not, b0$not);
+  and #GATE_NS r3$set0$g (r3$set0, X2$rise0, r3$1);
+  not #GATE_NS r3$1$not$g (r3$1$not, r3$1);
+  and #GATE_NS r3$reset0$g (r3$reset0, X2$rise0, r3$1$not);
+  grafwire_latch #(.GATE_NS(GATE_NS), .INIT(1'b0)) r3$g (.s(r3$set0), .r(r3$reset0), .q(r3));
 endmodule
 
 `timescale 1ps/1ps
 
 // Latch: s sets, r resets, both at once set.
-module grafwire_latch #(parameter INIT = 1'bx) (input s, input r, output q);
+module grafwire_latch #(parameter GATE_NS = 1, INIT = 1'bx) (input s, input r, output q);
   reg m;
 `ifdef SYNTHESIS
   initial m = INIT;
@@ -249,11 +250,11 @@ module grafwire_latch #(parameter INIT = 1'bx) (input s, input r, output q);
   end
   always @(s or r or started) if (started) m = s | (~r & m);
 `endif
-  assign #1000 q = m;
+  assign #(1000 * GATE_NS) q = m;
 endmodule
 
 // Hold latch: follows d while e is 1.
-module grafwire_hold #(parameter INIT = 1'bx) (input d, input e, output q);
+module grafwire_hold #(parameter GATE_NS = 1, INIT = 1'bx) (input d, input e, output q);
   reg m;
 `ifdef SYNTHESIS
   initial m = INIT;
@@ -266,24 +267,24 @@ module grafwire_hold #(parameter INIT = 1'bx) (input d, input e, output q);
   end
   always @(d or e or started) if (started) m = e ? d : m;
 `endif
-  assign #1000 q = m;
+  assign #(1000 * GATE_NS) q = m;
 endmodule
 
-// Rising-edge pulse: 1 for WIDTH_PS after each rise of a, begun again by a new rise.
+// Rising-edge pulse: 1 for WIDTH_NS after each rise of a, begun again by a new rise.
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module grafwire_rise_pulse #(parameter [63:0] WIDTH_PS = 1000) (input a, output q);
+module grafwire_rise_pulse #(parameter GATE_NS = 1, WIDTH_NS = 1) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
   always @(a) begin
     if (last === 1'b0 && a === 1'b1) begin
       begun = begun + 1;
-      ended <= #(WIDTH_PS) begun;
+      ended <= #(1000 * WIDTH_NS) begun;
     end
     last = a;
   end
-  assign #1000 q = begun != ended;
+  assign #(1000 * GATE_NS) q = begun != ended;
 `endif
 endmodule

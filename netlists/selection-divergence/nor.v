@@ -1,7 +1,8 @@
 // selection_divergence: 30 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module selection_divergence (
+module selection_divergence #(parameter GATE_NS = 1) (
   input a,
   input x,
   input z,
@@ -26,46 +27,46 @@ module selection_divergence (
   wire X21$set20, X21$q;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X6 = (X11./a + X21./a + /X7.X6 + Init)./AUdur
-  and #1 X6$reset0$g (X6$reset0, X7, Init$not);
-  not #1 a$not$g (a$not, a);
-  not #1 X6$reset0$not$g (X6$reset0$not, X6$reset0);
-  and #1 X6$set11$g (X6$set11, X11, a$not, X6$reset0$not, AUdur$not);
-  and #1 X6$set21$g (X6$set21, X21, a$not, X6$reset0$not, AUdur$not);
-  and #1 X6$init$g (X6$init, Init, X6$reset0$not, AUdur$not);
-  nor #1 X6$g (X6, X6$reset0, AUdur, X6$q);
-  nor #1 X6$q$g (X6$q, X6$set11, X6$set21, X6$init, X6);
+  and #GATE_NS X6$reset0$g (X6$reset0, X7, Init$not);
+  not #GATE_NS a$not$g (a$not, a);
+  not #GATE_NS X6$reset0$not$g (X6$reset0$not, X6$reset0);
+  and #GATE_NS X6$set11$g (X6$set11, X11, a$not, X6$reset0$not, AUdur$not);
+  and #GATE_NS X6$set21$g (X6$set21, X21, a$not, X6$reset0$not, AUdur$not);
+  and #GATE_NS X6$init$g (X6$init, Init, X6$reset0$not, AUdur$not);
+  nor #GATE_NS X6$g (X6, X6$reset0, AUdur, X6$q);
+  nor #GATE_NS X6$q$g (X6$q, X6$set11, X6$set21, X6$init, X6);
 
   // X7 = (X6.a + /(X10 + X20).X7)./Init./AUdur
-  not #1 X10$not$g (X10$not, X10);
-  not #1 X20$not$g (X20$not, X20);
-  and #1 X7$set6$g (X7$set6, X6, a, X10$not, X20$not, Init$not, AUdur$not);
-  nor #1 X7$g (X7, X10, X20, Init, AUdur, X7$q);
-  nor #1 X7$q$g (X7$q, X7$set6, X7);
+  not #GATE_NS X10$not$g (X10$not, X10);
+  not #GATE_NS X20$not$g (X20$not, X20);
+  and #GATE_NS X7$set6$g (X7$set6, X6, a, X10$not, X20$not, Init$not, AUdur$not);
+  nor #GATE_NS X7$g (X7, X10, X20, Init, AUdur, X7$q);
+  nor #GATE_NS X7$q$g (X7$q, X7$set6, X7);
 
   // X10 = (X7.x + /X11.X10)./Init./AUdur
-  not #1 X11$not$g (X11$not, X11);
-  and #1 X10$set7$g (X10$set7, X7, x, X11$not, Init$not, AUdur$not);
-  nor #1 X10$g (X10, X11, Init, AUdur, X10$q);
-  nor #1 X10$q$g (X10$q, X10$set7, X10);
+  not #GATE_NS X11$not$g (X11$not, X11);
+  and #GATE_NS X10$set7$g (X10$set7, X7, x, X11$not, Init$not, AUdur$not);
+  nor #GATE_NS X10$g (X10, X11, Init, AUdur, X10$q);
+  nor #GATE_NS X10$q$g (X10$q, X10$set7, X10);
 
   // X11 = (X10.y + /X6.X11)./Init./AUdur
-  not #1 X6$not$g (X6$not, X6);
-  and #1 X11$set10$g (X11$set10, X10, y, X6$not, Init$not, AUdur$not);
-  nor #1 X11$g (X11, X6, Init, AUdur, X11$q);
-  nor #1 X11$q$g (X11$q, X11$set10, X11);
+  not #GATE_NS X6$not$g (X6$not, X6);
+  and #GATE_NS X11$set10$g (X11$set10, X10, y, X6$not, Init$not, AUdur$not);
+  nor #GATE_NS X11$g (X11, X6, Init, AUdur, X11$q);
+  nor #GATE_NS X11$q$g (X11$q, X11$set10, X11);
 
   // X20 = (X7.z + /X21.X20)./Init./AUdur
-  not #1 X21$not$g (X21$not, X21);
-  and #1 X20$set8$g (X20$set8, X7, z, X21$not, Init$not, AUdur$not);
-  nor #1 X20$g (X20, X21, Init, AUdur, X20$q);
-  nor #1 X20$q$g (X20$q, X20$set8, X20);
+  not #GATE_NS X21$not$g (X21$not, X21);
+  and #GATE_NS X20$set8$g (X20$set8, X7, z, X21$not, Init$not, AUdur$not);
+  nor #GATE_NS X20$g (X20, X21, Init, AUdur, X20$q);
+  nor #GATE_NS X20$q$g (X20$q, X20$set8, X20);
 
   // X21 = (X20.t + /X6.X21)./Init./AUdur
-  and #1 X21$set20$g (X21$set20, X20, t, X6$not, Init$not, AUdur$not);
-  nor #1 X21$g (X21, X6, Init, AUdur, X21$q);
-  nor #1 X21$q$g (X21$q, X21$set20, X21);
+  and #GATE_NS X21$set20$g (X21$set20, X20, t, X6$not, Init$not, AUdur$not);
+  nor #GATE_NS X21$g (X21, X6, Init, AUdur, X21$q);
+  nor #GATE_NS X21$q$g (X21$q, X21$set20, X21);
 endmodule

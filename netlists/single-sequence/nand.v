@@ -1,7 +1,8 @@
 // single_sequence: 15 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
-module single_sequence (
+module single_sequence #(parameter GATE_NS = 1) (
   input m,
   input a,
   input b,
@@ -18,25 +19,25 @@ module single_sequence (
   wire X2$set1, X2$reset0, X2$q;
 
   // inputs
-  not #1 Init$not$g (Init$not, Init);
-  not #1 AUdur$not$g (AUdur$not, AUdur);
+  not #GATE_NS Init$not$g (Init$not, Init);
+  not #GATE_NS AUdur$not$g (AUdur$not, AUdur);
 
   // X0 = (X2.b + /X1.X0 + Init)./AUdur
-  nand #1 X0$set2$g (X0$set2, X2, b, AUdur$not);
-  nand #1 X0$init$g (X0$init, Init, AUdur$not);
-  nand #1 X0$reset0$g (X0$reset0, X1, X0$set2, X0$init);
-  nand #1 X0$g (X0, X0$set2, X0$init, X0$q);
-  nand #1 X0$q$g (X0$q, X0$reset0, AUdur$not, X0);
+  nand #GATE_NS X0$set2$g (X0$set2, X2, b, AUdur$not);
+  nand #GATE_NS X0$init$g (X0$init, Init, AUdur$not);
+  nand #GATE_NS X0$reset0$g (X0$reset0, X1, X0$set2, X0$init);
+  nand #GATE_NS X0$g (X0, X0$set2, X0$init, X0$q);
+  nand #GATE_NS X0$q$g (X0$q, X0$reset0, AUdur$not, X0);
 
   // X1 = (X0.m + /X2.X1)./Init./AUdur
-  nand #1 X1$set0$g (X1$set0, X0, m, Init$not, AUdur$not);
-  nand #1 X1$reset0$g (X1$reset0, X2, X1$set0);
-  nand #1 X1$g (X1, X1$set0, X1$q);
-  nand #1 X1$q$g (X1$q, X1$reset0, Init$not, AUdur$not, X1);
+  nand #GATE_NS X1$set0$g (X1$set0, X0, m, Init$not, AUdur$not);
+  nand #GATE_NS X1$reset0$g (X1$reset0, X2, X1$set0);
+  nand #GATE_NS X1$g (X1, X1$set0, X1$q);
+  nand #GATE_NS X1$q$g (X1$q, X1$reset0, Init$not, AUdur$not, X1);
 
   // X2 = (X1.a + /X0.X2)./Init./AUdur
-  nand #1 X2$set1$g (X2$set1, X1, a, Init$not, AUdur$not);
-  nand #1 X2$reset0$g (X2$reset0, X0, X2$set1);
-  nand #1 X2$g (X2, X2$set1, X2$q);
-  nand #1 X2$q$g (X2$q, X2$reset0, Init$not, AUdur$not, X2);
+  nand #GATE_NS X2$set1$g (X2$set1, X1, a, Init$not, AUdur$not);
+  nand #GATE_NS X2$reset0$g (X2$reset0, X0, X2$set1);
+  nand #GATE_NS X2$g (X2, X2$set1, X2$q);
+  nand #GATE_NS X2$q$g (X2$q, X2$reset0, Init$not, AUdur$not, X2);
 endmodule

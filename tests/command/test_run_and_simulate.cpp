@@ -310,4 +310,21 @@ TEST_CASE("netlist --bench: a test bench beside the netlist that says PASS, or w
     }
 }
 
+TEST_CASE("netlist --bench: with gates of one's own the bench waits longer") {
+    const ScratchFolder folder;
+    CHECK(grafwire_with({"netlist", example("manipulator.grafcet"), "--style", "nand", "--to",
+                         "verilog", "--stim", example("manipulator.stim"), "--bench", "-o",
+                         folder.path("n.v")})
+              .status == 0);
+    for (const std::string gate : {"3", "4.5", "2000"}) {
+        CAPTURE(gate);
+        CHECK(run_program({"iverilog", "-Pgrafwire_bench.GATE_NS=" + gate, "-o", folder.path("run"),
+                           folder.path("n_bench.v"), folder.path("n.v")})
+                  .status == 0);
+        const Ran ran = run_program({"vvp", "-n", folder.path("run")});
+        CHECK(ran.status == 0);
+        CHECK(ran.out.ends_with("\nPASS\n"));
+    }
+}
+
 }  // namespace grafwire::testing

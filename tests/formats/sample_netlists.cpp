@@ -188,6 +188,7 @@ const std::vector<std::string>& odd_input_names() {
                                                 "a,b",
                                                 "a/*b",
                                                 "SCAN_PS",
+                                                "GATE_NS",
                                                 "a\xc2\xa0"
                                                 "b",
                                                 ".names"};

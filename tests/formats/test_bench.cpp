@@ -50,6 +50,8 @@ TEST_CASE("samples are taken before the next instant") {
     CHECK(sampling_delay(bench, 0) == 9 * microsecond);
     CHECK(sampling_delay(bench, 1) == 100 * microsecond);
     CHECK(sampling_delay(bench, 2) == 100 * microsecond);
+    CHECK(longest_sampling_delay(bench, 1) == 891 * microsecond);
+    CHECK(longest_sampling_delay(bench, 2) == never);
 }
 
 TEST_CASE("a bench from stimuli") {

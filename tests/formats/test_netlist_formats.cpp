@@ -2,6 +2,7 @@
 
 #include "formats/netlist_formats.h"
 #include "formats/sample_netlists.h"
+#include "formats/shared/gate_delays.h"
 #include "support/reviewed_file.h"
 #include "text/nearest_name.h"
 
@@ -74,23 +75,32 @@ TEST_CASE("the stimuli and the scan period are heeded where the row says so") {
     }
 }
 
-TEST_CASE("gates have the delay of the model") {
+TEST_CASE("gates have the delay of the model, as a parameter with one default") {
     const Netlist netlist = all_asynchronous_cells();
     const DelayModel slow{.name = "slow", .gate = 2500};
     const std::string verilog =
         write_netlist(*netlist_format_named("verilog"), netlist, {.delays = slow});
-    CHECK(verilog.find(" #2.5 ") != std::string::npos);
-    CHECK(verilog.find("assign #2500 q") != std::string::npos);
-    CHECK(verilog.find("`define GRAFWIRE_START 250\n") != std::string::npos);
+    CHECK(verilog.find("module all_cells #(parameter GATE_NS = 2.5) (") != std::string::npos);
+    CHECK(verilog.find("and #GATE_NS and3$g (") != std::string::npos);
+    CHECK(verilog.find("#(.GATE_NS(GATE_NS), .INIT(1'b0)) kept$g (") != std::string::npos);
+    CHECK(verilog.find("assign #(1000 * GATE_NS) q") != std::string::npos);
+    CHECK(verilog.find("`define GRAFWIRE_START (100 * GATE_NS)\n") != std::string::npos);
     const std::string spice =
         write_netlist(*netlist_format_named("spice"), netlist, {.delays = slow});
-    CHECK(spice.find("slow_and d_and(rise_delay=2500 fall_delay=2500)") != std::string::npos);
-    CHECK(spice.find("held_and d_and(rise_delay=2499 fall_delay=2499)") != std::string::npos);
-    CHECK(spice.find("flip_flop_x d_dff(clk_delay=2500 ic=2)") != std::string::npos);
-    for (const std::string_view of_default : {" #1 ", "#1000 ", "=1000 ", "=999 ", "=998 "}) {
-        CHECK(verilog.find(of_default) == std::string::npos);
-        CHECK(spice.find(of_default) == std::string::npos);
-    }
+    CHECK(spice.find(".param gate=2500\n") != std::string::npos);
+    CHECK(spice.find("slow_and d_and(rise_delay={gate} fall_delay={gate})") != std::string::npos);
+    CHECK(spice.find("held_and d_and(rise_delay={gate - 1} fall_delay={gate - 1})") !=
+          std::string::npos);
+    CHECK(spice.find("flip_flop_x d_dff(clk_delay={gate} ic=2)") != std::string::npos);
+    CHECK(write_netlist(*netlist_format_named("verilog"), clocked_sample()).find("GATE_NS") ==
+          std::string::npos);
+}
+
+TEST_CASE("times in gate delays") {
+    const DelayModel slow{.name = "slow", .gate = 2500};
+    CHECK(in_gate_delays(2500, slow, "g") == "g");
+    CHECK(in_gate_delays(7500, slow, "g") == "3 * g");
+    CHECK(in_gate_delays(4000, slow, "g") == "(4000.0 / 2500) * g");
 }
 
 TEST_CASE("a format is told apart from the netlist as a list") {

@@ -20,10 +20,9 @@ std::string deck_of(const Netlist& netlist, const Bench& bench = idle_bench(),
 }
 
 /// The rows of samples that ngspice prints: a digit per output.
-std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
-                                 Time scan_period = 10 * ms) {
+std::vector<std::string> rows_in(const std::string& deck) {
     ToolRunner tools;
-    tools.write("deck.cir", deck_of(netlist, bench, scan_period));
+    tools.write("deck.cir", deck);
     const auto result = tools.run("ngspice -b deck.cir");
     CHECK(result.status == 0);
     std::vector<std::string> rows;
@@ -54,6 +53,11 @@ std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
     return rows;
 }
 
+std::vector<std::string> sampled(const Netlist& netlist, const Bench& bench,
+                                 Time scan_period = 10 * ms) {
+    return rows_in(deck_of(netlist, bench, scan_period));
+}
+
 using Rows = std::vector<std::string>;
 
 }  // namespace
@@ -79,6 +83,19 @@ TEST_CASE("latch, pulse and timer cells in ngspice") {
     Rows rows = sampled(all_asynchronous_cells(), bench);
     for (std::string& row : rows) row = {row[9], row[10], row[13]};
     CHECK(rows == Rows{"010", "110", "110", "110", "000", "000", "001", "001", "000"});
+}
+
+TEST_CASE("the delay of the gates in ngspice is a parameter of the deck") {
+    std::string deck =
+        deck_of(all_asynchronous_cells(),
+                bench_of({{0, {{1, true}}}, {5 * ms, {{0, true}}}, {9 * ms, {{1, false}}}},
+                         {0, 5 * ms, 9 * ms}));
+    const Rows rows = rows_in(deck);
+    CHECK(rows.size() == 3);
+    const std::string_view line = ".param gate=1000\n";
+    REQUIRE(deck.find(line) != std::string::npos);
+    deck.replace(deck.find(line), line.size(), ".param gate=3500\n");
+    CHECK(rows_in(deck) == rows);
 }
 
 TEST_CASE("ten seconds with gates of nanoseconds") {

@@ -37,10 +37,14 @@ Bench idle_bench() {
     return bench;
 }
 
-Time sampling_delay(const Bench& bench, std::size_t row) {
-    if (row + 1 == bench.instants.size()) return bench.settling;
+Time longest_sampling_delay(const Bench& bench, std::size_t row) {
+    if (row + 1 == bench.instants.size()) return never;
     const Time gap = bench.instants[row + 1] - bench.instants[row];
-    return std::min(bench.settling, gap - gap / 10);
+    return gap - gap / 10;
+}
+
+Time sampling_delay(const Bench& bench, std::size_t row) {
+    return std::min(bench.settling, longest_sampling_delay(bench, row));
 }
 
 std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench) {

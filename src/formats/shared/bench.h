@@ -36,6 +36,10 @@ Bench idle_bench();
 /// How long after its instant row number `row` is taken.
 Time sampling_delay(const Bench& bench, std::size_t row);
 
+/// How long that may be, however long the netlist takes to settle: nine tenths of the way to the
+/// next instant; without bound after the last.
+Time longest_sampling_delay(const Bench& bench, std::size_t row);
+
 /// The values of all inputs that a netlist is started with: those of instant 0, but Init at 1 and
 /// the other controls (and the clock) at 0.
 std::vector<bool> starting_inputs(const Netlist& netlist, const Bench& bench);

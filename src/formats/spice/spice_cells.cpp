@@ -17,6 +17,7 @@
 #include <cassert>
 #include <utility>
 
+#include "formats/shared/gate_delays.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -233,12 +234,21 @@ constexpr Primitive primitives[] = {
     {"nand", "d_nand", CellType::nand_gate},  {"nor", "d_nor", CellType::nor_gate},
     {"xor", "d_xor", CellType::xor_gate},     {"xnor", "d_xnor", CellType::xor_gate}};
 
+/// `{gate}`, `{3 * gate - 2}`: a time in gate delays, less so many picoseconds for the quick parts
+/// on the way.
+std::string scaled(Time time, const DelayModel& delays, Time quick_parts = 0) {
+    std::string text = "{" + in_gate_delays(time, delays, "gate");
+    if (quick_parts != 0) append(text, " - ", quick_parts);
+    return text += '}';
+}
+
 /// Each gate in its three speeds.
 void append_gate_models(std::string& out, const DelayModel& delays) {
     for (const Primitive& gate : primitives) {
         const Time slow = delays.of(gate.type);
         for (const auto& [speed, delay] :
-             {std::pair("slow", slow), std::pair("held", slow - 1), std::pair("fast", Time{1})}) {
+             {std::pair("slow", scaled(slow, delays)), std::pair("held", scaled(slow, delays, 1)),
+              std::pair("fast", std::string("1"))}) {
             append(out, ".model ", speed, '_', gate.name, ' ', gate.model, "(rise_delay=", delay,
                    " fall_delay=", delay, ")\n");
         }
@@ -247,18 +257,19 @@ void append_gate_models(std::string& out, const DelayModel& delays) {
 
 /// The parts that cells with a memory are made of; each initial value is a model of its own.
 void append_memory_models(std::string& out, const DelayModel& delays) {
-    const Time latch = delays.of(CellType::latch) - 2;
+    const std::string latch = scaled(delays.of(CellType::latch), delays, 2);
     append(out, ".model late_or d_or(rise_delay=", latch, " fall_delay=", latch, ")\n");
     out += ".model zero d_pulldown\n.model one d_pullup\n";
     constexpr std::string_view initial = "01x";
-    const Time hold = delays.of(CellType::hold_latch);
+    const std::string hold = scaled(delays.of(CellType::hold_latch), delays);
     for (std::size_t ic = 0; ic < initial.size(); ++ic) {
         append(out, ".model hold_", initial[ic], " d_dlatch(data_delay=", hold,
                " enable_delay=", hold, " ic=", ic, ")\n");
     }
     for (std::size_t ic = 0; ic < initial.size(); ++ic) {
         append(out, ".model flip_flop_", initial[ic],
-               " d_dff(clk_delay=", delays.of(CellType::flip_flop), " ic=", ic, ")\n");
+               " d_dff(clk_delay=", scaled(delays.of(CellType::flip_flop), delays), " ic=", ic,
+               ")\n");
     }
 }
 
@@ -268,20 +279,22 @@ void append_spice_models(std::string& out, const SpiceModels& models, const Dela
     out += '\n';
     append_gate_models(out, delays);
     append_memory_models(out, delays);
-    append(out, ".model one_shot_rise d_dff(clk_delay=", delays.of(CellType::rise_pulse),
+    append(out,
+           ".model one_shot_rise d_dff(clk_delay=", scaled(delays.of(CellType::rise_pulse), delays),
            " reset_delay=1 ic=0)\n.model one_shot_fall d_dff(clk_delay=",
-           delays.of(CellType::fall_pulse) - 1, " reset_delay=1 ic=0)\n");
+           scaled(delays.of(CellType::fall_pulse), delays, 1), " reset_delay=1 ic=0)\n");
     out += R"(.model sampler d_dff(clk_delay=1 ic=2)
 .model bridge adc_bridge(in_low=0.5 in_high=0.5 rise_delay=1 fall_delay=1)
 )";
     for (const auto& [width, number] : models.pulses) {
         // The gate that gathers the resets and the flip-flop take a picosecond each.
-        append(out, ".model pulse", number, " d_buffer(rise_delay=", std::max<Time>(1, width - 2),
+        append(out, ".model pulse", number, " d_buffer(rise_delay=", scaled(width, delays, 2),
                " fall_delay=1)\n");
     }
     for (const auto& [lengths, number] : models.timers) {
         const auto delay = [&](Time time) {
-            return (time == 0 ? delays.of(CellType::timer) : time) - 1;
+            return time == 0 ? scaled(delays.of(CellType::timer), delays, 1)
+                             : std::to_string(time - 1);
         };
         append(out, ".model timer", number, " d_buffer(rise_delay=", delay(lengths.first),
                " fall_delay=", delay(lengths.second), ")\n");

@@ -103,7 +103,7 @@ class SpiceCells {
 
 /// Writes the `.model` lines of a deck that counts in picoseconds: gates that take what the delay
 /// model says (`slow_`), a picosecond less for those that a quick one follows (`held_`), and one
-/// picosecond (`fast_`).
+/// picosecond (`fast_`). Delays are multiples of the parameter `gate`.
 void append_spice_models(std::string& out, const SpiceModels& models, const DelayModel& delays);
 
 }  // namespace grafwire

@@ -8,6 +8,9 @@
 // During the start (node `__start` at 1) Init is 1, latches and nets with initial values are held
 // at these, and timers at theirs.
 //
+// Delays are multiples of the parameter `gate`, by default what the delay model says, and a row is
+// sampled when the time `settle` has passed, so many gate delays, but before the next instant.
+//
 // XSPICE has no cell that counts clock edges: the row of the format asks for counters of flip-flops
 // in the place of clocked timers (netlist/passes/counted_timers.h).
 //
@@ -25,11 +28,43 @@
 #include <algorithm>
 
 #include "formats/shared/append.h"
+#include "formats/shared/gate_delays.h"
 #include "formats/spice/spice_cells.h"
 
 namespace grafwire {
 
 namespace {
+
+/// A moment of the stimuli, counted from the end of the start: at that time, or later by a part of
+/// the time that the netlist is given to settle.
+struct Moment {
+    Time at = 0;
+    Time longest = 0;  ///< of the settling time; 0: the moment does not depend on it
+    std::uint32_t part = 1;
+    std::uint32_t parts = 1;
+    bool operator==(const Moment&) const = default;
+};
+
+/// In ps, for a delay: at least one.
+std::string spelled(const Moment& moment) {
+    std::string text;
+    if (moment.longest == 0) {
+        append(text, std::max<Time>(1, moment.at));
+        return text;
+    }
+    text += '{';
+    if (moment.at != 0) append(text, moment.at, " + ");
+    const bool is_whole = moment.part == moment.parts;
+    if (!is_whole) text += "floor(";
+    if (moment.longest == never) {
+        text += "settle";
+    } else {
+        append(text, "min(settle, ", moment.longest, ")");
+    }
+    if (!is_whole) append(text, " / ", moment.parts, ")");
+    if (moment.part != 1) append(text, " * ", moment.part);
+    return text += '}';
+}
 
 /// A digital source that changes from time to time.
 struct Wave {
@@ -49,45 +84,48 @@ class Waves {
 
     const std::vector<Wave>& inputs() const { return inputs_; }
     const Wave& sample() const { return sample_; }
-    const std::vector<Time>& ticks() const { return ticks_; }
-    Time end() const { return end_; }
+    const std::vector<Moment>& ticks() const { return ticks_; }
+    Time last_instant() const { return last_instant_; }
 
   private:
     void add(const BenchEvent& event);
-    std::size_t tick(Time moment);
+    std::size_t tick(const Moment& moment);
 
     const Netlist& netlist_;
     const Bench& bench_;
     std::vector<Wave> inputs_;
     Wave sample_;
-    std::vector<Time> ticks_;  ///< the moments, counted from the end of the start
-    std::size_t clock_ = 0;    ///< which input is the clock
-    Time end_ = bench_.settling;
+    std::vector<Moment> ticks_;
+    std::size_t clock_ = 0;  ///< which input is the clock
+    Time last_instant_ = 0;
 };
 
 /// The number of a moment; moments come in order.
-std::size_t Waves::tick(Time moment) {
+std::size_t Waves::tick(const Moment& moment) {
     if (ticks_.empty() || ticks_.back() != moment) ticks_.push_back(moment);
     return ticks_.size() - 1;
 }
 
 void Waves::add(const BenchEvent& event) {
     for (const Stimuli::Assignment& item : event.assignments) {
-        inputs_[item.input].ticks.push_back(tick(event.at));
+        inputs_[item.input].ticks.push_back(tick({.at = event.at}));
     }
     if (event.row == BenchEvent::no_row) return;
-    const Time delay = sampling_delay(bench_, event.row);
+    const Time longest = longest_sampling_delay(bench_, event.row);
     if (netlist_.is_clocked()) {
-        const Time half_period = delay / (2 * Time{bench_.clock_cycles} + 2);
-        for (std::uint32_t i = 1; i <= 2 * bench_.clock_cycles; ++i) {
-            inputs_[clock_].ticks.push_back(tick(event.at + half_period * i));
+        const std::uint32_t parts = 2 * bench_.clock_cycles + 2;
+        for (std::uint32_t part = 1; part <= 2 * bench_.clock_cycles; ++part) {
+            inputs_[clock_].ticks.push_back(tick({event.at, longest, part, parts}));
         }
     }
-    const bool is_last = event.row + 1 == bench_.instants.size();
-    const Time rest = is_last ? bench_.settling : bench_.instants[event.row + 1] - event.at - delay;
-    sample_.ticks.push_back(tick(event.at + delay));
-    sample_.ticks.push_back(tick(event.at + delay + rest / 2));
-    end_ = event.at + delay + rest;
+    sample_.ticks.push_back(tick({event.at, longest}));
+    if (longest == never) {
+        sample_.ticks.push_back(tick({event.at, longest, 3, 2}));
+    } else {
+        const Time gap = bench_.instants[event.row + 1] - event.at;
+        sample_.ticks.push_back(tick({.at = event.at + gap - gap / 20}));
+    }
+    last_instant_ = event.at;
 }
 
 /// All waves go through the same number of levels, so that none changes later than the others.
@@ -107,10 +145,10 @@ void add_wave(SpiceElements& elements, std::string_view node, const Wave& wave,
     elements.add(spice_list(nodes), ' ', node, wave.value ? " fast_xnor" : " fast_xor");
 }
 
-void append_ticks(std::string& out, SpiceElements& elements, const std::vector<Time>& ticks) {
+void append_ticks(std::string& out, SpiceElements& elements, const std::vector<Moment>& ticks) {
     out += "\n* The moments of the stimuli\n";
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        append(out, ".model tick", i, " d_buffer(rise_delay=", std::max<Time>(1, ticks[i]),
+        append(out, ".model tick", i, " d_buffer(rise_delay=", spelled(ticks[i]),
                " fall_delay=1)\n");
         elements.add("__running __tick", i, " tick", i);
     }
@@ -118,15 +156,15 @@ void append_ticks(std::string& out, SpiceElements& elements, const std::vector<T
 
 /// Writes the start (nodes `__start` and `__running`, one the complement of the other), the inputs
 /// and their clock as the bench has them, and the node `sample__`, which rises when an instant has
-/// settled and falls before the next. Gives the end of the bench, counted from the end of the start
-/// that `start` is the length of.
+/// settled and falls before the next. `start` is the length of the start. Gives the last instant,
+/// counted from the end of the start.
 Time append_spice_stimuli(std::string& out, SpiceElements& elements, const Netlist& netlist,
-                          const NetSpelling& nets, const Bench& bench, Time start) {
+                          const NetSpelling& nets, const Bench& bench, std::string_view start) {
     const Waves waves(netlist, bench);
     // The flip-flop is at 0 from the first, whatever the analogue solver tries before it knows
     // better.
-    append(out, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 ", start, " 0 ",
-           start + nanosecond, " 1)\n");
+    append(out, "\n* The start, and the node that samples\nv1 __v1 0 pwl(0 0 {", start, "} 0 {",
+           start, " + ", nanosecond, "} 1)\n");
     elements.add("[ __v1 ] [ __go ] bridge");
     elements.add("__one __go null null __running __start flip_flop_0");
     elements.add("__one one");
@@ -141,7 +179,7 @@ Time append_spice_stimuli(std::string& out, SpiceElements& elements, const Netli
         add_wave(elements, nets[netlist.inputs[i].net], waves.inputs()[i], levels);
     }
     append_ticks(out, elements, waves.ticks());
-    return waves.end();
+    return waves.last_instant();
 }
 
 /// The whole deck, part by part.
@@ -155,7 +193,7 @@ class DeckWriter {
           delays_(delays),
           nets_(spice_nodes(netlist)),
           elements_(out_),
-          start_(delays.of_settling(netlist.cells.size())) {}
+          start_(in_gate_delays(delays.of_settling(netlist.cells.size()), delays, "gate")) {}
 
     std::string write();
 
@@ -163,10 +201,11 @@ class DeckWriter {
     void write_head();
     void list_ports(const std::vector<Port>& ports);
     void list_inner_nodes();
+    void write_parameters();
     void write_cells();
     std::vector<NetId> sampled_nets() const;
     void write_sampling();
-    void write_control(Time end);
+    void write_control(Time last_instant);
 
     const Netlist& netlist_;
     const Bench& bench_;
@@ -175,17 +214,19 @@ class DeckWriter {
     NetSpelling nets_;
     std::string out_;
     SpiceElements elements_;
-    Time start_;
+    std::string start_;
     SpiceModels models_;
 };
 
 std::string DeckWriter::write() {
     write_head();
+    write_parameters();
     write_cells();
-    const Time end = append_spice_stimuli(out_, elements_, netlist_, nets_, bench_, start_);
+    const Time last_instant =
+        append_spice_stimuli(out_, elements_, netlist_, nets_, bench_, start_);
     write_sampling();
     append_spice_models(out_, models_, delays_);
-    write_control(start_ + start_ + end);  // the start may end late
+    write_control(last_instant);
     return std::move(out_);
 }
 
@@ -225,6 +266,13 @@ void DeckWriter::list_inner_nodes() {
     }
 }
 
+/// What a user may change: all other delays follow.
+void DeckWriter::write_parameters() {
+    append(
+        out_, "\n* How long a gate takes and the netlist may take to settle, in ps\n.param gate=",
+        delays_.gate, "\n.param settle={", in_gate_delays(bench_.settling, delays_, "gate"), "}\n");
+}
+
 void DeckWriter::write_cells() {
     SpiceCells cells(netlist_, nets_, elements_);
     for (const Module& module : netlist_.modules) {
@@ -254,8 +302,10 @@ void DeckWriter::write_sampling() {
     }
 }
 
-void DeckWriter::write_control(Time end) {
-    append(out_, "\n.control\ntran ", end / 50 + 1, ' ', end, '\n');
+/// Twice the start, since it may end late, and twice what the last row is given.
+void DeckWriter::write_control(Time last_instant) {
+    append(out_, "\n.param end={2 * ", start_, " + ", last_instant,
+           " + 2 * settle}\n.tran {end / 50} {end}\n.control\nrun\n");
     constexpr std::size_t outputs_per_table = 90;  // eprint takes 93 nodes at most
     std::size_t in_table = 0;
     for (const NetId net : sampled_nets()) {

@@ -1,8 +1,9 @@
-// A gate primitive has the delay of the model, none in a clocked netlist, whose gates only have to
-// settle between two rises of the clock. Where gates start from a known value, their nets are
-// forced to it until GRAFWIRE_START and released then: a primitive has no
-// initial value.
-
+// Delays are multiples of one parameter, GATE_NS, by default what the delay model says: with gates
+// that take longer, pulses last longer too, and are still long enough to set a step. The gates of
+// a clocked netlist have no delay: they only have to settle between two rises of the clock.
+//
+// Where gates start from a known value, their nets are forced to it until GRAFWIRE_START and
+// released then: a primitive has no initial value.
 //
 // The Verilog modules behind cells that no Verilog primitive covers. They tell unknown from known
 // like the gates do, and a gate delay stands behind each.
@@ -14,9 +15,11 @@
 
 #include "formats/verilog/verilog_cells.h"
 
+#include <algorithm>
 #include <array>
 
 #include "formats/shared/append.h"
+#include "formats/shared/gate_delays.h"
 #include "formats/shared/helper_cells.h"
 #include "formats/verilog/verilog_names.h"
 
@@ -36,7 +39,19 @@ constexpr std::string_view bit_of(Logic value) {
     return "1'bx";
 }
 
+/// Whether a helper module has a gate delay.
+bool has_delay(CellType type) {
+    const CellTypeRow& row = row_of(type);
+    return (row.has_memory || row.has_timing) && !row.is_clocked;
+}
+
 }  // namespace
+
+bool has_verilog_delays(const Netlist& netlist) {
+    const auto has = [](const Cell& cell) { return has_delay(cell.type); };
+    const auto& cells = netlist.cells.items();
+    return !netlist.is_clocked() || std::any_of(cells.begin(), cells.end(), has);
+}
 
 VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSpelling& nets,
                            const DelayModel& delays)
@@ -46,6 +61,7 @@ VerilogCells::VerilogCells(std::string& out, const Netlist& netlist, const NetSp
       suffix_(cell_suffix(netlist)),
       helpers_(helper_prefix(netlist)),
       scan_parameter_(verilog_scan_parameter(netlist)),
+      gate_parameter_(verilog_gate_parameter(netlist)),
       delays_(delays),
       initial_(netlist.net_count(), Logic::unknown) {
     for (const Netlist::InitialValue& item : netlist.initial_values) {
@@ -91,7 +107,9 @@ void VerilogCells::write(const Cell& cell) {
 void VerilogCells::write_gate(std::string_view primitive, const Cell& cell) {
     append(out_, "  ", primitive, " ");
     if (!netlist_.is_clocked()) {
-        append(out_, '#', format_nanoseconds(delays_.of(cell.type)), ' ');
+        const std::string delay = in_gate_delays(delays_.of(cell.type), delays_, gate_parameter_);
+        const bool is_simple = delay == gate_parameter_;
+        append(out_, is_simple ? "#" : "#(", delay, is_simple ? " " : ") ");
     }
     append_verilog_with_suffix(out_, nets_[cell.output], suffix_);
     append(out_, " (", nets_[cell.output]);
@@ -110,11 +128,9 @@ void VerilogCells::write_helper(const Cell& cell) {
         append(out_, ".", names[i], "(", nets_[pins[i]], "), ");
     }
     append(out_, ".q(", nets_[cell.output], "));");
-    if (row_of(cell.type).has_timing) {
+    if (is_timer(cell.type)) {
         const Timing& timing = netlist_.timings[cell.timing];
-        append(out_, "  // ");
-        if (is_timer(cell.type)) append(out_, format_duration(timing.rise), ", ");
-        append(out_, format_duration(timing.fall));
+        append(out_, "  // ", format_duration(timing.rise), ", ", format_duration(timing.fall));
     }
     out_ += '\n';
 }
@@ -122,13 +138,18 @@ void VerilogCells::write_helper(const Cell& cell) {
 void VerilogCells::write_parameters(const Cell& cell) {
     const CellTypeRow& row = row_of(cell.type);
     std::string_view separator = " #(";
+    if (has_delay(cell.type)) {
+        append(out_, separator, '.', gate_parameter_, '(', gate_parameter_, ')');
+        separator = ", ";
+    }
     if (row.has_timing) {
         const Timing& timing = netlist_.timings[cell.timing];
         if (is_timer(cell.type)) {
             append(out_, separator, ".RISE_PS(64'd", timing.rise, "), .FALL_PS(64'd", timing.fall,
                    ")");
         } else {
-            append(out_, separator, ".WIDTH_PS(64'd", timing.fall, ")");
+            append(out_, separator, ".WIDTH_NS(",
+                   in_gate_delays(timing.fall, delays_, gate_parameter_), ")");
         }
         separator = ", ";
     }
@@ -159,14 +180,15 @@ namespace {
 /// A helper module, as it stands in the file.
 struct Helper {
     CellType type;
-    /// `%` stands for the prefix of the module names, `^` for the delay of the cell in picoseconds.
+    /// `%` stands for the prefix of the module names, `^` for the delay of the cell in picoseconds,
+    /// GATE_NS for the parameter, whatever it is called in this file.
     std::string_view text;
 };
 
 constexpr std::array<Helper, 8> helpers{{
     {CellType::latch, R"(
 // Latch: s sets, r resets, both at once set.
-module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
+module %latch #(parameter GATE_NS = 1, INIT = 1'bx) (input s, input r, output q);
   reg m;
 `ifdef SYNTHESIS
   initial m = INIT;
@@ -179,12 +201,12 @@ module %latch #(parameter INIT = 1'bx) (input s, input r, output q);
   end
   always @(s or r or started) if (started) m = s | (~r & m);
 `endif
-  assign #^ q = m;
+  assign #(^) q = m;
 endmodule
 )"},
     {CellType::hold_latch, R"(
 // Hold latch: follows d while e is 1.
-module %hold #(parameter INIT = 1'bx) (input d, input e, output q);
+module %hold #(parameter GATE_NS = 1, INIT = 1'bx) (input d, input e, output q);
   reg m;
 `ifdef SYNTHESIS
   initial m = INIT;
@@ -197,46 +219,46 @@ module %hold #(parameter INIT = 1'bx) (input d, input e, output q);
   end
   always @(d or e or started) if (started) m = e ? d : m;
 `endif
-  assign #^ q = m;
+  assign #(^) q = m;
 endmodule
 )"},
     {CellType::rise_pulse, R"(
-// Rising-edge pulse: 1 for WIDTH_PS after each rise of a, begun again by a new rise.
+// Rising-edge pulse: 1 for WIDTH_NS after each rise of a, begun again by a new rise.
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module %rise_pulse #(parameter [63:0] WIDTH_PS = ^) (input a, output q);
+module %rise_pulse #(parameter GATE_NS = 1, WIDTH_NS = 1) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
   always @(a) begin
     if (last === 1'b0 && a === 1'b1) begin
       begun = begun + 1;
-      ended <= #(WIDTH_PS) begun;
+      ended <= #(1000 * WIDTH_NS) begun;
     end
     last = a;
   end
-  assign #^ q = begun != ended;
+  assign #(^) q = begun != ended;
 `endif
 endmodule
 )"},
     {CellType::fall_pulse, R"(
-// Falling-edge pulse: 1 for WIDTH_PS after each fall of a, begun again by a new fall.
+// Falling-edge pulse: 1 for WIDTH_NS after each fall of a, begun again by a new fall.
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module %fall_pulse #(parameter [63:0] WIDTH_PS = ^) (input a, output q);
+module %fall_pulse #(parameter GATE_NS = 1, WIDTH_NS = 1) (input a, output q);
 `ifndef SYNTHESIS
   reg last;
   integer begun = 0, ended = 0;
   always @(a) begin
     if (last === 1'b1 && a === 1'b0) begin
       begun = begun + 1;
-      ended <= #(WIDTH_PS) begun;
+      ended <= #(1000 * WIDTH_NS) begun;
     end
     last = a;
   end
-  assign #^ q = begun != ended;
+  assign #(^) q = begun != ended;
 `endif
 endmodule
 )"},
@@ -246,8 +268,10 @@ endmodule
 `ifdef SYNTHESIS
 (* blackbox *)
 `endif
-module %timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0) (input a, output q);
+module %timer #(parameter GATE_NS = 1, parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0)
+    (input a, output q);
 `ifndef SYNTHESIS
+  localparam [63:0] GATE_PS = ^;
   reg m, started, waiting, target;
   integer begun, due;
   reg [63:0] delay, end_time;
@@ -263,7 +287,7 @@ module %timer #(parameter [63:0] RISE_PS = 0, FALL_PS = 0, parameter INIT = 1'b0
       begun = begun + 1;
       target = a;
       delay = a ? RISE_PS : FALL_PS;
-      end_time = delay == 0 ? $time + ^ : `GRAFWIRE_INSTANT + delay;
+      end_time = delay == 0 ? $time + GATE_PS : `GRAFWIRE_INSTANT + delay;
       due <= #(end_time > $time ? end_time - $time : 64'd0) begun;
     end
   end
@@ -324,24 +348,28 @@ bool has_cell(const Netlist& netlist, CellType type) {
     return false;
 }
 
+void replace_all(std::string& text, std::string_view word, std::string_view by) {
+    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size()) {
+        text.replace(at, word.size(), by);
+    }
+}
+
 }  // namespace
 
 void append_verilog_helpers(std::string& out, const Netlist& netlist, const DelayModel& delays,
                             std::string_view prefix) {
+    const std::string gate_parameter = verilog_gate_parameter(netlist);
     bool any = false;
     for (const Helper& helper : helpers) {
         if (!has_cell(netlist, helper.type)) continue;
         if (!any) out += "\n`timescale 1ps/1ps\n";
         any = true;
-        for (const char c : helper.text) {
-            if (c == '%') {
-                out += prefix;
-            } else if (c == '^') {
-                append(out, delays.of(helper.type));
-            } else {
-                out.push_back(c);
-            }
-        }
+        std::string text(helper.text);
+        replace_all(text, "%", prefix);
+        replace_all(text, "^",
+                    "1000 * " + in_gate_delays(delays.of(helper.type), delays, "GATE_NS"));
+        replace_all(text, "GATE_NS", gate_parameter);
+        out += text;
     }
 }
 
@@ -350,15 +378,13 @@ bool needs_verilog_start(const Netlist& netlist) {
            has_cell(netlist, CellType::latch) || has_cell(netlist, CellType::hold_latch);
 }
 
-void append_verilog_start(std::string& out, const DelayModel& delays) {
-    // A hundred gate delays, in whole nanoseconds.
-    const Time start = (100 * delays.gate + nanosecond - 1) / nanosecond;
+void append_verilog_start(std::string& out, std::string_view gate_parameter) {
     append(out, R"(
 // When the netlist is let go after power-up, in ns, and the moment, in ps, from which a delay that
 // begins now counts. A test bench may set these before.
 `ifndef GRAFWIRE_START
-`define GRAFWIRE_START )",
-           start, R"(
+`define GRAFWIRE_START (100 * )",
+           gate_parameter, R"()
 `endif
 `ifndef GRAFWIRE_INSTANT
 `define GRAFWIRE_INSTANT $time

@@ -35,9 +35,14 @@ class VerilogCells {
     std::string suffix_;          ///< of instance names
     std::string helpers_;         ///< begins the names of helper modules
     std::string scan_parameter_;  ///< of modules whose timers count scans
+    std::string gate_parameter_;  ///< of modules whose cells have delays
     const DelayModel& delays_;
     std::vector<Logic> initial_;  ///< per net: Netlist::initial_values
 };
+
+/// Whether cells of the netlist have delays, so that its modules have the parameter GATE_NS. The
+/// gates of a clocked netlist have none: they only have to settle between two rises of the clock.
+bool has_verilog_delays(const Netlist& netlist);
 
 /// Writes the helper modules for the cells with memory or timing that the netlist has; nothing
 /// where it has none.
@@ -49,7 +54,7 @@ void append_verilog_helpers(std::string& out, const Netlist& netlist, const Dela
 bool needs_verilog_start(const Netlist& netlist);
 
 /// Writes the defaults of those macros.
-void append_verilog_start(std::string& out, const DelayModel& delays);
+void append_verilog_start(std::string& out, std::string_view gate_parameter);
 
 /// Visits the cells of some modules in order.
 template <typename Visit>

@@ -122,16 +122,29 @@ void append_verilog_comment(std::string& out, std::string_view text) {
     out.push_back('\n');
 }
 
-std::string verilog_scan_parameter(const Netlist& netlist) {
-    std::string parameter = "SCAN_PS";
+namespace {
+
+/// A name for a parameter, with `$` added where a net or a port is called that.
+std::string free_parameter(const Netlist& netlist, std::string parameter) {
+    const auto has_that_name = [&](const Port& port) { return port.name == parameter; };
     const auto is_taken = [&] {
         for (std::size_t i = 0; i < netlist.net_count(); ++i) {
             if (netlist.names[static_cast<NetId>(i)] == parameter) return true;
         }
-        return false;
+        return std::any_of(netlist.outputs.begin(), netlist.outputs.end(), has_that_name);
     };
     while (is_taken()) parameter += '$';
     return parameter;
+}
+
+}  // namespace
+
+std::string verilog_scan_parameter(const Netlist& netlist) {
+    return free_parameter(netlist, "SCAN_PS");
+}
+
+std::string verilog_gate_parameter(const Netlist& netlist) {
+    return free_parameter(netlist, "GATE_NS");
 }
 
 }  // namespace grafwire

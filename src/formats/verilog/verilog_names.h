@@ -27,6 +27,9 @@ void append_verilog_comment(std::string& out, std::string_view text);
 /// The parameter for the scan period: `SCAN_PS`, with `$` added where a net is called that.
 std::string verilog_scan_parameter(const Netlist& netlist);
 
+/// The parameter for the delay of a gate: `GATE_NS`, likewise.
+std::string verilog_gate_parameter(const Netlist& netlist);
+
 /// Whether `word` is reserved in Verilog (IEEE 1364-2005) or SystemVerilog (IEEE 1800-2017).
 bool is_verilog_keyword(std::string_view word);
 

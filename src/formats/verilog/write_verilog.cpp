@@ -85,6 +85,7 @@ class VerilogWriter {
           suffix_(cell_suffix(netlist)),
           helpers_(helper_prefix(netlist)),
           scan_parameter_(verilog_scan_parameter(netlist)),
+          gate_parameter_(verilog_gate_parameter(netlist)),
           scan_period_(scan_period),
           delays_(delays),
           cells_(out_, netlist, nets_, delays) {
@@ -102,12 +103,13 @@ class VerilogWriter {
     void write_flat();
     void write_in_blocks();
     std::vector<std::uint8_t> nets_of_output_ports() const;
+    void write_forwarded_parameters(bool has_scan_timer);
     void write_instance(const NetlistBlock& block, std::size_t number);
     void write_block(const NetlistBlock& block, std::size_t number);
     void write_wires(const Module& module, const std::vector<std::uint8_t>& is_declared);
     void write_cells(const Module& module);
     void write_block_name(std::size_t number);
-    void write_scan_parameter(bool with_value);
+    void write_parameters(bool has_scan_timer, bool with_values);
 
     std::span<const Cell> cells_of(const Module& module) const {
         return {netlist_.cells.items().data() + module.first_cell, module.cell_count};
@@ -119,9 +121,11 @@ class VerilogWriter {
     std::string suffix_;
     std::string helpers_;
     std::string scan_parameter_;
+    std::string gate_parameter_;
     Time scan_period_;
     const DelayModel& delays_;
     bool has_scan_timer_ = false;
+    bool has_delays_ = false;
     std::vector<std::uint8_t> declared_;  ///< per net: an output port of its block
     std::string out_;
     VerilogCells cells_;
@@ -131,6 +135,7 @@ std::string VerilogWriter::write() {
     for (const Cell& cell : netlist_.cells) {
         has_scan_timer_ |= counts_scans(cell.type);
     }
+    has_delays_ = has_verilog_delays(netlist_);
     reserve();
     write_head();
     if (netlist_.modules.size() <= usual_modules_per_block) {
@@ -163,8 +168,13 @@ void VerilogWriter::write_head() {
     append(title, ": ", netlist_.cells.size(), " cells.");
     append_verilog_comment(out_, title);
     write_changed_names();
+    if (has_delays_) {
+        append(out_, "// ", gate_parameter_,
+               " is how long a gate takes, in ns. Pulses last several gate delays and grow with "
+               "it.\n");
+    }
     out_ += "`timescale 1ns/1ps\n";
-    if (needs_verilog_start(netlist_)) append_verilog_start(out_, delays_);
+    if (needs_verilog_start(netlist_)) append_verilog_start(out_, gate_parameter_);
 }
 
 /// Lists the ports that even an escaped identifier cannot spell as they are.
@@ -184,15 +194,25 @@ void VerilogWriter::write_changed_names() {
     list(netlist_.outputs);
 }
 
-void VerilogWriter::write_scan_parameter(bool with_value) {
-    append(out_, " #(parameter [63:0] ", scan_parameter_, " = 64'd");
-    append(out_, with_value ? scan_period_ : Time{1}, ")");
+/// The parameters of the top module or, without their values, of a block.
+void VerilogWriter::write_parameters(bool has_scan_timer, bool with_values) {
+    std::string_view separator = " #(parameter ";
+    if (has_delays_) {
+        append(out_, separator, gate_parameter_, " = ",
+               with_values ? format_nanoseconds(delays_.gate) : "1");
+        separator = ", parameter ";
+    }
+    if (has_scan_timer) {
+        append(out_, separator, "[63:0] ", scan_parameter_, " = 64'd",
+               with_values ? scan_period_ : Time{1});
+        separator = ", ";
+    }
+    out_ += has_delays_ || has_scan_timer ? ") (" : " (";
 }
 
 void VerilogWriter::write_port_list() {
     append(out_, "\nmodule ", name_);
-    if (has_scan_timer_) write_scan_parameter(true);
-    out_ += " (";
+    write_parameters(has_scan_timer_, true);
     std::string_view separator = "\n";
     for (const Port& port : netlist_.inputs) {
         append(out_, separator, "  input ");
@@ -265,10 +285,22 @@ void VerilogWriter::write_block_name(std::size_t number) {
     append_verilog_with_suffix(out_, name_, suffix);
 }
 
+/// A block has the parameters of the top module.
+void VerilogWriter::write_forwarded_parameters(bool has_scan_timer) {
+    std::string_view separator = " #(.";
+    const auto forward = [&](const std::string& parameter) {
+        append(out_, separator, parameter, '(', parameter, ')');
+        separator = ", .";
+    };
+    if (has_delays_) forward(gate_parameter_);
+    if (has_scan_timer) forward(scan_parameter_);
+    if (has_delays_ || has_scan_timer) out_ += ')';
+}
+
 void VerilogWriter::write_instance(const NetlistBlock& block, std::size_t number) {
     out_ += "  ";
     write_block_name(number);
-    if (block.has_scan_timer) append(out_, " #(.", scan_parameter_, "(", scan_parameter_, "))");
+    write_forwarded_parameters(block.has_scan_timer);
     append(out_, " block", number + 1, suffix_, " (");
     std::string_view separator = "\n    ";
     const auto connect = [&](NetId net) {
@@ -284,8 +316,7 @@ void VerilogWriter::write_instance(const NetlistBlock& block, std::size_t number
 void VerilogWriter::write_block(const NetlistBlock& block, std::size_t number) {
     out_ += "\nmodule ";
     write_block_name(number);
-    if (block.has_scan_timer) write_scan_parameter(false);
-    out_ += " (";
+    write_parameters(block.has_scan_timer, false);
     std::string_view separator = "\n";
     for (const NetId net : block.inputs) {
         append(out_, separator, "  input ", nets_[net]);

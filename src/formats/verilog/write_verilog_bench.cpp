@@ -2,12 +2,16 @@
 // 1, the other inputs as at instant 0, until a gate delay for every cell has passed; that is more
 // than any netlist without oscillation takes.
 //
+// Of a netlist with delays the bench has the parameter GATE_NS as well and hands it on: the start
+// and the time after which a row is taken grow with it.
+//
 // A bench that knows what the reference gives compares every row with it: it ends with PASS, or
 // with the first difference and the status 1.
 
 #include <algorithm>
 
 #include "formats/shared/append.h"
+#include "formats/shared/gate_delays.h"
 #include "formats/shared/helper_cells.h"
 #include "formats/verilog/verilog_cells.h"
 #include "formats/verilog/verilog_names.h"
@@ -27,6 +31,8 @@ class BenchWriter {
         : netlist_(netlist),
           bench_(bench),
           scan_period_(scan_period),
+          delays_(delays),
+          has_delays_(has_verilog_delays(netlist)),
           module_(helper_prefix(netlist) + "bench"),
           start_(delays.of_settling(netlist.cells.size())) {
         for (std::size_t i = 0; i < netlist.inputs.size(); ++i) {
@@ -37,8 +43,12 @@ class BenchWriter {
     std::string write();
 
   private:
+    std::string scaled(Time time, std::string_view gate_parameter) const;
     void write_head();
+    void write_parameters();
+    void write_inputs();
     void write_instance();
+    void write_time_tasks();
     void write_row_task();
     void write_compare_task();
     void write_header_row();
@@ -46,26 +56,28 @@ class BenchWriter {
     void write_comparison(std::size_t row);
     bool compares() const { return !bench_.expected.empty(); }
     void write_cycles(Time half_period);
-    void wait_until(Time moment);
+    void write_settling(std::size_t row, Time rest);
 
     const Netlist& netlist_;
     const Bench& bench_;
     Time scan_period_;
+    const DelayModel& delays_;
+    bool has_delays_;
     std::string module_;
     Time start_;
     std::size_t clock_ = 0;
-    Time now_ = 0;  ///< on the time axis of the stimuli
     std::string out_;
 };
 
 std::string BenchWriter::write() {
     write_head();
+    write_inputs();
     write_instance();
+    write_time_tasks();
     write_row_task();
     if (compares()) write_compare_task();
     out_ += "\n  initial begin\n";
     write_header_row();
-    append(out_, "    #(64'd", start_, ");\n");
     for (const BenchEvent& event : bench_events(netlist_, bench_)) write_event(event);
     if (compares()) out_ += "    if (!failed) $display(\"PASS\");\n";
     out_ += "    $finish;\n  end\nendmodule\n";
@@ -79,9 +91,9 @@ void BenchWriter::write_head() {
     out_ += ". Give it to the simulator before the netlist:\n";
     out_ += "//   iverilog -o run bench.v netlist.v && vvp -n run\n";
     if (needs_verilog_start(netlist_)) {
-        out_ += "`ifdef GRAFWIRE_START\n`define GRAFWIRE_WRONG_ORDER\n`endif\n";
+        append(out_, "`ifdef GRAFWIRE_START\n`define GRAFWIRE_WRONG_ORDER\n`endif\n",
+               "`define GRAFWIRE_START (", scaled(start_, verilog_gate_parameter(netlist_)), ")\n");
     }
-    append(out_, "`define GRAFWIRE_START ", start_ / nanosecond, "\n");
     append(out_, "`define GRAFWIRE_INSTANT ", module_, ".instant\n");
     if (compares()) {
         // What ends the simulation with the status 1.
@@ -89,25 +101,51 @@ void BenchWriter::write_head() {
             "`ifdef __ICARUS__\n`define GRAFWIRE_FAIL $finish_and_return(1)\n"
             "`else\n`define GRAFWIRE_FAIL $fatal(1)\n`endif\n";
     }
-    append(out_, "`timescale 1ps/1ps\n\nmodule ", module_, ";\n");
+    append(out_, "`timescale 1ps/1ps\n\nmodule ", module_);
+    write_parameters();
+}
+
+/// A time in ns as the netlist has it: in gate delays, where it has such.
+std::string BenchWriter::scaled(Time time, std::string_view gate_parameter) const {
+    return has_delays_ ? in_gate_delays(time, delays_, gate_parameter) : format_nanoseconds(time);
+}
+
+/// What the simulator may be told, and the same in picoseconds.
+void BenchWriter::write_parameters() {
+    if (has_delays_) {
+        append(out_, " #(parameter GATE_NS = ", format_nanoseconds(delays_.gate),
+               ",\n    parameter [63:0] SETTLE_NS = ", scaled(bench_.settling, "GATE_NS"), ")");
+    }
+    append(out_, ";\n  localparam [63:0] START = 64'd1000 * ", scaled(start_, "GATE_NS"), ";\n");
+    if (has_delays_) out_ += "  localparam [63:0] SETTLE = 64'd1000 * SETTLE_NS;\n";
 }
 
 /// Inputs and outputs as two words, so that names need not be spelled in the tasks.
-void BenchWriter::write_instance() {
+void BenchWriter::write_inputs() {
     const std::vector<bool> values = starting_inputs(netlist_, bench_);
     append(out_, "  reg [", std::max<std::size_t>(values.size(), 1) - 1, ":0] in;\n");
     append(out_, "  wire [", std::max<std::size_t>(netlist_.outputs.size(), 1) - 1, ":0] out;\n");
     append(out_, "  reg [63:0] instant;\n  integer i, changes;\n\n  initial begin\n");
-    append(out_, "    instant = 64'd", start_, ";\n    changes = 0;\n");
+    out_ += "    instant = START;\n    changes = 0;\n";
     for (std::size_t i = 0; i < values.size(); ++i) {
         append(out_, "    in[", i, "] = ", values[i] ? '1' : '0', ";  ");
         append_verilog_comment(out_, netlist_.inputs[i].name);
     }
-    out_ += "  end\n\n  ";
+    out_ += "  end\n";
+}
+
+void BenchWriter::write_instance() {
+    out_ += "\n  ";
     spell_verilog(out_, netlist_.name);
-    if (has_scan_timers(netlist_)) {
-        append(out_, " #(.", verilog_scan_parameter(netlist_), "(64'd", scan_period_, "))");
+    std::string_view before = " #(.";
+    if (has_delays_) {
+        append(out_, before, verilog_gate_parameter(netlist_), "(GATE_NS)");
+        before = ", .";
     }
+    if (has_scan_timers(netlist_)) {
+        append(out_, before, verilog_scan_parameter(netlist_), "(64'd", scan_period_, ")");
+    }
+    if (has_delays_ || has_scan_timers(netlist_)) out_ += ')';
     out_ += " netlist (";
     std::string_view separator = "\n    .";
     for (std::size_t i = 0; i < netlist_.inputs.size(); ++i) {
@@ -123,6 +161,25 @@ void BenchWriter::write_instance() {
         separator = ",\n    .";
     }
     out_ += ");\n";
+}
+
+/// The moment of an instant, and after it the time that the netlist is given: never beyond `most`,
+/// which lies before the next instant.
+void BenchWriter::write_time_tasks() {
+    out_ += R"(
+  task begin_at(input [63:0] moment);
+    begin
+      #(START + moment - $time) instant = START + moment;
+      changes = 0;
+    end
+  endtask
+)";
+    if (!has_delays_) return;
+    out_ += R"(
+  task settle(input [63:0] most);
+    #(SETTLE < most ? SETTLE : most);
+  endtask
+)";
 }
 
 /// Prints a row, and stops a simulation that does not come to rest.
@@ -186,32 +243,37 @@ void BenchWriter::write_header_row() {
     out_ += "    $write(\"\\n\");\n";
 }
 
-/// No delay is written where that moment has come already.
-void BenchWriter::wait_until(Time moment) {
-    if (moment > now_) append(out_, "    #(64'd", moment - now_, ");\n");
-    now_ = std::max(now_, moment);
-}
-
 void BenchWriter::write_cycles(Time half_period) {
     append(out_, "    repeat (", bench_.clock_cycles, ") begin #(64'd", half_period, ") in[",
            clock_, "] = 1; #(64'd", half_period, ") in[", clock_, "] = 0; end\n");
-    now_ += half_period * 2 * bench_.clock_cycles;
+}
+
+/// A clocked netlist without delays is given what is left of its time.
+void BenchWriter::write_settling(std::size_t row, Time rest) {
+    if (!has_delays_) {
+        append(out_, "    #(64'd", rest, ");\n");
+    } else if (row + 1 == bench_.instants.size()) {
+        out_ += "    settle(SETTLE);\n";
+    } else {
+        append(out_, "    settle(64'd", longest_sampling_delay(bench_, row), ");\n");
+    }
 }
 
 /// Inputs change, the clock ticks if there is one, and after the settling time a row is taken.
 void BenchWriter::write_event(const BenchEvent& event) {
-    append(out_, "    // ", format_milliseconds(event.at), " ms\n");
-    wait_until(event.at);
-    append(out_, "    instant = 64'd", start_ + event.at, ";\n    changes = 0;\n");
+    append(out_, "    // ", format_milliseconds(event.at), " ms\n    begin_at(64'd", event.at,
+           ");\n");
     for (const Stimuli::Assignment& assignment : event.assignments) {
         append(out_, "    in[", assignment.input, "] = ", assignment.value ? '1' : '0', ";\n");
     }
     if (event.row == BenchEvent::no_row) return;
-    const Time delay = sampling_delay(bench_, event.row);
+    Time delay = sampling_delay(bench_, event.row);
     if (netlist_.is_clocked()) {
-        write_cycles(std::max<Time>(1, delay / (2 * Time{bench_.clock_cycles} + 2)));
+        const Time half_period = std::max<Time>(1, delay / (2 * Time{bench_.clock_cycles} + 2));
+        write_cycles(half_period);
+        delay = std::max<Time>(0, delay - half_period * 2 * bench_.clock_cycles);
     }
-    wait_until(event.at + delay);
+    write_settling(event.row, delay);
     append(out_, "    $write(\"", format_milliseconds(event.at), "\"); row;\n");
     if (compares()) write_comparison(event.row);
 }

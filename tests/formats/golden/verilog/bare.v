@@ -1,16 +1,17 @@
 // bare: 4 cells.
+// GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 
 // When the netlist is let go after power-up, in ns, and the moment, in ps, from which a delay that
 // begins now counts. A test bench may set these before.
 `ifndef GRAFWIRE_START
-`define GRAFWIRE_START 100
+`define GRAFWIRE_START (100 * GATE_NS)
 `endif
 `ifndef GRAFWIRE_INSTANT
 `define GRAFWIRE_INSTANT $time
 `endif
 
-module bare (
+module bare #(parameter GATE_NS = 1) (
   input set,
   input reset,
   output X1
@@ -18,10 +19,10 @@ module bare (
   wire set$not, reset$not, X1$q;
 
   // all
-  not #1 set$not$g (set$not, set);
-  not #1 reset$not$g (reset$not, reset);
-  nand #1 X1$g (X1, set$not, X1$q);
-  nand #1 X1$q$g (X1$q, X1, reset$not);
+  not #GATE_NS set$not$g (set$not, set);
+  not #GATE_NS reset$not$g (reset$not, reset);
+  nand #GATE_NS X1$g (X1, set$not, X1$q);
+  nand #GATE_NS X1$q$g (X1$q, X1, reset$not);
 
 `ifndef SYNTHESIS
   initial begin
