@@ -208,6 +208,10 @@ inline constexpr Message<> tables{"80 steps, or as many as the chart has",
                                   "80 étapes, ou autant que le GRAFCET en a"};
 inline constexpr Message<> plc_cpu{"controller whose memory has to hold the program",
                                    "automate dont la mémoire doit contenir le programme"};
+inline constexpr Message<> pull_up{
+    "inputs are contacts to ground, with the pull-up resistors of the board: closed is 1",
+    "les entrées sont des contacts vers la masse, avec les résistances de tirage de la carte : "
+    "fermé vaut 1"};
 
 // s7 run
 

@@ -65,6 +65,7 @@ constexpr OptionUse option_uses[] = {
     {"plc", "--offsets", by_format},
     {"plc", "--tables", by_format},
     {"plc", "--cpu", by_format},
+    {"plc", "--pull-up", by_format},
 };
 
 /// Whether `--io` is among `--io --mnemonics`.

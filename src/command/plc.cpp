@@ -22,6 +22,7 @@ struct Request {
     std::string offsets = "on";
     std::string tables = "standard";
     std::string cpu;
+    bool pull_up = false;
     std::string addresses;
     std::string output;
 };
@@ -35,6 +36,7 @@ PlcOptions options_from(const Request& request) {
     options.offsets = request.offsets == "on";
     options.wide_tables = request.tables == "wide";
     options.cpu = cpu_of_number(request.cpu);
+    options.pull_up = request.pull_up;
     return options;
 }
 
@@ -98,6 +100,7 @@ Task declare_plc(const CommandLine& line) {
         .one_of({"standard", "wide"})
         .shows_default();
     line.add("--cpu", request->cpu, help::plc_cpu()).one_of(cpu_numbers());
+    line.add_flag("--pull-up", request->pull_up, help::pull_up());
     line.add("-o", request->output, help::output());
     return [request, line] {
         const PlcFormat* format = format_named(plc_formats(), request->format);

@@ -19,33 +19,42 @@ namespace {
 constexpr std::string_view keywords[] = {
     "abs", "acos", "action", "add", "and", "andn", "any", "any_bit", "any_date", "any_derived",
     "any_elementary", "any_int", "any_magnitude", "any_num", "any_real", "any_string", "array",
-    "asin", "at", "atan", "bool", "by", "byte", "cal", "calc", "calcn", "case", "cd", "cdt", "clk",
-    "concat", "configuration", "constant", "continue", "cos", "ctd", "ctu", "ctud", "cu", "cv",
-    "date", "date_and_time", "delete", "dint", "div", "do", "ds", "dt", "dword", "else", "elsif",
-    "en", "end_action", "end_case", "end_configuration", "end_for", "end_function",
+    "asin", "at", "atan", "bool", "by", "byte", "cal", "calc", "calcn", "case", "cdt",
+    "concat", "configuration", "constant", "continue", "cos", "ctd", "ctu", "ctud", "date",
+    "date_and_time", "delete", "dint", "div", "do", "dt", "dword", "else", "elsif", "en",
+    "end_action", "end_case", "end_configuration", "end_for", "end_function",
     "end_function_block", "end_if", "end_program", "end_repeat", "end_resource", "end_step",
-    "end_struct", "end_transition", "end_type", "end_var", "end_while", "eno", "eq", "et", "exit",
+    "end_struct", "end_transition", "end_type", "end_var", "end_while", "eno", "eq", "exit",
     "exp", "expt", "f_edge", "f_trig", "false", "find", "for", "from", "function",
-    "function_block", "ge", "gt", "if", "in", "initial_step", "insert", "int", "interval", "jmp",
+    "function_block", "ge", "gt", "if", "initial_step", "insert", "int", "interval", "jmp",
     "jmpc", "jmpcn", "ld", "ldate", "ldn", "ldt", "le", "left", "len", "limit", "lint", "ln",
     "log", "lreal", "lt", "ltime", "ltod", "lword", "max", "mid", "min", "mod", "move", "mul",
-    "mux", "n", "namespace", "ne", "non_retain", "not", "of", "on", "or", "orn", "overlap",
-    "override", "pointer", "priority", "program", "pt", "pv", "q", "q1", "qd", "qu", "r", "r1",
-    "r_edge", "r_trig", "read_only", "read_write", "real", "ref", "ref_to", "repeat", "replace",
-    "resource", "ret", "retain", "retc", "retcn", "return", "right", "rol", "ror", "rs", "rtc",
-    "s", "s1", "sd", "sel", "sema", "shl", "shr", "sin", "single", "sint", "sqrt", "sr", "st",
-    "step", "stn", "string", "struct", "sub", "super", "tan", "task", "then", "this", "time",
-    "time_of_day", "to", "tod", "tof", "ton", "tp", "transition", "true", "trunc", "type", "udint",
-    "uint", "ulint", "until", "using", "usint", "var", "var_access", "var_config", "var_external",
-    "var_global", "var_in_out", "var_input", "var_output", "var_temp", "while", "with", "word",
-    "wstring", "xor", "xorn"
+    "mux", "namespace", "ne", "non_retain", "not", "of", "on", "or", "orn", "overlap",
+    "override", "pointer", "priority", "program", "r", "r_edge", "r_trig", "read_only",
+    "read_write", "real", "ref", "ref_to", "repeat", "replace", "resource", "ret", "retain",
+    "retc", "retcn", "return", "right", "rol", "ror", "rs", "rtc", "s", "sel", "sema", "shl",
+    "shr", "sin", "single", "sint", "sqrt", "sr", "st", "step", "stn", "string", "struct",
+    "sub", "super", "tan", "task", "then", "this", "time", "time_of_day", "to", "tod", "tof",
+    "ton", "tp", "transition", "true", "trunc", "type", "udint", "uint", "ulint", "until",
+    "using", "usint", "var", "var_access", "var_config", "var_external", "var_global",
+    "var_in_out", "var_input", "var_output", "var_temp", "while", "with", "word", "wstring",
+    "xor", "xorn"
 };
 // clang-format on
+
+/// The operators of Instruction List that fill an input of a function block (2nd edition, table
+/// 53).
+constexpr std::string_view il_input_operators[] = {"cd", "clk", "cu", "in", "pt", "pv", "r1", "s1"};
 
 }  // namespace
 
 bool is_keyword(std::string_view word) {
     return std::binary_search(std::begin(keywords), std::end(keywords), word);
+}
+
+bool is_il_keyword(std::string_view word) {
+    return is_keyword(word) ||
+           std::binary_search(std::begin(il_input_operators), std::end(il_input_operators), word);
 }
 
 std::string capitals(std::string_view name) {

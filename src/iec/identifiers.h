@@ -10,8 +10,11 @@ namespace grafwire::iec {
 
 /// Whether a word, in lower case, is reserved in IEC 61131-3 (2nd edition, annex C, and what the
 /// 3rd adds): keywords, types, operators of both textual languages, standard functions and function
-/// blocks, and their parameters.
+/// blocks. Not their parameters and the qualifiers of actions: `S1`, `Q`, `N` mean these only where
+/// one stands, and are common names of buttons and breakers.
 bool is_keyword(std::string_view word);
+/// The same of Instruction List, where `S1` is also an operator.
+bool is_il_keyword(std::string_view word);
 
 /// Whether a text is an identifier as it stands: ASCII letters, digits and single underscores, none
 /// of them at the end, no digit in front, no keyword.

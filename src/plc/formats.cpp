@@ -138,7 +138,8 @@ constexpr PlcFormat table[] = {
     {"arduino",
      ".ino",
      {"a sketch for Arduino boards", "un croquis pour les cartes Arduino"},
-     write_arduino},
+     write_arduino,
+     "--pull-up"},
     {"pascal", ".pas", {"Free Pascal", "Free Pascal"}, write_pascal},
     {"python", ".py", {"Python 3", "Python 3"}, write_python},
 };

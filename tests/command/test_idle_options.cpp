@@ -245,12 +245,15 @@ TEST_CASE("options of plc and of s7 run") {
     const Files files;
     const std::set<std::string> of_listings{"--io",      "--addresses", "--mnemonics",
                                             "--offsets", "--tables",    "--cpu"};
-    std::vector<Context> contexts{
-        {{sequence_chart, "--to", "s7-200"}, {}},
-        {{sequence_chart, "--to", "stl"}, {"--addresses", "--offsets", "--tables", "--cpu"}}};
+    std::vector<Context> contexts{{{sequence_chart, "--to", "s7-200"}, {"--pull-up"}},
+                                  {{sequence_chart, "--to", "stl"},
+                                   {"--addresses", "--offsets", "--tables", "--cpu", "--pull-up"}},
+                                  {{sequence_chart, "--to", "arduino"}, of_listings}};
+    std::set<std::string> all = of_listings;
+    all.insert("--pull-up");
     for (const std::string format : {"text", "il", "ladder", "ladder-svg", "pl7-2", "plcopen", "st",
-                                     "c", "arduino", "pascal", "python"}) {
-        contexts.push_back({{sequence_chart, "--to", format}, of_listings});
+                                     "c", "pascal", "python"}) {
+        contexts.push_back({{sequence_chart, "--to", format}, all});
     }
     try_all({"plc"},
             {{"--to", {"c"}},
@@ -261,6 +264,7 @@ TEST_CASE("options of plc and of s7 run") {
              {"--offsets", {"off"}},
              {"--tables", {"wide"}},
              {"--cpu", {"212"}},
+             {"--pull-up", {}},
              {"-o", {files.path("out")}}},
             contexts);
     try_all(

@@ -18,7 +18,9 @@ TEST_CASE("names become identifiers, one-to-one") {
 }
 
 TEST_CASE("identifiers") {
-    for (const char* name : {"a", "_x1", "X13", "Tempo_2"}) CHECK(is_identifier(name));
+    for (const char* name : {"a", "_x1", "X13", "Tempo_2", "S1", "Q"}) CHECK(is_identifier(name));
+    for (const char* name : {"s1", "clk", "ld"}) CHECK(is_il_keyword(name));
+    CHECK_FALSE(is_il_keyword("q"));
     for (const char* name : {"", "1a", "a_", "a__b", "a b", "é", "TON", "and"}) {
         CHECK_FALSE(is_identifier(name));
     }

@@ -71,11 +71,12 @@ RandomCase example_case(const std::string& name) {
     return {text_of(example(name + ".grafcet")), text_of(example(name + ".stim"))};
 }
 
-std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program) {
+std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program,
+                    const PlcOptions& options) {
     const PlcFormat* row = plc_format_named(format);
     REQUIRE(row != nullptr);
     Diagnostics diagnostics;
-    std::string text = row->write(grafcet, program, {}, diagnostics);
+    std::string text = row->write(grafcet, program, options, diagnostics);
     if (diagnostics.has_errors()) {
         CHECK(text == "");
         throw std::runtime_error(format_diagnostics(diagnostics, {"chart", ""}));

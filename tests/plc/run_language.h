@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plc/shared/plc_options.h"
 #include "program/program.h"
 #include "random/shrink.h"
 
@@ -28,7 +29,8 @@ RandomCase example_case(const std::string& name);
 
 /// The text of a format for a program; throws a std::runtime_error with the messages where it is
 /// refused.
-std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program);
+std::string written(const std::string& format, const Grafcet& grafcet, const ScanProgram& program,
+                    const PlcOptions& options = {});
 
 /// Every example, and so many random charts over the whole language, are the reference.
 void check_language(const LanguageRunner& run, std::uint64_t first_seed, std::size_t random_cases,

@@ -107,8 +107,19 @@ TEST_CASE("names that a language does not take stand at the head of the file") {
 #   lambda_2  lambda
 )");
     const std::string arduino = program_of("arduino", awkward);
-    CHECK(arduino.find("const uint8_t in_S1_2 = 9;") != std::string::npos);
+    CHECK(arduino.find("const uint8_t in_S1 = 9;") != std::string::npos);
     CHECK(arduino.find("const uint8_t in_PB0_2 = 10;") != std::string::npos);
+}
+
+TEST_CASE("names of buttons and breakers stay in the languages of controllers") {
+    const std::string chart =
+        "input S1, Q, \"épais\"\noutput KM1\n"
+        "graph G { initial 0 : KM1 if S1 . Q . \"épais\" }\n";
+    CHECK(
+        contains(program_of("st", chart), "KM1 := Ts[X0] AND S1 AND Q AND epais AND NOT AUdoux;"));
+    CHECK(contains(program_of("plcopen", chart), "<variable name=\"S1\">"));
+    // There S1 is an operator as well.
+    CHECK(contains(program_of("il", chart), "(*   S1_2 is S1 *)\n(*   epais is épais *)\n"));
 }
 
 TEST_CASE("programs with awkward names compile and run") {

@@ -27,14 +27,10 @@ namespace {
 /// What ngspice gives a meaning of its own.
 constexpr std::array<std::string_view, 5> reserved{"gnd", "null", "time", "temper", "hertz"};
 
-/// A word that begins with a letter, in small letters.
+/// A word that begins with a letter, in small letters: the ASCII word that stands for the name. It
+/// holds no `__`, which our own nodes do.
 void spell_spice(std::string& out, std::string_view name) {
-    const std::size_t begin = out.size();
-    for (const char original : name) {
-        const char c = lower_case(original);
-        out += is_ascii_letter(c) || is_digit(c) ? c : '_';
-    }
-    if (name.empty() || !is_ascii_letter(out[begin])) out.insert(begin, 1, 'n');
+    for (const char c : ascii_word(name)) out += lower_case(c);
 }
 
 /// The models that a gate is written with, without their speed.

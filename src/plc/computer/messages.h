@@ -131,9 +131,27 @@ inline constexpr Message<> edge_memories{
 inline constexpr Message<> time_conditions{"Time conditions.", "Temporisations."};
 inline constexpr Message<> vars{"Internal variables.", "Variables internes."};
 inline constexpr Message<> counters{"Counters.", "Compteurs."};
-inline constexpr Message<> pins{
-    "The pins: change them to suit the wiring. An input is 1 where its pin is HIGH.",
-    "Les broches : à adapter au câblage. Une entrée vaut 1 quand sa broche est HIGH."};
+inline constexpr Message<> pins{"The pins: change them to suit the wiring.",
+                                "Les broches : à adapter au câblage."};
+inline constexpr Message<> inputs_driven{
+    "An input is 1 where its pin is HIGH. A contact to 5 V needs a resistor to ground: a pin that\n"
+    "is left open is read as anything (--pull-up: contacts to ground, without resistors).",
+    "Une entrée vaut 1 quand sa broche est HIGH. Un contact vers le 5 V demande une résistance\n"
+    "vers la masse : une broche en l'air donne une valeur quelconque (--pull-up : contacts vers\n"
+    "la masse, sans résistance)."};
+inline constexpr Message<> inputs_pulled_up{
+    "An input is a contact from its pin to ground, with the pull-up resistor of the board: closed\n"
+    "is 1, open is 0. A pin that nothing is wired to is 0.",
+    "Une entrée est un contact entre sa broche et la masse, avec la résistance de tirage de la\n"
+    "carte : fermé vaut 1, ouvert vaut 0. Une broche en l'air vaut 0."};
+inline constexpr Message<> modes_pulled_up{
+    "Init, AUdur and AUdoux are contacts to ground, with the pull-up resistors of the board: left\n"
+    "open they are 0, and the chart runs.",
+    "Init, AUdur et AUdoux sont des contacts vers la masse, avec les résistances de tirage de la\n"
+    "carte : non raccordés, ils valent 0 et le GRAFCET évolue."};
+inline constexpr Message<> until_charged{
+    "Until the pull-up resistors have charged the wires.",
+    "Le temps que les résistances de tirage chargent les fils."};
 inline constexpr Message<> all_input_columns{"Init, AUdur and AUdoux included",
                                              "avec Init, AUdur et AUdoux"};
 inline constexpr Message<> input_columns{

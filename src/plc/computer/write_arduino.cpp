@@ -1,12 +1,19 @@
 // A sketch for Arduino boards: the scan in C between `setup` and `loop`, and a table of pins at the
 // head, which is what users edit.
+//
+// A pin that nothing is wired to is read as 0 or 1 by chance, and one AUdur of chance empties the
+// chart. Who does not need Init, AUdur and AUdoux leaves them open, so these always have the
+// pull-up resistors of the board and are 1 where a contact closes to ground.
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "plc/computer/c_core.h"
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
 #include "plc/computer/messages.h"
+#include "plc/shared/language_words.h"
 #include "plc/shared/program_names.h"
 #include "program/messages.h"
 
@@ -35,10 +42,11 @@ static int64_t clock_now() {
 
 class Sketch {
   public:
-    Sketch(const Grafcet& grafcet, const ScanProgram& program, Language language)
+    Sketch(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options)
         : grafcet_(grafcet),
-          language_(language),
-          core_(grafcet, program, {true, is_arduino_word}, language) {
+          language_(options.language),
+          pull_up_(options.pull_up),
+          core_(grafcet, program, {true, is_arduino_word}, options.language) {
         for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
             outputs_.push_back({BitKind::output, o});
         }
@@ -48,8 +56,13 @@ class Sketch {
     std::string write();
 
   private:
+    void explain_pins();
     void write_pins();
-    void write_functions();
+    void write_pin_functions();
+    void write_setup();
+    void write_loop();
+    /// Whether an input is a contact to ground, of the pull-up resistor of its pin.
+    bool is_pulled_up(Bit input) const { return pull_up_ || input.kind == BitKind::control; }
     /// The constant that holds the pin of an input or output.
     std::string pin(Bit bit) const {
         return (bit.kind == BitKind::output ? "out_" : "in_") + core_.names()[bit];
@@ -57,6 +70,7 @@ class Sketch {
 
     const Grafcet& grafcet_;
     Language language_;
+    bool pull_up_;
     CCore core_;
     std::vector<Bit> outputs_;
     SourceText out_{"//"};
@@ -75,12 +89,24 @@ std::string Sketch::write() {
     out_.line(fmt::format("static {}_inputs inputs;", core_.names().chart()));
     out_.block(core_.functions());
     out_.block(with_texts(clock_text, {{"@unending_clock", say::unending_clock.in(language_)}}));
-    write_functions();
+    write_pin_functions();
+    write_setup();
+    write_loop();
     return out_.take();
 }
 
-void Sketch::write_pins() {
+void Sketch::explain_pins() {
+    const std::vector<Bit> inputs = core_.names().inputs();
     out_.comment(say::pins.in(language_));
+    if (inputs.empty()) return;
+    if (pull_up_) return out_.comment(say::inputs_pulled_up.in(language_));
+    // The declared inputs come first.
+    if (inputs.front().kind == BitKind::input) out_.comment(say::inputs_driven.in(language_));
+    if (inputs.back().kind == BitKind::control) out_.comment(say::modes_pulled_up.in(language_));
+}
+
+void Sketch::write_pins() {
+    explain_pins();
     std::size_t next = first_pin;
     for (const Bit bit : core_.names().inputs()) {
         out_.line(fmt::format("const uint8_t {} = {};", pin(bit), next++));
@@ -90,13 +116,14 @@ void Sketch::write_pins() {
     }
 }
 
-void Sketch::write_functions() {
+void Sketch::write_pin_functions() {
     const ProgramNames& names = core_.names();
     out_.blank();
     out_.line("static void read_inputs() {");
     out_.indent();
     for (const Bit bit : names.inputs()) {
-        out_.line(fmt::format("inputs.{} = digitalRead({}) == HIGH;", names[bit], pin(bit)));
+        out_.line(fmt::format("inputs.{} = digitalRead({}) == {};", names[bit], pin(bit),
+                              is_pulled_up(bit) ? "LOW" : "HIGH"));
     }
     out_.outdent();
     out_.line("}");
@@ -109,21 +136,36 @@ void Sketch::write_functions() {
     }
     out_.outdent();
     out_.line("}");
+}
+
+void Sketch::write_setup() {
+    const std::vector<Bit> inputs = core_.names().inputs();
     out_.blank();
     out_.line("void setup() {");
     out_.indent();
-    for (const Bit bit : names.inputs()) out_.line(fmt::format("pinMode({}, INPUT);", pin(bit)));
+    for (const Bit bit : inputs) {
+        out_.line(fmt::format("pinMode({}, {});", pin(bit),
+                              is_pulled_up(bit) ? "INPUT_PULLUP" : "INPUT"));
+    }
     for (const Bit bit : outputs_) out_.line(fmt::format("pinMode({}, OUTPUT);", pin(bit)));
+    if (std::any_of(inputs.begin(), inputs.end(),
+                    [this](Bit input) { return is_pulled_up(input); })) {
+        out_.comment(say::until_charged.in(language_));
+        out_.line("delay(1);");
+    }
     out_.line("read_inputs();");
-    out_.line(fmt::format("{}_start(&chart, &inputs);", names.chart()));
+    out_.line(fmt::format("{}_start(&chart, &inputs);", core_.names().chart()));
     out_.outdent();
     out_.line("}");
+}
+
+void Sketch::write_loop() {
     out_.blank();
     out_.comment(say::one_scan.in(language_));
     out_.line("void loop() {");
     out_.indent();
     out_.line("read_inputs();");
-    out_.line(fmt::format("{}_scan(&chart, &inputs, clock_now());", names.chart()));
+    out_.line(fmt::format("{}_scan(&chart, &inputs, clock_now());", core_.names().chart()));
     out_.line("write_outputs();");
     out_.outdent();
     out_.line("}");
@@ -134,7 +176,7 @@ void Sketch::write_functions() {
 std::string write_arduino(const Grafcet& grafcet, const ScanProgram& program,
                           const PlcOptions& options, Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "C", diagnostics)) return {};
-    Sketch sketch(grafcet, program, options.language);
+    Sketch sketch(grafcet, program, options);
     constexpr std::size_t most = pin_count - first_pin;
     if (sketch.pins_needed() > most) {
         const auto& message =

@@ -9,6 +9,7 @@
 #include "plc/computer/language_parts.h"
 #include "plc/computer/languages.h"
 #include "plc/computer/messages.h"
+#include "plc/shared/language_words.h"
 #include "plc/shared/program_names.h"
 
 namespace grafwire {

@@ -16,6 +16,7 @@
 #include "plc/computer/messages.h"
 #include "plc/computer/pascal_blocks.h"
 #include "plc/shared/condition_text.h"
+#include "plc/shared/language_words.h"
 #include "plc/shared/program_names.h"
 #include "plc/shared/program_needs.h"
 #include "plc/shared/source_text.h"

@@ -45,8 +45,9 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay) {
     return off_delay == 0 ? IecTimer::ton : IecTimer::latch;
 }
 
-IecNames::IecNames(const Grafcet& grafcet, const ScanProgram& program)
-    : grafcet_(grafcet), program_(program), names_(false, iec::is_keyword) {
+IecNames::IecNames(const Grafcet& grafcet, const ScanProgram& program,
+                   bool (*is_reserved)(std::string_view))
+    : grafcet_(grafcet), program_(program), names_(false, is_reserved) {
     claim_interface();
     claim_tables();
     claim_edges();

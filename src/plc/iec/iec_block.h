@@ -27,7 +27,9 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay);
 /// not depend on case there, and have no double underscores.
 class IecNames {
   public:
-    IecNames(const Grafcet& grafcet, const ScanProgram& program);
+    /// `is_reserved` is asked in lower case whether a word is one of the language.
+    IecNames(const Grafcet& grafcet, const ScanProgram& program,
+             bool (*is_reserved)(std::string_view));
 
     std::string of(Bit bit) const;
     std::string of(IntegerCell cell) const;

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "grafcet/grafcet.h"
+#include "iec/identifiers.h"
 #include "iec/literals.h"
 #include "plc/iec/iec_block.h"
 #include "plc/iec/languages.h"
@@ -23,7 +24,10 @@ namespace {
 class IlWriter {
   public:
     IlWriter(const Grafcet& grafcet, const ScanProgram& program, Language language)
-        : grafcet_(grafcet), program_(program), language_(language), names_(grafcet, program) {}
+        : grafcet_(grafcet),
+          program_(program),
+          language_(language),
+          names_(grafcet, program, iec::is_il_keyword) {}
 
     std::string write(Diagnostics& diagnostics) {
         text_ = iec_declarations(grafcet_, program_, names_, messages::plc_iec::instruction_list(),

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "grafcet/grafcet.h"
+#include "iec/identifiers.h"
 #include "iec/literals.h"
 #include "iec/operators.h"
 #include "plc/iec/iec_block.h"
@@ -40,7 +41,7 @@ class StWriter {
         : grafcet_(grafcet),
           program_(program),
           language_(language),
-          names_(grafcet, program),
+          names_(grafcet, program, iec::is_keyword),
           conditions_(
               spelling, [this](Bit bit) { return names_.of(bit); },
               [this](IntegerCell cell) { return names_.of(cell); }) {}

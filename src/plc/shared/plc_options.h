@@ -16,6 +16,7 @@ struct PlcOptions {
     bool offsets = true;                               ///< byte offsets before instructions
     bool wide_tables = false;                          ///< tables beyond the 80 steps of the method
     std::optional<s7::Cpu> cpu;  ///< the controller that the program has to fit
+    bool pull_up = false;        ///< inputs of a board are contacts to ground
     /// Of comments, headings and what a program says to its users. Names and addresses do not
     /// depend on it.
     Language language = Language::english;

@@ -11,21 +11,6 @@
 
 namespace grafwire {
 
-// Words that a program must not use as names of its own.
-
-/// Keywords of C and C++, and macros of the headers that the programs include.
-bool is_c_word(std::string_view word);
-
-/// Those, and the macros of Arduino cores. Processor headers define hundreds of the form `PB0`, so
-/// every word of capitals and digits counts, except a step's `X10`.
-bool is_arduino_word(std::string_view word);
-
-/// Keywords of Free Pascal and Turbo Pascal, in lower case.
-bool is_pascal_word(std::string_view word);
-
-/// Keywords of Python 3.
-bool is_python_word(std::string_view word);
-
 /// What a language makes of names.
 struct NameRules {
     bool case_matters = true;

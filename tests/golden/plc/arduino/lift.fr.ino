@@ -7,13 +7,17 @@
 // Noms écrits autrement dans le GRAFCET :
 //   arret  arrêt
 //   int_2  int
-//   UP_2   UP
 
 #include <Arduino.h>
 #include <stdint.h>
 #include <string.h>
 
-// Les broches : à adapter au câblage. Une entrée vaut 1 quand sa broche est HIGH.
+// Les broches : à adapter au câblage.
+// Une entrée vaut 1 quand sa broche est HIGH. Un contact vers le 5 V demande une résistance
+// vers la masse : une broche en l'air donne une valeur quelconque (--pull-up : contacts vers
+// la masse, sans résistance).
+// Init, AUdur et AUdoux sont des contacts vers la masse, avec les résistances de tirage de la
+// carte : non raccordés, ils valent 0 et le GRAFCET évolue.
 const uint8_t in_crate = 2;
 const uint8_t in_top = 3;
 const uint8_t in_arret = 4;
@@ -21,7 +25,7 @@ const uint8_t in_int_2 = 5;
 const uint8_t in_Init = 6;
 const uint8_t in_AUdur = 7;
 const uint8_t in_AUdoux = 8;
-const uint8_t out_UP_2 = 9;
+const uint8_t out_UP = 9;
 const uint8_t out_blow = 10;
 const uint8_t out_lamp = 11;
 
@@ -46,7 +50,7 @@ typedef struct {
 } lift_inputs;
 
 typedef struct {
-    bool UP_2;
+    bool UP;
     bool blow;
     bool lamp;
 } lift_outputs;
@@ -243,7 +247,7 @@ static void observe_times(lift_grafcet *g) {
 // SBR 8 : sorties
 static void drive_outputs(lift_grafcet *g) {
     // UP
-    g->outputs.UP_2 = is(g->Ts, X11) && !g->inputs.top && !g->inputs.AUdoux;
+    g->outputs.UP = is(g->Ts, X11) && !g->inputs.top && !g->inputs.AUdoux;
     // blow
     g->outputs.blow = is(g->Ts, X12) && !g->inputs.AUdoux;
     // lamp
@@ -297,13 +301,13 @@ static void read_inputs() {
     inputs.top = digitalRead(in_top) == HIGH;
     inputs.arret = digitalRead(in_arret) == HIGH;
     inputs.int_2 = digitalRead(in_int_2) == HIGH;
-    inputs.Init = digitalRead(in_Init) == HIGH;
-    inputs.AUdur = digitalRead(in_AUdur) == HIGH;
-    inputs.AUdoux = digitalRead(in_AUdoux) == HIGH;
+    inputs.Init = digitalRead(in_Init) == LOW;
+    inputs.AUdur = digitalRead(in_AUdur) == LOW;
+    inputs.AUdoux = digitalRead(in_AUdoux) == LOW;
 }
 
 static void write_outputs() {
-    digitalWrite(out_UP_2, chart.outputs.UP_2 ? HIGH : LOW);
+    digitalWrite(out_UP, chart.outputs.UP ? HIGH : LOW);
     digitalWrite(out_blow, chart.outputs.blow ? HIGH : LOW);
     digitalWrite(out_lamp, chart.outputs.lamp ? HIGH : LOW);
 }
@@ -313,12 +317,14 @@ void setup() {
     pinMode(in_top, INPUT);
     pinMode(in_arret, INPUT);
     pinMode(in_int_2, INPUT);
-    pinMode(in_Init, INPUT);
-    pinMode(in_AUdur, INPUT);
-    pinMode(in_AUdoux, INPUT);
-    pinMode(out_UP_2, OUTPUT);
+    pinMode(in_Init, INPUT_PULLUP);
+    pinMode(in_AUdur, INPUT_PULLUP);
+    pinMode(in_AUdoux, INPUT_PULLUP);
+    pinMode(out_UP, OUTPUT);
     pinMode(out_blow, OUTPUT);
     pinMode(out_lamp, OUTPUT);
+    // Le temps que les résistances de tirage chargent les fils.
+    delay(1);
     read_inputs();
     lift_start(&chart, &inputs);
 }

@@ -7,13 +7,16 @@
 // Names that are spelt differently in the GRAFCET:
 //   arret  arrêt
 //   int_2  int
-//   UP_2   UP
 
 #include <Arduino.h>
 #include <stdint.h>
 #include <string.h>
 
-// The pins: change them to suit the wiring. An input is 1 where its pin is HIGH.
+// The pins: change them to suit the wiring.
+// An input is 1 where its pin is HIGH. A contact to 5 V needs a resistor to ground: a pin that
+// is left open is read as anything (--pull-up: contacts to ground, without resistors).
+// Init, AUdur and AUdoux are contacts to ground, with the pull-up resistors of the board: left
+// open they are 0, and the chart runs.
 const uint8_t in_crate = 2;
 const uint8_t in_top = 3;
 const uint8_t in_arret = 4;
@@ -21,7 +24,7 @@ const uint8_t in_int_2 = 5;
 const uint8_t in_Init = 6;
 const uint8_t in_AUdur = 7;
 const uint8_t in_AUdoux = 8;
-const uint8_t out_UP_2 = 9;
+const uint8_t out_UP = 9;
 const uint8_t out_blow = 10;
 const uint8_t out_lamp = 11;
 
@@ -46,7 +49,7 @@ typedef struct {
 } lift_inputs;
 
 typedef struct {
-    bool UP_2;
+    bool UP;
     bool blow;
     bool lamp;
 } lift_outputs;
@@ -243,7 +246,7 @@ static void observe_times(lift_grafcet *g) {
 // SBR 8: outputs
 static void drive_outputs(lift_grafcet *g) {
     // UP
-    g->outputs.UP_2 = is(g->Ts, X11) && !g->inputs.top && !g->inputs.AUdoux;
+    g->outputs.UP = is(g->Ts, X11) && !g->inputs.top && !g->inputs.AUdoux;
     // blow
     g->outputs.blow = is(g->Ts, X12) && !g->inputs.AUdoux;
     // lamp
@@ -297,13 +300,13 @@ static void read_inputs() {
     inputs.top = digitalRead(in_top) == HIGH;
     inputs.arret = digitalRead(in_arret) == HIGH;
     inputs.int_2 = digitalRead(in_int_2) == HIGH;
-    inputs.Init = digitalRead(in_Init) == HIGH;
-    inputs.AUdur = digitalRead(in_AUdur) == HIGH;
-    inputs.AUdoux = digitalRead(in_AUdoux) == HIGH;
+    inputs.Init = digitalRead(in_Init) == LOW;
+    inputs.AUdur = digitalRead(in_AUdur) == LOW;
+    inputs.AUdoux = digitalRead(in_AUdoux) == LOW;
 }
 
 static void write_outputs() {
-    digitalWrite(out_UP_2, chart.outputs.UP_2 ? HIGH : LOW);
+    digitalWrite(out_UP, chart.outputs.UP ? HIGH : LOW);
     digitalWrite(out_blow, chart.outputs.blow ? HIGH : LOW);
     digitalWrite(out_lamp, chart.outputs.lamp ? HIGH : LOW);
 }
@@ -313,12 +316,14 @@ void setup() {
     pinMode(in_top, INPUT);
     pinMode(in_arret, INPUT);
     pinMode(in_int_2, INPUT);
-    pinMode(in_Init, INPUT);
-    pinMode(in_AUdur, INPUT);
-    pinMode(in_AUdoux, INPUT);
-    pinMode(out_UP_2, OUTPUT);
+    pinMode(in_Init, INPUT_PULLUP);
+    pinMode(in_AUdur, INPUT_PULLUP);
+    pinMode(in_AUdoux, INPUT_PULLUP);
+    pinMode(out_UP, OUTPUT);
     pinMode(out_blow, OUTPUT);
     pinMode(out_lamp, OUTPUT);
+    // Until the pull-up resistors have charged the wires.
+    delay(1);
     read_inputs();
     lift_start(&chart, &inputs);
 }

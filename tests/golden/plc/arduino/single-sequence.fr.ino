@@ -8,7 +8,12 @@
 #include <stdint.h>
 #include <string.h>
 
-// Les broches : à adapter au câblage. Une entrée vaut 1 quand sa broche est HIGH.
+// Les broches : à adapter au câblage.
+// Une entrée vaut 1 quand sa broche est HIGH. Un contact vers le 5 V demande une résistance
+// vers la masse : une broche en l'air donne une valeur quelconque (--pull-up : contacts vers
+// la masse, sans résistance).
+// Init, AUdur et AUdoux sont des contacts vers la masse, avec les résistances de tirage de la
+// carte : non raccordés, ils valent 0 et le GRAFCET évolue.
 const uint8_t in_m = 2;
 const uint8_t in_a = 3;
 const uint8_t in_b = 4;
@@ -151,9 +156,9 @@ static void read_inputs() {
     inputs.m = digitalRead(in_m) == HIGH;
     inputs.a = digitalRead(in_a) == HIGH;
     inputs.b = digitalRead(in_b) == HIGH;
-    inputs.Init = digitalRead(in_Init) == HIGH;
-    inputs.AUdur = digitalRead(in_AUdur) == HIGH;
-    inputs.AUdoux = digitalRead(in_AUdoux) == HIGH;
+    inputs.Init = digitalRead(in_Init) == LOW;
+    inputs.AUdur = digitalRead(in_AUdur) == LOW;
+    inputs.AUdoux = digitalRead(in_AUdoux) == LOW;
 }
 
 static void write_outputs() {
@@ -163,9 +168,11 @@ void setup() {
     pinMode(in_m, INPUT);
     pinMode(in_a, INPUT);
     pinMode(in_b, INPUT);
-    pinMode(in_Init, INPUT);
-    pinMode(in_AUdur, INPUT);
-    pinMode(in_AUdoux, INPUT);
+    pinMode(in_Init, INPUT_PULLUP);
+    pinMode(in_AUdur, INPUT_PULLUP);
+    pinMode(in_AUdoux, INPUT_PULLUP);
+    // Le temps que les résistances de tirage chargent les fils.
+    delay(1);
     read_inputs();
     single_sequence_start(&chart, &inputs);
 }

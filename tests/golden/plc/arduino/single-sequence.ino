@@ -8,7 +8,11 @@
 #include <stdint.h>
 #include <string.h>
 
-// The pins: change them to suit the wiring. An input is 1 where its pin is HIGH.
+// The pins: change them to suit the wiring.
+// An input is 1 where its pin is HIGH. A contact to 5 V needs a resistor to ground: a pin that
+// is left open is read as anything (--pull-up: contacts to ground, without resistors).
+// Init, AUdur and AUdoux are contacts to ground, with the pull-up resistors of the board: left
+// open they are 0, and the chart runs.
 const uint8_t in_m = 2;
 const uint8_t in_a = 3;
 const uint8_t in_b = 4;
@@ -151,9 +155,9 @@ static void read_inputs() {
     inputs.m = digitalRead(in_m) == HIGH;
     inputs.a = digitalRead(in_a) == HIGH;
     inputs.b = digitalRead(in_b) == HIGH;
-    inputs.Init = digitalRead(in_Init) == HIGH;
-    inputs.AUdur = digitalRead(in_AUdur) == HIGH;
-    inputs.AUdoux = digitalRead(in_AUdoux) == HIGH;
+    inputs.Init = digitalRead(in_Init) == LOW;
+    inputs.AUdur = digitalRead(in_AUdur) == LOW;
+    inputs.AUdoux = digitalRead(in_AUdoux) == LOW;
 }
 
 static void write_outputs() {
@@ -163,9 +167,11 @@ void setup() {
     pinMode(in_m, INPUT);
     pinMode(in_a, INPUT);
     pinMode(in_b, INPUT);
-    pinMode(in_Init, INPUT);
-    pinMode(in_AUdur, INPUT);
-    pinMode(in_AUdoux, INPUT);
+    pinMode(in_Init, INPUT_PULLUP);
+    pinMode(in_AUdur, INPUT_PULLUP);
+    pinMode(in_AUdoux, INPUT_PULLUP);
+    // Until the pull-up resistors have charged the wires.
+    delay(1);
     read_inputs();
     single_sequence_start(&chart, &inputs);
 }
