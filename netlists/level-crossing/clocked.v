@@ -1,4 +1,23 @@
-// level_crossing: 1316 cells.
+// level_crossing "Passage à niveau" (level-crossing.grafcet): 1316 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist level-crossing.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N        a gate of a condition of the owner
+//   $aN       a gate of the arithmetic that works out a value
+//   $clear    of a transition: it is cleared; of a step: Init deactivates it
+//   edge$N    edge N of the chart, counted from 0
+//   $evolved  the step after the transitions, before any order
+//   $high     always 1
+//   $hold     keeps the owner as it is
+//   $low      always 0
+//   $memory   the operand of the edge, a scan ago
+//   $next     the owner as it is from the next clock on
+//   $not      the owner inverted
+//   $qN       bit N of the counter
+//   $running  1 from the second scan on
+//   timer$N   time condition N of the chart, counted from 0
+//   $whenN    something is written to the owner
 //   \KM%20down = KM down
 //   \KM%20up = KM up
 `timescale 1ns/1ps

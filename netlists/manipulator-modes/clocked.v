@@ -1,4 +1,27 @@
-// manipulator_modes: 187 cells.
+// manipulator_modes "Manipulateur en L, marches automatique et manuelle" (manipulator-modes.grafcet): 187 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist manipulator-modes.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N           a gate of a condition of the owner
+//   $aN          a gate of the arithmetic that works out a value
+//   $clear       of a transition: it is cleared; of a step: Init deactivates it
+//   edge$N       edge N of the chart, counted from 0
+//   $evolved     the step after the transitions, before any order
+//   $force       of the forcing orders to the graph
+//   $forced      a forcing order activates the step
+//   $free        no forcing order stands against it
+//   $high        always 1
+//   $hold        keeps the owner as it is
+//   $low         always 0
+//   $may_evolve  no order freezes the graph
+//   $memory      the operand of the edge, a scan ago
+//   $next        the owner as it is from the next clock on
+//   $not         the owner inverted
+//   $running     1 from the second scan on
+//   timer$N      time condition N of the chart, counted from 0
+//   $unforced    a forcing order deactivates the step
+//   $whenN       something is written to the owner
 //   \Voyant%20CI = Voyant CI
 //   \Voyant%20Auto = Voyant Auto
 //   \Voyant%20Manu = Voyant Manu

@@ -1,4 +1,23 @@
-// manipulator_modes: 184 cells.
+// manipulator_modes "Manipulateur en L, marches automatique et manuelle" (manipulator-modes.grafcet): 184 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist manipulator-modes.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N             a gate of a condition of the owner
+//   $buf           the owner, a gate delay later
+//   $cdx           CDX of the step
+//   $clear         of a transition: it is cleared; of a step: Init deactivates it
+//   $fallN         falling edge of the owner, edge N of the chart
+//   $free          no forcing order stands against it
+//   $free_of_init  Init does not stand against it
+//   $hold          keeps the owner as it is
+//   $not           the owner inverted
+//   $or            all that makes the step active, or keeps it so
+//   $reset         resets the owner
+//   $resetN        resets the owner: term N of CDX, or write N
+//   $riseN         rising edge of the owner, edge N of the chart
+//   $setT          sets the owner: of a step, by transition T; of others, write T
+//   $timerN        time condition N of the chart, counted from 0, of the owner
 //   \Voyant%20CI = Voyant CI
 //   \Voyant%20Auto = Voyant Auto
 //   \Voyant%20Manu = Voyant Manu

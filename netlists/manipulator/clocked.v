@@ -1,4 +1,24 @@
-// manipulator: 80 cells.
+// manipulator "Manipulateur en L" (manipulator.grafcet): 80 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist manipulator.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N           a gate of a condition of the owner
+//   $clear       of a transition: it is cleared; of a step: Init deactivates it
+//   edge$N       edge N of the chart, counted from 0
+//   $evolved     the step after the transitions, before any order
+//   $force       of the forcing orders to the graph
+//   $forced      a forcing order activates the step
+//   $free        no forcing order stands against it
+//   $high        always 1
+//   $hold        keeps the owner as it is
+//   $may_evolve  no order freezes the graph
+//   $memory      the operand of the edge, a scan ago
+//   $next        the owner as it is from the next clock on
+//   $not         the owner inverted
+//   $running     1 from the second scan on
+//   timer$N      time condition N of the chart, counted from 0
+//   $unforced    a forcing order deactivates the step
 //   \Voyant%20CI = Voyant CI
 `timescale 1ns/1ps
 

@@ -1,4 +1,18 @@
-// manipulator: 70 cells.
+// manipulator "Manipulateur en L" (manipulator.grafcet): 70 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist manipulator.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N             a gate of a condition of the owner
+//   $buf           the owner, a gate delay later
+//   $clear         of a transition: it is cleared; of a step: Init deactivates it
+//   $free          no forcing order stands against it
+//   $free_of_init  Init does not stand against it
+//   $hold          keeps the owner as it is
+//   $not           the owner inverted
+//   $or            all that makes the step active, or keeps it so
+//   $riseN         rising edge of the owner, edge N of the chart
+//   $timerN        time condition N of the chart, counted from 0, of the owner
 //   \Voyant%20CI = Voyant CI
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps

@@ -1,4 +1,20 @@
-// manipulator: 60 cells.
+// manipulator "Manipulateur en L" (manipulator.grafcet): 60 cells.
+// Style nand, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist manipulator.grafcet --style nand --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N         a gate of a condition of the owner
+//   $buf       the owner, a gate delay later
+//   $clear     of a transition: it is cleared; of a step: Init deactivates it
+//   $forced    a forcing order activates the step
+//   $init      Init activates the step
+//   $not       the owner inverted
+//   $q         the other gate of the latch
+//   $resetN    resets the owner: term N of CDX, or write N
+//   $riseN     rising edge of the owner, edge N of the chart
+//   $setT      sets the owner: of a step, by transition T; of others, write T
+//   $timerN    time condition N of the chart, counted from 0, of the owner
+//   $unforced  a forcing order deactivates the step
 //   \Voyant%20CI = Voyant CI
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps

@@ -1,4 +1,14 @@
-// nine_steps: 59 cells.
+// nine_steps "Exercice : GRAFCET à neuf étapes" (nine-steps.grafcet): 59 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist nine-steps.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N        a gate of a condition of the owner
+//   $clear    of a transition: it is cleared; of a step: Init deactivates it
+//   $evolved  the step after the transitions, before any order
+//   $hold     keeps the owner as it is
+//   $next     the owner as it is from the next clock on
+//   $not      the owner inverted
 `timescale 1ns/1ps
 
 module nine_steps (

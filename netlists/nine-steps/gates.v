@@ -1,4 +1,15 @@
-// nine_steps: 51 cells.
+// nine_steps "Exercice : GRAFCET à neuf étapes" (nine-steps.grafcet): 51 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist nine-steps.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $buf    the owner, a gate delay later
+//   $cdx    CDX of the step
+//   $cdxN   term N of CDX
+//   $clear  of a transition: it is cleared; of a step: Init deactivates it
+//   $hold   keeps the owner as it is
+//   $not    the owner inverted
+//   $or     all that makes the step active, or keeps it so
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

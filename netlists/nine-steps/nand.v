@@ -1,4 +1,13 @@
-// nine_steps: 43 cells.
+// nine_steps "Exercice : GRAFCET à neuf étapes" (nine-steps.grafcet): 43 cells.
+// Style nand, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist nine-steps.grafcet --style nand --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $init    Init activates the step
+//   $not     the owner inverted
+//   $q       the other gate of the latch
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

@@ -1,4 +1,14 @@
-// parallel_convergence: 40 cells.
+// parallel_convergence "Séquences parallèles, convergence" (parallel-convergence.grafcet): 40 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist parallel-convergence.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $buf    the owner, a gate delay later
+//   $cdxN   term N of CDX
+//   $clear  of a transition: it is cleared; of a step: Init deactivates it
+//   $hold   keeps the owner as it is
+//   $not    the owner inverted
+//   $or     all that makes the step active, or keeps it so
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

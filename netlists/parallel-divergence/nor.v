@@ -1,4 +1,13 @@
-// parallel_divergence: 29 cells.
+// parallel_divergence "Séquences parallèles, divergence" (parallel-divergence.grafcet): 29 cells.
+// Style nor, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist parallel-divergence.grafcet --style nor --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $init    Init activates the step
+//   $not     the owner inverted
+//   $q       the other gate of the latch
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

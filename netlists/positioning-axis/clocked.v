@@ -1,4 +1,16 @@
-// positioning_axis: 111 cells.
+// positioning_axis "Axe de positionnement" (positioning-axis.grafcet): 111 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist positioning-axis.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N        a gate of a condition of the owner
+//   $aN       a gate of the arithmetic that works out a value
+//   $clear    of a transition: it is cleared; of a step: Init deactivates it
+//   $evolved  the step after the transitions, before any order
+//   $hold     keeps the owner as it is
+//   $next     the owner as it is from the next clock on
+//   $not      the owner inverted
+//   $whenN    something is written to the owner
 //   \Marche%20Moteur = Marche Moteur
 //   \Sens%20Moteur = Sens Moteur
 //   \Voyant%20Droite = Voyant Droite

@@ -1,4 +1,20 @@
-// positioning_axis: 140 cells.
+// positioning_axis "Axe de positionnement" (positioning-axis.grafcet): 140 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist positioning-axis.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N       a gate of a condition of the owner
+//   $buf     the owner, a gate delay later
+//   $cdx     CDX of the step
+//   $clear   of a transition: it is cleared; of a step: Init deactivates it
+//   $held    the owner as it was before the writes of this instant
+//   $hold    keeps the owner as it is
+//   $idle    nothing is being written to the owner
+//   $not     the owner inverted
+//   $or      all that makes the step active, or keeps it so
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $riseN   rising edge of the owner, edge N of the chart
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 //   \Marche%20Moteur = Marche Moteur
 //   \Sens%20Moteur = Sens Moteur
 //   \Voyant%20Droite = Voyant Droite

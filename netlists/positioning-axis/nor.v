@@ -1,4 +1,18 @@
-// positioning_axis: 121 cells.
+// positioning_axis "Axe de positionnement" (positioning-axis.grafcet): 121 cells.
+// Style nor, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist positioning-axis.grafcet --style nor --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N       a gate of a condition of the owner
+//   $buf     the owner, a gate delay later
+//   $held    the owner as it was before the writes of this instant
+//   $idle    nothing is being written to the owner
+//   $init    Init activates the step
+//   $not     the owner inverted
+//   $q       the other gate of the latch
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $riseN   rising edge of the owner, edge N of the chart
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 //   \Marche%20Moteur = Marche Moteur
 //   \Sens%20Moteur = Sens Moteur
 //   \Voyant%20Droite = Voyant Droite

@@ -1,4 +1,14 @@
-// rule_5: 20 cells.
+// rule_5 "Règle n° 5" (rule-5.grafcet): 20 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist rule-5.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N        a gate of a condition of the owner
+//   $clear    of a transition: it is cleared; of a step: Init deactivates it
+//   $evolved  the step after the transitions, before any order
+//   $hold     keeps the owner as it is
+//   $next     the owner as it is from the next clock on
+//   $not      the owner inverted
 `timescale 1ns/1ps
 
 module rule_5 (

@@ -1,4 +1,14 @@
-// rule_5: 16 cells.
+// rule_5 "Règle n° 5" (rule-5.grafcet): 16 cells.
+// Style nor, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist rule-5.grafcet --style nor --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $clear   of a transition: it is cleared; of a step: Init deactivates it
+//   $init    Init activates the step
+//   $not     the owner inverted
+//   $q       the other gate of the latch
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

@@ -1,4 +1,13 @@
-// selection_divergence: 30 cells.
+// selection_divergence "Choix de séquence, divergence" (selection-divergence.grafcet): 30 cells.
+// Style nand, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist selection-divergence.grafcet --style nand --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $init    Init activates the step
+//   $not     the owner inverted
+//   $q       the other gate of the latch
+//   $resetN  resets the owner: term N of CDX, or write N
+//   $setT    sets the owner: of a step, by transition T; of others, write T
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

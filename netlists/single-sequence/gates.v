@@ -1,4 +1,13 @@
-// single_sequence: 19 cells.
+// single_sequence "Séquence unique" (single-sequence.grafcet): 19 cells.
+// Style gates, CDX by successor steps, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist single-sequence.grafcet --style gates --cdx successor --modes on --to verilog
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $buf    the owner, a gate delay later
+//   $clear  of a transition: it is cleared; of a step: Init deactivates it
+//   $hold   keeps the owner as it is
+//   $not    the owner inverted
+//   $or     all that makes the step active, or keeps it so
 // GATE_NS is how long a gate takes, in ns. Pulses last several gate delays and grow with it.
 `timescale 1ns/1ps
 

@@ -7,6 +7,7 @@
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/option_uses.h"
+#include "workflow/heads.h"
 
 namespace grafwire {
 
@@ -46,6 +47,17 @@ std::string bench_path(const std::string& output) {
         .string();
 }
 
+/// A netlist does not depend on the bench beside it; a deck holds its stimuli.
+NetlistHeads heads_of(const Request& request, const Chart& chart, const NetlistFormat& format,
+                      Time period) {
+    const NetlistOptions options = request.netlist.options();
+    if (!request.bench || format.write_bench == nullptr) {
+        return {netlist_head(chart, options, format, {period, request.stimuli}), {}};
+    }
+    return {netlist_head(chart, options, format, {period}),
+            netlist_head(chart, options, format, {period, request.stimuli, request.output})};
+}
+
 /// The netlist and, of formats that have one, its bench.
 ExitStatus write(const Request& request, const NetlistFormat& format, Time period) {
     // Read the GRAFCET and make the netlist.
@@ -59,8 +71,9 @@ ExitStatus write(const Request& request, const NetlistFormat& format, Time perio
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
-    WrittenNetlist written = write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr,
-                                           period, request.netlist.delays());
+    WrittenNetlist written =
+        write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr, period,
+                      request.netlist.delays(), heads_of(request, *chart, format, period));
     OutputFiles files({request.path, request.stimuli});
     files.add(request.output, std::move(written.text));
     if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));

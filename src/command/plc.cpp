@@ -5,6 +5,7 @@
 #include "command/inputs.h"
 #include "command/messages.h"
 #include "command/option_uses.h"
+#include "workflow/heads.h"
 
 namespace grafwire {
 
@@ -72,9 +73,11 @@ ExitStatus write(const Request& request, const PlcFormat& format, Language langu
         if (!assignment) return ExitStatus::bad_request;
         options.io = &*assignment;
     }
+    const bool modes = request.modes == "on";
+    options.made_by = program_head(*chart, format, options, modes, request.io);
     // Make the program of one scan, and write it.
     Diagnostics diagnostics;
-    auto written = write_program(*chart, format, options, request.modes == "on", diagnostics);
+    auto written = write_program(*chart, format, options, modes, diagnostics);
     show_diagnostics(diagnostics, chart->source);
     if (!written) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.io});

@@ -8,8 +8,10 @@
 #include "plc/computer/languages.h"
 #include "plc/iec/languages.h"
 #include "plc/pl7/write_pl7.h"
+#include "plc/shared/source_text.h"
 #include "plc/step7/write_stl.h"
 #include "plcopen/write_project.h"
+#include "program/bit_names.h"
 #include "s7/generate/assignment.h"
 #include "s7/generate/listing_from.h"
 #include "s7/write_listing.h"
@@ -22,7 +24,10 @@ namespace {
 
 std::string text(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                  Diagnostics&) {
-    return write_program_text(grafcet, program, options.language);
+    std::string head =
+        comment_text(titled_name(grafcet.name, grafcet.title, options.language)) + '\n';
+    if (!options.made_by.empty()) head += "# " + comment_text(options.made_by) + '\n';
+    return "# " + head + write_program_text(grafcet, program, options.language);
 }
 
 void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnostics& diagnostics) {
@@ -33,8 +38,8 @@ void check_io_names(const Grafcet& grafcet, const PlcOptions& options, Diagnosti
 template <typename Write>
 std::string ladder_of(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                       Diagnostics& diagnostics, const Write& write) {
-    const ladder::Ladder ladder =
-        ladder::ladder_from(grafcet, program, diagnostics, options.language);
+    ladder::Ladder ladder = ladder::ladder_from(grafcet, program, diagnostics, options.language);
+    if (!options.made_by.empty()) ladder.remarks.push_back(options.made_by);
     return diagnostics.has_errors() ? std::string() : write(ladder);
 }
 
@@ -61,10 +66,10 @@ std::string write_plcopen(const Grafcet& grafcet, const ScanProgram& program,
 
 std::optional<s7::AssignedListing> listing(const Grafcet& grafcet, const ScanProgram& program,
                                            const PlcOptions& options, Diagnostics& diagnostics) {
-    return s7::listing_from(
-        grafcet, program,
-        {options.io, options.wide_tables, options.cpu, options.mnemonics, options.language},
-        diagnostics);
+    return s7::listing_from(grafcet, program,
+                            {options.io, options.wide_tables, options.cpu, options.mnemonics,
+                             options.language, options.made_by},
+                            diagnostics);
 }
 
 std::string write_s7(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,

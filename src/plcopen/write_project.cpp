@@ -12,6 +12,7 @@
 #include "iec/identifiers.h"
 #include "plcopen/bodies.h"
 #include "plcopen/messages.h"
+#include "text/version.h"
 
 namespace grafwire::plcopen {
 
@@ -30,7 +31,7 @@ void add_headers(pugi::xml_node project, const ladder::Ladder& ladder) {
     pugi::xml_node file = add(project, "fileHeader");
     file.append_attribute("companyName") = "grafwire";
     file.append_attribute("productName") = "grafwire";
-    file.append_attribute("productVersion") = "1";
+    file.append_attribute("productVersion") = std::string(version()).c_str();
     file.append_attribute("creationDateTime") = some_date;
     pugi::xml_node content = add(project, "contentHeader");
     content.append_attribute("name") = ladder.name.c_str();

@@ -30,6 +30,9 @@ inline constexpr Message<> modes_all_or_none{
     "Init, AUdur and AUdoux: give all three an address, or none",
     "Init, AUdur et AUdoux : donnez une adresse aux trois, ou à aucun"};
 
+inline constexpr Message<std::string_view, std::string_view> written_by{
+    "Written by grafwire {} with: {}", "Écrit par grafwire {} avec : {}"};
+
 inline constexpr Message<std::string_view, std::string_view> broken_assumption{
     "at {} ms the stimuli break what the GRAFCET assumes: {}",
     "à {} ms, les stimuli contredisent ce que le GRAFCET suppose : {}"};

@@ -4,6 +4,7 @@
 #include "workflow/netlists.h"
 
 #include <unordered_map>
+#include <utility>
 
 #include "evolution/run.h"
 #include "netlist/styles/messages.h"
@@ -105,15 +106,17 @@ Bench bench_for(const Grafcet& grafcet, const Netlist& netlist, const Stimuli& s
 
 WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
                              const NetlistFormat& format, const Stimuli* stimuli, Time scan_period,
-                             const DelayModel& delays) {
+                             const DelayModel& delays, NetlistHeads heads) {
     WrittenNetlist written;
     WriteOptions options;
     options.scan_period = scan_period;
     options.delays = delays;
     if (stimuli != nullptr) {
         options.bench = bench_for(chart.grafcet, netlist, *stimuli, scan_period);
-        if (format.write_bench != nullptr) written.bench = format.write_bench(netlist, options);
+        options.head = std::move(heads.bench);
+        written.bench = write_netlist_bench(format, netlist, options);
     }
+    options.head = std::move(heads.netlist);
     written.text = write_netlist(format, netlist, options);
     return written;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "check/compare_ports.h"
 #include "equations/equations.h"
@@ -59,10 +60,17 @@ struct WrittenNetlist {
     std::string bench;
 };
 
+/// What each of them says of how it was made (netlist_head).
+struct NetlistHeads {
+    std::vector<std::string> netlist{};
+    std::vector<std::string> bench{};
+};
+
 /// Writes the netlist of a chart. `stimuli`: what a deck or a test bench applies, or none;
-/// `scan_period`: what clocked timers count with; `delays`: how long the gates take.
+/// `scan_period`: what clocked timers count with; `delays`: how long the gates take; `heads`: what
+/// the files say at their heads.
 WrittenNetlist write_netlist(const Chart& chart, const Netlist& netlist,
                              const NetlistFormat& format, const Stimuli* stimuli, Time scan_period,
-                             const DelayModel& delays);
+                             const DelayModel& delays, NetlistHeads heads = {});
 
 }  // namespace grafwire

@@ -7,24 +7,20 @@
 
 namespace grafwire {
 
-namespace {
-
-/// `214` of "CPU 214".
-std::string_view number_of(const s7::CpuRow& row) {
-    return row.name.substr(row.name.rfind(' ') + 1);
+std::string_view number_of(s7::Cpu cpu) {
+    const std::string_view name = s7::row_of(cpu).name;
+    return name.substr(name.rfind(' ') + 1);
 }
-
-}  // namespace
 
 std::vector<std::string> cpu_numbers() {
     std::vector<std::string> numbers;
-    for (const s7::CpuRow& row : s7::cpu_table) numbers.emplace_back(number_of(row));
+    for (const s7::CpuRow& row : s7::cpu_table) numbers.emplace_back(number_of(row.cpu));
     return numbers;
 }
 
 std::optional<s7::Cpu> cpu_of_number(std::string_view number) {
     for (const s7::CpuRow& row : s7::cpu_table) {
-        if (number_of(row) == number) return row.cpu;
+        if (number_of(row.cpu) == number) return row.cpu;
     }
     return std::nullopt;
 }

@@ -14,8 +14,10 @@
 
 namespace grafwire {
 
-/// The numbers users call controllers by (`214`), and the controller of a number.
+/// The numbers users call controllers by (`214`): all, that of a controller, and the controller of
+/// one.
 std::vector<std::string> cpu_numbers();
+std::string_view number_of(s7::Cpu cpu);
 std::optional<s7::Cpu> cpu_of_number(std::string_view number);
 
 /// Reads a table of assignment; empty after an error.

@@ -26,6 +26,13 @@ std::string refusal_of_list(const std::vector<std::string>& arguments) {
     return ran.err;
 }
 
+/// A listing but for the request at its head.
+std::string without_request(std::string listing) {
+    const std::size_t begin = listing.find("// Written by ");
+    REQUIRE(begin != std::string::npos);
+    return listing.erase(begin, listing.find('\n', begin) + 1 - begin);
+}
+
 }  // namespace
 
 TEST_CASE("addresses come from the assignment, or in order") {
@@ -41,7 +48,7 @@ TEST_CASE("addresses come from the assignment, or in order") {
     CHECK(in_order.status == 0);
     CHECK(contains(in_order.out, "\n// E0.6   = Init\n// E0.7   = AUdur\n// E1.0   = AUdoux\n"));
     const Ran without = grafwire_with(plc(manipulator, {"--modes", "off"}));
-    CHECK(without.out == given.out);
+    CHECK(without_request(without.out) == without_request(given.out));
 }
 
 TEST_CASE("the addresses can be written, and given back") {
@@ -53,7 +60,7 @@ TEST_CASE("the addresses can be written, and given back") {
     const Ran again = grafwire_with(plc(crossing, {"--io", io}));
     CHECK(again.status == 0);
     CHECK(again.err.empty());
-    CHECK(again.out == first.out);
+    CHECK(without_request(again.out) == without_request(first.out));
     // And the interpreter finds in the listing what the reference does.
     const std::string awl = folder.file("crossing.awl", first.out);
     const std::string stim = example("level-crossing.stim");

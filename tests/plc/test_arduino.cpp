@@ -6,6 +6,7 @@
 
 #include "plc/compile.h"
 #include "plc/run_language.h"
+#include "random/read_text.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {

@@ -74,9 +74,6 @@ class BlifWriter {
 
 std::string BlifWriter::write() {
     out_.reserve(netlist_.cells.size() * 64);
-    out_ += "# ";
-    append_comment(out_, netlist_.name);
-    append(out_, ": ", netlist_.cells.size(), " cells.\n");
     out_ +=
         "# In names, white space and # = \" \\ are written %20 %23 %3D %22 %5C, and % itself "
         "%25.\n";

@@ -185,11 +185,9 @@ Time append_spice_stimuli(std::string& out, SpiceElements& elements, const Netli
 /// The whole deck, part by part.
 class DeckWriter {
   public:
-    DeckWriter(const Netlist& netlist, const Bench& bench, std::string_view remark,
-               const DelayModel& delays)
+    DeckWriter(const Netlist& netlist, const Bench& bench, const DelayModel& delays)
         : netlist_(netlist),
           bench_(bench),
-          remark_(remark),
           delays_(delays),
           nets_(spice_nodes(netlist)),
           elements_(out_),
@@ -209,7 +207,6 @@ class DeckWriter {
 
     const Netlist& netlist_;
     const Bench& bench_;
-    std::string_view remark_;  ///< for the head
     const DelayModel& delays_;
     NetSpelling nets_;
     std::string out_;
@@ -231,14 +228,7 @@ std::string DeckWriter::write() {
 }
 
 void DeckWriter::write_head() {
-    // The first line of a deck is its title, but ngspice obeys it where it looks like a command;
-    // not behind an asterisk and a blank.
-    out_ += "* ";
-    append_comment(out_, netlist_.name);
-    append(out_, ": ", netlist_.cells.size(),
-           " cells, for ngspice 39 or later (ngspice -b FILE)\n");
-    if (!remark_.empty()) append(out_, "* ", remark_, '\n');
-    out_ += "* Inputs:\n";
+    out_ += "* A deck for ngspice 39 or later: ngspice -b FILE\n* Inputs:\n";
     list_ports(netlist_.inputs);
     out_ += "* Outputs; sampled once an instant as nodes with _ before their names:\n";
     list_ports(netlist_.outputs);
@@ -319,9 +309,8 @@ void DeckWriter::write_control(Time last_instant) {
 
 }  // namespace
 
-std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark,
-                        const DelayModel& delays) {
-    return DeckWriter(netlist, bench, remark, delays).write();
+std::string write_spice(const Netlist& netlist, const Bench& bench, const DelayModel& delays) {
+    return DeckWriter(netlist, bench, delays).write();
 }
 
 }  // namespace grafwire

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "formats/shared/bench.h"
 #include "netlist/delay_model.h"
@@ -14,9 +13,11 @@ namespace grafwire {
 /// has come back to 0 shows them as they were at one instant, instant after instant.
 ///
 /// The netlist must have no clocked timers (with_counted_timers() makes counters of them). The
-/// clock rises once at every instant of the bench, so the instants should be scans. `remark` is one
-/// more line for the head of the deck.
-std::string write_spice(const Netlist& netlist, const Bench& bench, std::string_view remark = {},
-                        const DelayModel& delays = {});
+/// clock rises once at every instant of the bench, so the instants should be scans.
+///
+/// The first line of a deck is its title, which ngspice does not read as part of the circuit, but
+/// obeys where it looks like a command. That of this text is a comment, and so should be what is
+/// put in front of it.
+std::string write_spice(const Netlist& netlist, const Bench& bench, const DelayModel& delays = {});
 
 }  // namespace grafwire

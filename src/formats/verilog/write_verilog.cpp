@@ -164,9 +164,6 @@ void VerilogWriter::reserve() {
 }
 
 void VerilogWriter::write_head() {
-    std::string title = netlist_.name;
-    append(title, ": ", netlist_.cells.size(), " cells.");
-    append_verilog_comment(out_, title);
     write_changed_names();
     if (has_delays_) {
         append(out_, "// ", gate_parameter_,

@@ -86,9 +86,7 @@ std::string BenchWriter::write() {
 
 /// The macros must be set before the netlist is compiled, so the bench says if it comes too late.
 void BenchWriter::write_head() {
-    out_ += "// Test bench for ";
-    append_comment(out_, netlist_.name);
-    out_ += ". Give it to the simulator before the netlist:\n";
+    out_ += "// To be given to the simulator before the netlist:\n";
     out_ += "//   iverilog -o run bench.v netlist.v && vvp -n run\n";
     if (needs_verilog_start(netlist_)) {
         append(out_, "`ifdef GRAFWIRE_START\n`define GRAFWIRE_WRONG_ORDER\n`endif\n",

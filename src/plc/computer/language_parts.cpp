@@ -75,10 +75,11 @@ bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::str
 }
 
 void write_title(SourceText& out, const Grafcet& grafcet, const Localized& kind,
-                 Language language) {
-    out.comment(titled_name(quoted_where_needed(grafcet.name), grafcet.title, language));
+                 const PlcOptions& options) {
+    out.comment(titled_name(quoted_where_needed(grafcet.name), grafcet.title, options.language));
+    if (!options.made_by.empty()) out.comment(options.made_by);
     out.comment({});
-    out.comment(say::what_it_is.in(language, kind));
+    out.comment(say::what_it_is.in(options.language, kind));
 }
 
 bool says_more(const Statement& statement) {

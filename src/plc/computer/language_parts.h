@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plc/shared/plc_options.h"
 #include "plc/shared/program_names.h"
 #include "plc/shared/source_text.h"
 #include "program/program.h"
@@ -29,8 +30,10 @@ std::int64_t microseconds(Time delay);
 bool check_integers(const Grafcet& grafcet, const ScanProgram& program, std::string_view language,
                     Diagnostics& diagnostics);
 
-/// The comment at the head of a file: the chart's name and title, then what the file is.
-void write_title(SourceText& out, const Grafcet& grafcet, const Localized& kind, Language language);
+/// The comment at the head of a file: the chart's name and title, then what the file is and how it
+/// was made.
+void write_title(SourceText& out, const Grafcet& grafcet, const Localized& kind,
+                 const PlcOptions& options);
 /// And at its end: the names that differ from those of the chart.
 void write_changed_names(SourceText& out, const ProgramNames& names, Language language);
 

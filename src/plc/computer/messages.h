@@ -38,10 +38,10 @@ inline constexpr Message<> program_in_pascal{"a program in Free Pascal",
                                              "programme en Free Pascal"};
 inline constexpr Message<> program_in_python{"a program in Python 3", "programme en Python 3"};
 inline constexpr Message<Localized> what_it_is{
-    "A GRAFCET (IEC 60848) as {}, written by grafwire. A scan is one\n"
+    "A GRAFCET (IEC 60848) as {}. A scan is one\n"
     "of the table method (Cordier, \"Méthode d'implémentation du GRAFCET\", 1998); each of\n"
     "its parts says which subroutine of the method it is, SBR 0 to SBR 8.",
-    "GRAFCET (CEI 60848), {}, écrit par grafwire. Une scrutation est\n"
+    "GRAFCET (CEI 60848), {}. Une scrutation est\n"
     "celle de la méthode des tables (Cordier, « Méthode d'implémentation du GRAFCET », 1998) ;\n"
     "chaque partie dit de quel sous-programme de la méthode il s'agit, SBR 0 à SBR 8."};
 inline constexpr Message<> changed_names{"Names that are spelt differently in the GRAFCET:",

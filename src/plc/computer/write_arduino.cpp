@@ -44,8 +44,8 @@ class Sketch {
   public:
     Sketch(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options)
         : grafcet_(grafcet),
+          options_(options),
           language_(options.language),
-          pull_up_(options.pull_up),
           core_(grafcet, program, {true, is_arduino_word}, options.language) {
         for (std::uint32_t o = 0; o < grafcet.outputs.size(); ++o) {
             outputs_.push_back({BitKind::output, o});
@@ -62,22 +62,24 @@ class Sketch {
     void write_setup();
     void write_loop();
     /// Whether an input is a contact to ground, of the pull-up resistor of its pin.
-    bool is_pulled_up(Bit input) const { return pull_up_ || input.kind == BitKind::control; }
+    bool is_pulled_up(Bit input) const {
+        return options_.pull_up || input.kind == BitKind::control;
+    }
     /// The constant that holds the pin of an input or output.
     std::string pin(Bit bit) const {
         return (bit.kind == BitKind::output ? "out_" : "in_") + core_.names()[bit];
     }
 
     const Grafcet& grafcet_;
+    const PlcOptions& options_;
     Language language_;
-    bool pull_up_;
     CCore core_;
     std::vector<Bit> outputs_;
     SourceText out_{"//"};
 };
 
 std::string Sketch::write() {
-    write_title(out_, grafcet_, say::sketch(), language_);
+    write_title(out_, grafcet_, say::sketch(), options_);
     write_changed_names(out_, core_.names(), language_);
     out_.blank();
     out_.block("#include <Arduino.h>\n#include <stdint.h>\n#include <string.h>\n\n");
@@ -99,7 +101,7 @@ void Sketch::explain_pins() {
     const std::vector<Bit> inputs = core_.names().inputs();
     out_.comment(say::pins.in(language_));
     if (inputs.empty()) return;
-    if (pull_up_) return out_.comment(say::inputs_pulled_up.in(language_));
+    if (options_.pull_up) return out_.comment(say::inputs_pulled_up.in(language_));
     // The declared inputs come first.
     if (inputs.front().kind == BitKind::input) out_.comment(say::inputs_driven.in(language_));
     if (inputs.back().kind == BitKind::control) out_.comment(say::modes_pulled_up.in(language_));

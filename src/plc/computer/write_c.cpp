@@ -20,10 +20,11 @@ namespace say = messages::plc_computer;
 
 class CProgram {
   public:
-    CProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
+    CProgram(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options)
         : grafcet_(grafcet),
-          language_(language),
-          core_(grafcet, program, {true, is_c_word}, language) {}
+          options_(options),
+          language_(options.language),
+          core_(grafcet, program, {true, is_c_word}, options.language) {}
 
     std::string write() {
         write_head();
@@ -48,13 +49,14 @@ class CProgram {
     void write_main();
 
     const Grafcet& grafcet_;
+    const PlcOptions& options_;
     Language language_;
     CCore core_;
     SourceText out_{"//"};
 };
 
 void CProgram::write_head() {
-    write_title(out_, grafcet_, say::program_in_c(), language_);
+    write_title(out_, grafcet_, say::program_in_c(), options_);
     out_.comment({});
     const std::string& chart = core_.names().chart();
     const auto line_of_use = [&](std::string_view code, const Message<>& comment) {
@@ -158,7 +160,7 @@ void CProgram::write_main() {
 std::string write_c(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                     Diagnostics& diagnostics) {
     if (!check_integers(grafcet, program, "C", diagnostics)) return {};
-    return CProgram(grafcet, program, options.language).write();
+    return CProgram(grafcet, program, options).write();
 }
 
 }  // namespace grafwire

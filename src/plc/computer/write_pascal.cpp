@@ -61,7 +61,7 @@ ConditionSpelling pascal_spelling() {
 /// Writes a program in Free Pascal.
 class PascalProgram {
   public:
-    PascalProgram(const Grafcet& grafcet, const ScanProgram& program, Language language);
+    PascalProgram(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options);
 
     std::string write();
 
@@ -90,16 +90,19 @@ class PascalProgram {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    const PlcOptions& options_;
     Language language_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"//"};
 };
 
-PascalProgram::PascalProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
+PascalProgram::PascalProgram(const Grafcet& grafcet, const ScanProgram& program,
+                             const PlcOptions& options)
     : grafcet_(grafcet),
       program_(without_idle_tables(program)),
-      language_(language),
+      options_(options),
+      language_(options.language),
       names_(grafcet, program_, {false, is_pascal_word}),
       conditions_(
           pascal_spelling(), [this](Bit bit) { return name(bit); },
@@ -113,7 +116,7 @@ std::string PascalProgram::name(Bit bit) const {
 }
 
 void PascalProgram::write_head() {
-    write_title(out_, grafcet_, say::program_in_pascal(), language_);
+    write_title(out_, grafcet_, say::program_in_pascal(), options_);
     out_.comment({});
     out_.comment(say::how_to_try_pascal.in(language_));
     write_changed_names(out_, names_, language_);
@@ -420,7 +423,7 @@ std::string write_pascal(const Grafcet& grafcet, const ScanProgram& program,
                           say::too_many_steps(most_steps + 1, grafcet.steps.size(), most_steps));
         return {};
     }
-    return PascalProgram(grafcet, program, options.language).write();
+    return PascalProgram(grafcet, program, options).write();
 }
 
 }  // namespace grafwire

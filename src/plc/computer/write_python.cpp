@@ -59,7 +59,7 @@ std::string holder(BitKind kind) {
 /// Writes a program in Python 3.
 class PythonProgram {
   public:
-    PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language);
+    PythonProgram(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options);
 
     std::string write();
 
@@ -89,16 +89,19 @@ class PythonProgram {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    const PlcOptions& options_;
     Language language_;
     ProgramNames names_;
     ConditionText conditions_;
     SourceText out_{"#", SourceText::Breaks::within_parentheses};
 };
 
-PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program, Language language)
+PythonProgram::PythonProgram(const Grafcet& grafcet, const ScanProgram& program,
+                             const PlcOptions& options)
     : grafcet_(grafcet),
       program_(without_idle_tables(program)),
-      language_(language),
+      options_(options),
+      language_(options.language),
       names_(grafcet, program_, {true, is_python_word}),
       conditions_(
           python_spelling(), [this](Bit bit) { return name(bit); },
@@ -116,7 +119,7 @@ void PythonProgram::write_head() {
     // (PEP 263): no name of the chart may stand there.
     out_.comment("-*- coding: utf-8 -*-");
     out_.comment({});
-    write_title(out_, grafcet_, say::program_in_python(), language_);
+    write_title(out_, grafcet_, say::program_in_python(), options_);
     out_.comment({});
     out_.comment(say::how_to_use_python.in(language_));
     out_.comment(say::how_to_try_python.in(language_));
@@ -397,7 +400,7 @@ void PythonProgram::write_scan() {
 
 std::string write_python(const Grafcet& grafcet, const ScanProgram& program,
                          const PlcOptions& options, Diagnostics&) {
-    return PythonProgram(grafcet, program, options.language).write();
+    return PythonProgram(grafcet, program, options).write();
 }
 
 }  // namespace grafwire

@@ -164,7 +164,7 @@ namespace say = messages::plc_iec;
 class IecDeclarations {
   public:
     IecDeclarations(const Grafcet& grafcet, const ScanProgram& program, const IecNames& names,
-                    unsigned bits, Language language)
+                    unsigned bits, const PlcOptions& options)
         : grafcet_(grafcet),
           program_(program),
           names_(names),
@@ -173,7 +173,8 @@ class IecDeclarations {
                                 : "LINT"),
           index_(std::max(grafcet_.steps.size(), grafcet_.transitions.size()) < INT16_MAX ? "INT"
                                                                                           : "DINT"),
-          language_(language) {}
+          options_(options),
+          language_(options.language) {}
 
     std::string write(const Localized& textual_language) {
         write_head(textual_language);
@@ -222,6 +223,7 @@ class IecDeclarations {
     const IecNames& names_;
     std::string integer_;  ///< the type of counters
     std::string index_;    ///< the type of places in tables
+    const PlcOptions& options_;
     Language language_;
     std::string text_;
     std::string block_;
@@ -231,6 +233,7 @@ class IecDeclarations {
 void IecDeclarations::write_head(const Localized& textual_language) {
     const auto comment = [&](const std::string& text) { text_ += iec_comment(text) + "\n"; };
     comment(titled_name(grafcet_.name, grafcet_.title, language_));
+    if (!options_.made_by.empty()) comment(options_.made_by);
     comment(say::what_it_is.in(language_, textual_language));
     comment(say::how_to_call.in(language_));
     if (program_.has_modes) comment(say::modes.in(language_));
@@ -343,14 +346,14 @@ void IecDeclarations::write_edges_and_times() {
 
 std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
                              const IecNames& names, const Localized& textual_language,
-                             Language language, Diagnostics& diagnostics) {
+                             const PlcOptions& options, Diagnostics& diagnostics) {
     const std::optional<unsigned> bits = integer_bits(grafcet, program);
     if (!bits) {
         diagnostics.error(code::unsupported_by_language, wide_integer(grafcet, program, 64),
                           say::sum_too_wide());
         return {};
     }
-    return IecDeclarations(grafcet, program, names, *bits, language).write(textual_language);
+    return IecDeclarations(grafcet, program, names, *bits, options).write(textual_language);
 }
 
 }  // namespace grafwire

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "plc/shared/plc_options.h"
 #include "program/program.h"
 #include "text/diagnostics.h"
 #include "text/message.h"
@@ -82,12 +83,11 @@ std::string iec_comment(std::string_view text);
 /// and which names had to be changed, then `FUNCTION_BLOCK …` and its variables. The inputs and
 /// outputs of the block are those of the chart, in its order, with Init, AUdur and AUdoux after the
 /// declared inputs; the first block of internal variables holds the vars and counters of the chart.
-/// `textual_language` is what the comment calls the language of IEC 61131-3, in the language of all
-/// comments.
+/// `textual_language` is what the comment calls the language of IEC 61131-3.
 ///
 /// An error where an integer needs more than the 64 bits of LINT; empty then.
 std::string iec_declarations(const Grafcet& grafcet, const ScanProgram& program,
                              const IecNames& names, const Localized& textual_language,
-                             Language language, Diagnostics& diagnostics);
+                             const PlcOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafwire

@@ -23,15 +23,16 @@ namespace {
 
 class IlWriter {
   public:
-    IlWriter(const Grafcet& grafcet, const ScanProgram& program, Language language)
+    IlWriter(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options)
         : grafcet_(grafcet),
           program_(program),
-          language_(language),
+          options_(options),
+          language_(options.language),
           names_(grafcet, program, iec::is_il_keyword) {}
 
     std::string write(Diagnostics& diagnostics) {
         text_ = iec_declarations(grafcet_, program_, names_, messages::plc_iec::instruction_list(),
-                                 language_, diagnostics);
+                                 options_, diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         text_ += "\nEND_FUNCTION_BLOCK\n";
@@ -66,6 +67,7 @@ class IlWriter {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    const PlcOptions& options_;
     Language language_;
     IecNames names_;
     std::string text_;
@@ -307,7 +309,7 @@ void IlWriter::write_statement(const Statement& statement) {
 
 std::string write_il(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics) {
-    return IlWriter(grafcet, without_idle_tables(program), options.language).write(diagnostics);
+    return IlWriter(grafcet, without_idle_tables(program), options).write(diagnostics);
 }
 
 }  // namespace grafwire

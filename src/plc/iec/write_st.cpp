@@ -37,10 +37,11 @@ constexpr ConditionSpelling spelling = {iec::word_of(iec::Precedence::negation),
 
 class StWriter {
   public:
-    StWriter(const Grafcet& grafcet, const ScanProgram& program, Language language)
+    StWriter(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options)
         : grafcet_(grafcet),
           program_(program),
-          language_(language),
+          options_(options),
+          language_(options.language),
           names_(grafcet, program, iec::is_keyword),
           conditions_(
               spelling, [this](Bit bit) { return names_.of(bit); },
@@ -49,7 +50,7 @@ class StWriter {
     std::string write(Diagnostics& diagnostics) {
         const std::string declarations =
             iec_declarations(grafcet_, program_, names_, messages::plc_iec::structured_text(),
-                             language_, diagnostics);
+                             options_, diagnostics);
         if (diagnostics.has_errors()) return {};
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
         return declarations + out_.take() + "\nEND_FUNCTION_BLOCK\n";
@@ -75,6 +76,7 @@ class StWriter {
 
     const Grafcet& grafcet_;
     ScanProgram program_;
+    const PlcOptions& options_;
     Language language_;
     IecNames names_;
     ConditionText conditions_;
@@ -260,7 +262,7 @@ void StWriter::write_statement(const Statement& statement) {
 
 std::string write_st(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
                      Diagnostics& diagnostics) {
-    return StWriter(grafcet, without_idle_tables(program), options.language).write(diagnostics);
+    return StWriter(grafcet, without_idle_tables(program), options).write(diagnostics);
 }
 
 }  // namespace grafwire

@@ -37,10 +37,12 @@ namespace {
 namespace say = messages::plc_pl7;
 
 /// What a listing begins with: the title, its conventions, the assignment of objects.
-std::string pl7_head(const Grafcet& grafcet, Pl7Objects& objects, Language language) {
+std::string pl7_head(const Grafcet& grafcet, Pl7Objects& objects, const PlcOptions& options) {
+    const Language language = options.language;
     std::string text =
-        fmt::format("PL7-2   {}\n\n{}\n\n{}", titled_name(grafcet.name, grafcet.title, language),
-                    say::what_it_is.in(language), say::conventions.in(language));
+        fmt::format("PL7-2   {}\n\n", titled_name(grafcet.name, grafcet.title, language));
+    if (!options.made_by.empty()) text += options.made_by + "\n\n";
+    text += fmt::format("{}\n\n{}", say::what_it_is.in(language), say::conventions.in(language));
     if (!objects.source_step().empty()) text += say::source_convention.in(language);
     if (!objects.sink_step().empty()) text += say::sink_convention.in(language);
     text += fmt::format("\n{}\n\n", say::assignment.in(language));
@@ -78,16 +80,17 @@ bool is_contact(const Condition& condition) {
 
 class Pl7Writer {
   public:
-    Pl7Writer(const Grafcet& grafcet, const ScanProgram& program, Language language,
+    Pl7Writer(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
               Diagnostics& diagnostics)
         : grafcet_(grafcet),
           program_(program),
-          language_(language),
+          options_(options),
+          language_(options.language),
           diagnostics_(diagnostics),
           objects_(grafcet, program_),
           preliminary_(objects_),
           posterior_(objects_),
-          statements_(grafcet, program_, objects_, posterior_, language, diagnostics),
+          statements_(grafcet, program_, objects_, posterior_, language_, diagnostics),
           has_orders_(has_orders(grafcet_)) {}
 
     std::string write();
@@ -109,6 +112,7 @@ class Pl7Writer {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    const PlcOptions& options_;
     Language language_;
     Diagnostics& diagnostics_;
     Pl7Objects objects_;
@@ -260,7 +264,7 @@ std::string Pl7Writer::write() {
     write_posterior();
     objects_.check_limits(diagnostics_);
     if (diagnostics_.has_errors()) return {};
-    return fmt::format("{}\n{}\n{}\n{}\n\n{}{}\n{}\n{}", pl7_head(grafcet_, objects_, language_),
+    return fmt::format("{}\n{}\n{}\n{}\n\n{}{}\n{}\n{}", pl7_head(grafcet_, objects_, options_),
                        say::preliminary.in(language_), preliminary_.text(),
                        say::sequential.in(language_), pl7_steps(grafcet_, objects_, language_),
                        transitions_, say::posterior.in(language_), posterior_.text());
@@ -276,7 +280,7 @@ std::string write_pl7(const Grafcet& grafcet, const ScanProgram& program, const 
                           say::integer_too_wide());
     }
     if (diagnostics.has_errors()) return {};
-    return Pl7Writer(grafcet, needed, options.language, diagnostics).write();
+    return Pl7Writer(grafcet, needed, options, diagnostics).write();
 }
 
 }  // namespace grafwire

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "s7/addresses/cpu.h"
 #include "s7/addresses/io_assignment.h"
@@ -20,6 +21,9 @@ struct PlcOptions {
     /// Of comments, headings and what a program says to its users. Names and addresses do not
     /// depend on it.
     Language language = Language::english;
+    /// A line for the head of the program: who wrote it, and the request that writes it again.
+    /// Empty where nobody says so.
+    std::string made_by{};
 };
 
 }  // namespace grafwire

@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "grafcet/write_grafcet.h"
 #include "program/bit_names.h"
 #include "text/utf8.h"

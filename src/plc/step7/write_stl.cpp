@@ -32,6 +32,7 @@ class StlWriter {
         : grafcet_(grafcet),
           program_(program),
           language_(options.language),
+          made_by_(options.made_by),
           integer_bytes_(integer_bits / 8),
           memory_(grafcet, program_, options, integer_bits == 32, diagnostics),
           text_(options.mnemonics),
@@ -72,6 +73,7 @@ class StlWriter {
     const Grafcet& grafcet_;
     const ScanProgram& program_;
     Language language_;
+    std::string made_by_;
     std::uint32_t integer_bytes_;
     StlMemory memory_;
     StlText text_;
@@ -106,6 +108,7 @@ std::string StlWriter::symbols() const {
 std::string StlWriter::head() const {
     StlText text(s7::Mnemonics::simatic);
     text.comment(titled_name(grafcet_.name, grafcet_.title, language_));
+    if (!made_by_.empty()) text.comment(made_by_);
     text.comment(say::what_it_is.in(language_));
     if (program_.has_modes) text.comment(say::modes.in(language_));
     text.comment(say::memory_used.in(language_, StlMemory::first_byte, memory_.end() - 1));

@@ -226,9 +226,11 @@ IoAssignment assignment_of(const Grafcet& grafcet, const ScanProgram& program,
 /// assignment, one line a name as parse_io_assignment reads them.
 std::vector<std::string> head_of(const Grafcet& grafcet, const Addresses& addresses,
                                  const IoAssignment& assignment, const NetworkList& networks,
-                                 Mnemonics mnemonics, Language language) {
+                                 const ListingOptions& options) {
+    const Language language = options.language;
     std::vector<std::string> head;
     head.push_back(titled_name(grafcet.name, grafcet.title, language));
+    if (!options.made_by.empty()) head.push_back(options.made_by);
     head.push_back(say::what_it_is.in(language));
     head.push_back("");
     tell_memory(grafcet, addresses, networks, language, head);
@@ -236,7 +238,7 @@ std::vector<std::string> head_of(const Grafcet& grafcet, const Addresses& addres
     tell_tables(addresses, language, head);
     head.push_back("");
     head.push_back(say::addresses.in(language));
-    const std::string text = write_io_assignment(assignment, mnemonics);
+    const std::string text = write_io_assignment(assignment, options.mnemonics);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         head.push_back(text.substr(at, end - at));
@@ -278,8 +280,7 @@ std::optional<AssignedListing> listing_from(const Grafcet& grafcet, const ScanPr
     if (diagnostics.has_errors()) return std::nullopt;
     AssignedListing result;
     result.assignment = assignment_of(grafcet, program, addresses);
-    result.listing.head = head_of(grafcet, addresses, result.assignment, networks,
-                                  options.mnemonics, options.language);
+    result.listing.head = head_of(grafcet, addresses, result.assignment, networks, options);
     result.listing.networks = networks.take();
     return result;
 }

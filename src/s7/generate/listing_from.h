@@ -23,6 +23,7 @@ struct ListingOptions {
     std::optional<Cpu> cpu;
     Mnemonics mnemonics = Mnemonics::simatic;  ///< of the addresses at the head
     Language language = Language::english;     ///< of the head and of comments
+    std::string made_by{};  ///< a line for the head: who wrote it and how; may be empty
 };
 
 /// A listing, and where everything in it lives: inputs, outputs, vars, counters, steps, transitions

@@ -1,4 +1,27 @@
-// lift: 371 cells.
+// lift "Monte-charge" (lift.grafcet): 371 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist lift.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $N         a gate of a condition of the owner
+//   $aN        a gate of the arithmetic that works out a value
+//   $clear     of a transition: it is cleared; of a step: Init deactivates it
+//   edge$N     edge N of the chart, counted from 0
+//   $evolved   the step after the transitions, before any order
+//   $force     of the forcing orders to the graph
+//   $forced    a forcing order activates the step
+//   $free      no forcing order stands against it
+//   $high      always 1
+//   $hold      keeps the owner as it is
+//   $low       always 0
+//   $memory    the operand of the edge, a scan ago
+//   $next      the owner as it is from the next clock on
+//   $not       the owner inverted
+//   $qN        bit N of the counter
+//   $running   1 from the second scan on
+//   timer$N    time condition N of the chart, counted from 0
+//   $unforced  a forcing order deactivates the step
+//   $whenN     something is written to the owner
 `timescale 1ns/1ps
 
 module lift #(parameter [63:0] SCAN_PS = 64'd10000000000) (

@@ -1,4 +1,13 @@
-// single_sequence: 20 cells.
+// single_sequence "Séquence unique" (single-sequence.grafcet): 20 cells.
+// Style clocked, CDX by transitions, with Init, AUdur and AUdoux.
+// Written by grafwire 0.2.0:
+//   grafwire netlist single-sequence.grafcet --style clocked --cdx transition --modes on --to verilog --scan 10ms
+// Inner nets are called OWNER$ROLE (N: a number, T: a transition):
+//   $clear    of a transition: it is cleared; of a step: Init deactivates it
+//   $evolved  the step after the transitions, before any order
+//   $hold     keeps the owner as it is
+//   $next     the owner as it is from the next clock on
+//   $not      the owner inverted
 `timescale 1ns/1ps
 
 module single_sequence (

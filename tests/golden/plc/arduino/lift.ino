@@ -1,6 +1,7 @@
 // lift: Monte-charge
+// Written by grafwire 0.2.0 with: grafwire plc lift.grafcet --to arduino --modes on --lang en
 //
-// A GRAFCET (IEC 60848) as a sketch for Arduino boards, written by grafwire. A scan is one
+// A GRAFCET (IEC 60848) as a sketch for Arduino boards. A scan is one
 // of the table method (Cordier, "Méthode d'implémentation du GRAFCET", 1998); each of
 // its parts says which subroutine of the method it is, SBR 0 to SBR 8.
 //

@@ -1,6 +1,7 @@
 // single_sequence : Séquence unique
+// Écrit par grafwire 0.2.0 avec : grafwire plc single-sequence.grafcet --to pascal --modes on --lang fr
 //
-// GRAFCET (CEI 60848), programme en Free Pascal, écrit par grafwire. Une scrutation est
+// GRAFCET (CEI 60848), programme en Free Pascal. Une scrutation est
 // celle de la méthode des tables (Cordier, « Méthode d'implémentation du GRAFCET », 1998) ;
 // chaque partie dit de quel sous-programme de la méthode il s'agit, SBR 0 à SBR 8.
 //
