@@ -122,6 +122,11 @@ inline constexpr Message<> run_explain{
     "-o says)",
     "dire en toutes lettres ce qui est franchi à chaque instant et pourquoi, au lieu du "
     "chronogramme (qui va où le dit -o)"};
+inline constexpr Message<> simulate_explain{
+    "say in words by which gates each step and output changes at each instant, in place of the "
+    "trace (which goes where -o says)",
+    "dire en toutes lettres par quelles portes chaque étape et chaque sortie change à chaque "
+    "instant, au lieu du chronogramme (qui va où le dit -o)"};
 
 // netlist
 

@@ -25,6 +25,7 @@ struct Request {
     std::string against;
     std::string power_up;  ///< empty: unknown
     std::string scan;
+    bool explain = false;
     TraceOutput output;
 };
 
@@ -61,6 +62,18 @@ std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
     return netlist;
 }
 
+/// The simulation, told in words if asked for.
+ExplainedSimulation let_work(const Request& request, const Chart& chart, const Netlist& netlist,
+                             const Stimuli& stimuli, std::optional<Time> period,
+                             Language language) {
+    const bool with_waveform = !request.output.vcd.empty();
+    const DelayModel delays = request.netlist.delays();
+    if (request.explain) {
+        return explain_gates(chart, netlist, stimuli, delays, period, with_waveform, language);
+    }
+    return {simulate_gates(chart, netlist, stimuli, delays, period, with_waveform), {}};
+}
+
 /// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
 ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     if (refuse_idle_options(line, "simulate", facts_of(request))) return ExitStatus::bad_request;
@@ -79,17 +92,18 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     // Let the gates work.
-    SimulateResult result = simulate_gates(*chart, *netlist, *stimuli, request.netlist.delays(),
-                                           period.value, !request.output.vcd.empty());
+    const auto [result, story] =
+        let_work(request, *chart, *netlist, *stimuli, period.value, line.language());
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
     OutputFiles files({request.path, request.stimuli, request.against});
+    if (request.explain) files.add("-", story);
     request.output.add_files(
         files, trace_text(result.trace, chart->grafcet, request.output.csv, line.language()),
-        result.waveform);
+        result.waveform, request.explain);
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
@@ -104,6 +118,7 @@ Task declare_simulate(const CommandLine& line) {
     line.add("--power-up", request->power_up, help::power_up()).one_of({"unknown", "initial"});
     request->netlist.declare_delay(line);
     line.add("--scan", request->scan, help::simulate_scan());
+    line.add_flag("--explain", request->explain, help::simulate_explain());
     request->output.declare(line);
     return [request, line] { return simulate_netlist(*request, line); };
 }

@@ -18,6 +18,7 @@ struct NetChange {
 
 /// All that the nets do in the simulation of a witness, after the initialisation.
 struct NetHistory {
+    NetHistory() = default;
     /// Simulates the netlist over the stimuli of the witness, up to its end.
     NetHistory(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                const Witness& witness);

@@ -137,6 +137,31 @@ inline constexpr Message<> does_not_settle{
 inline constexpr CountedMessage<> and_more{{"  and {} more\n", "  et {} autre\n"},
                                            {"  and {} more\n", "  et {} autres\n"}};
 
+// What the gates do at an instant (write_gate_story).
+
+/// Arguments: the step or output, the nanoseconds since the instant, the changes that led there.
+using WayMessage = Message<std::string, std::string, std::string>;
+inline constexpr WayMessage becomes_1_by{"{} becomes 1 after {} ns: {}\n",
+                                         "{} passe à 1 au bout de {} ns : {}\n"};
+inline constexpr WayMessage becomes_0_by{"{} becomes 0 after {} ns: {}\n",
+                                         "{} passe à 0 au bout de {} ns : {}\n"};
+inline constexpr WayMessage becomes_undefined_by{
+    "{} becomes undefined after {} ns: {}\n",
+    "{} prend une valeur indéterminée au bout de {} ns : {}\n"};
+inline constexpr Message<> by_itself{"from the start", "dès le départ"};
+/// A gate on the way: its type, its net, the value, the nanoseconds.
+inline constexpr Message<Localized, std::string, char, std::string> gate_on_the_way{
+    "{} {}={} (+{} ns)", "{} {}={} (+{} ns)"};
+inline constexpr CountedMessage<> more_changes{
+    {"… and {} more step or output changes\n", "… et {} autre étape ou sortie change\n"},
+    {"… and {} more steps and outputs change\n", "… et {} autres étapes et sorties changent\n"}};
+inline constexpr Message<std::string, std::string> stable_after{
+    "stable situation after {} ns: {}\n", "situation stable au bout de {} ns : {}\n"};
+inline constexpr Message<std::string> are_undefined{"undefined: {}\n", "indéterminées : {}\n"};
+inline constexpr Message<std::string> nets_keep_changing{
+    "the netlist does not settle: {} keep changing\n",
+    "le câblage ne se stabilise pas : {} changent sans cesse\n"};
+
 /// Arguments: two sentences, from the rows below.
 inline constexpr Message<std::string, std::string> cause_and_remedy{
     "Cause:\n  {}\nWhat helps:\n  {}\n", "Cause :\n  {}\nRemède :\n  {}\n"};

@@ -38,9 +38,10 @@ class Recorder {
     /// `delays` and the times of the stimuli decide the timescale: nanoseconds where they fit.
     Recorder(const Netlist& netlist, const CellDelays& delays, bool whole_nanoseconds);
 
-    /// Writes down the present values as those of time 0 and follows the simulator from there.
+    /// Writes down the present values as those of time 0 and follows the simulator from there,
+    /// with another observer behind it, if there is one.
     /// The recorder must stay where it is until the simulator has gone or stop() was called.
-    void follow(Simulator& simulator);
+    void follow(Simulator& simulator, const Simulator::Observer& other);
     /// `trace`: its columns of one bit are the signals worth showing.
     Waveform stop(Simulator& simulator, Time end, const Trace& trace);
 
@@ -60,13 +61,14 @@ Recorder::Recorder(const Netlist& netlist, const CellDelays& delays, bool whole_
     writer_.begin();
 }
 
-void Recorder::follow(Simulator& simulator) {
+void Recorder::follow(Simulator& simulator, const Simulator::Observer& other) {
     for (std::size_t net = 0; net < net_count_; ++net) {
         writer_.change(0, static_cast<std::uint32_t>(net),
                        digit_of(simulator.value(static_cast<NetId>(net))));
     }
-    simulator.observe([this](Time at, NetId net, Logic value) {
+    simulator.observe([this, other](Time at, NetId net, Logic value) {
         writer_.change(at, static_cast<std::uint32_t>(net), digit_of(value));
+        if (other) other(at, net, value);
     });
 }
 
@@ -139,6 +141,7 @@ class Run {
         const Stimuli& stimuli, const SimulateOptions& options)
         : netlist_(netlist),
           stimuli_(stimuli),
+          options_(options),
           machine_(grafcet, netlist, delays),
           rows_(grafcet, netlist, machine_.ports()),
           player_(stimuli, grafcet.all_input_count()) {
@@ -146,11 +149,15 @@ class Run {
         if (options.waveform) recorder_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
         player_.advance(0);
         started_ = note(0, machine_.start(known_inputs(player_.inputs())));
-        if (recorder_) recorder_->follow(simulator());
-        if (options.observer) simulator().observe(options.observer);
+        if (recorder_) {
+            recorder_->follow(simulator(), options.observer);
+        } else if (options.observer) {
+            simulator().observe(options.observer);
+        }
     }
 
-    SimulateResult make(Time scan_period) {
+    SimulateResult make() {
+        const Time scan_period = options_.scan_period;
         const bool scans = netlist_.is_clocked() && scan_period > 0;
         Time at = 0;
         bool goes_on = started_;
@@ -184,6 +191,7 @@ class Run {
     }
 
     void begin_instant(Time at) {
+        if (options_.instant) options_.instant(at, simulator());
         player_.advance(at);
         machine_.begin_instant(at, known_inputs(player_.inputs()));
     }
@@ -210,6 +218,7 @@ class Run {
 
     const Netlist& netlist_;
     const Stimuli& stimuli_;
+    const SimulateOptions& options_;
     NetlistMachine machine_;
     RowReader rows_;
     std::optional<Recorder> recorder_;
@@ -270,7 +279,7 @@ std::vector<NetId> Run::changing_in(std::uint64_t cycles) {
 
 SimulateResult simulate(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                         const Stimuli& stimuli, const SimulateOptions& options) {
-    return Run(grafcet, netlist, delays, stimuli, options).make(options.scan_period);
+    return Run(grafcet, netlist, delays, stimuli, options).make();
 }
 
 }  // namespace grafwire

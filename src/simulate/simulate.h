@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,10 @@ struct SimulateOptions {
     /// Clocked netlists: one clock cycle per period and one row per scan; 0: at every
     /// instant, clock cycles until nothing changes any more.
     Time scan_period = 0;
-    /// Called at every change of a net from the first instant on; not together with a waveform.
+    /// Called at every change of a net from the first instant on.
     Simulator::Observer observer;
+    /// Called as an instant or scan begins, before its inputs change.
+    std::function<void(Time at, const Simulator&)> instant;
 };
 
 struct SimulateResult {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "explain/gate_story.h"
+#include "explain/write_gate_story.h"
 #include "grafcet/write_grafcet.h"
 #include "story/instant_story.h"
 #include "story/write_story.h"
@@ -25,13 +27,32 @@ std::string explain_run(const Chart& chart, const Stimuli& stimuli, std::optiona
     return write_stories(chart.grafcet, tell_run(chart.grafcet, stimuli, period), language);
 }
 
-SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                              const DelayModel& delays, std::optional<Time> period,
-                              bool with_waveform) {
+namespace {
+
+SimulateOptions options_for(std::optional<Time> period, bool with_waveform) {
     SimulateOptions options;
     options.waveform = with_waveform;
     options.scan_period = period.value_or(0);
-    return simulate(chart.grafcet, netlist, cell_delays(netlist, delays), stimuli, options);
+    return options;
+}
+
+}  // namespace
+
+SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
+                              const DelayModel& delays, std::optional<Time> period,
+                              bool with_waveform) {
+    return simulate(chart.grafcet, netlist, cell_delays(netlist, delays), stimuli,
+                    options_for(period, with_waveform));
+}
+
+ExplainedSimulation explain_gates(const Chart& chart, const Netlist& netlist,
+                                  const Stimuli& stimuli, const DelayModel& delays,
+                                  std::optional<Time> period, bool with_waveform,
+                                  Language language) {
+    ToldSimulation told = tell_simulation(chart.grafcet, netlist, cell_delays(netlist, delays),
+                                          stimuli, options_for(period, with_waveform));
+    return {std::move(told.result),
+            write_gate_stories(chart.grafcet, netlist, told.stories, language)};
 }
 
 Localized oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets) {

@@ -30,6 +30,17 @@ SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const 
                               const DelayModel& delays, std::optional<Time> period,
                               bool with_waveform);
 
+/// The same run, and in words: what the gates did at each instant, from what began it to every step
+/// and output that changes.
+struct ExplainedSimulation {
+    SimulateResult result;
+    std::string text;
+};
+ExplainedSimulation explain_gates(const Chart& chart, const Netlist& netlist,
+                                  const Stimuli& stimuli, const DelayModel& delays,
+                                  std::optional<Time> period, bool with_waveform,
+                                  Language language);
+
 /// The cells that drive these nets, for the message that a netlist does not settle; the first of
 /// many.
 Localized oscillating_cells(const Netlist& netlist, const std::vector<NetId>& nets);

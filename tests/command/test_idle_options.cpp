@@ -181,6 +181,7 @@ TEST_CASE("options of simulate") {
              {"--power-up", {"initial"}},
              {"--delay", {"unit"}},
              {"--scan", {"10ms"}},
+             {"--explain", {}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
             {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan"}},
