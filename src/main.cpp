@@ -35,6 +35,8 @@ constexpr Command commands[] = {
      "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim --scan 10ms "
      "--io examples/s7-200/manipulator.io -o trace.csv",
      declare_s7},
+    {"draw", help::draw, "grafwire draw examples/nine-steps.grafcet -o nine-steps.svg",
+     declare_draw},
     {"fmt", help::fmt, "grafwire fmt examples/manipulator.grafcet --lang fr", declare_fmt},
 };
 

@@ -31,6 +31,7 @@ patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config
 python3              /usr/bin/python3
 python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py
+texlive-pictures     /usr/share/texlive/texmf-dist/tex/latex/pgf/frontendlayer/tikz.sty
 xauth                /usr/bin/xauth
 xvfb                 /usr/bin/xvfb-run
 yosys                /usr/bin/yosys

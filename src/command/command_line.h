@@ -121,6 +121,7 @@ Task declare_simulate(const CommandLine& line);
 Task declare_check(const CommandLine& line);
 Task declare_plc(const CommandLine& line);
 Task declare_s7(const CommandLine& line);
+Task declare_draw(const CommandLine& line);
 Task declare_fmt(const CommandLine& line);
 
 /// What came of reading a command line: one of these.

@@ -55,6 +55,8 @@ inline constexpr Message<> simulate{"simulate the gates of a netlist over stimul
 inline constexpr Message<> check{
     "prove a netlist equivalent to the reference evolution, or show a difference",
     "prouver qu'un câblage équivaut à l'évolution de référence, ou montrer un écart"};
+inline constexpr Message<> draw{"draw the GRAFCET as IEC 60848 does",
+                                "dessiner le GRAFCET comme le veut la norme CEI 60848"};
 inline constexpr Message<> plc{
     "write the GRAFCET as a program for a PLC or in a programming language",
     "écrire le GRAFCET comme programme d'automate ou dans un langage de programmation"};
@@ -100,6 +102,24 @@ inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
 inline constexpr Message<> waveform{
     "the waveform as VCD for GTKWave; beside OUT.vcd goes OUT.gtkw, which says what to show",
     "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};
+
+// draw
+
+inline constexpr Message<> draw_stim{
+    "the stimuli (.stim) of the run whose situation is shown, - for standard input",
+    "les stimuli (.stim) de l'évolution dont la situation est montrée, - pour l'entrée standard"};
+inline constexpr Message<> draw_at{
+    "show the situation of the run at this moment, such as 500ms: active steps with a dot, enabled "
+    "transitions with an arrow, filled where they are clearable",
+    "montrer la situation à cet instant, comme 500ms : étapes actives par un point, transitions "
+    "validées par une flèche, pleine si elles sont franchissables"};
+inline constexpr Message<> draw_to{"format of the drawing", "format du dessin"};
+inline constexpr Message<> notation{"how NOT is written: by a line over it, or by /",
+                                    "écriture de la négation : barre au-dessus, ou /"};
+inline constexpr Message<> paper{"what a sheet may hold; long charts take several",
+                                 "taille des folios ; un long grafcet en prend plusieurs"};
+inline constexpr Message<> standalone{"a whole document rather than a part of one",
+                                      "un document complet, et non une partie de document"};
 
 // equations
 

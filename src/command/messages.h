@@ -52,6 +52,16 @@ inline constexpr Message<std::string_view, std::string_view> unknown_format_near
 inline constexpr Message<std::string_view> no_period{
     "'{}' is no period: write a positive duration such as 10ms",
     "« {} » n'est pas une période : écrivez une durée positive, comme 10ms"};
+inline constexpr Message<std::string_view> no_moment{
+    "'{}' is no moment of a run: write a duration such as 500ms, or 0",
+    "« {} » n'est pas un instant : écrivez une durée, comme 500ms, ou 0"};
+inline constexpr Message<> moment_needed{
+    "stimuli without --at change nothing: say which moment of the run is to be drawn",
+    "sans --at, les stimuli ne changent rien : dites quel instant est à dessiner"};
+inline constexpr Message<std::string_view> no_situation_at{
+    "there is no stable situation at {}: 'grafwire run' shows how far the run goes",
+    "il n'y a pas de situation stable à {} : « grafwire run » montre jusqu'où va "
+    "l'évolution"};
 inline constexpr Message<std::string_view> no_amount_of_memory{
     "'{}' is no amount of memory: write 500M or 2G",
     "« {} » n'est pas une quantité de mémoire : écrivez 500M ou 2G"};
@@ -125,6 +135,8 @@ inline constexpr Message<> program_has_no_gates{"a program has no gates",
                                                 "un programme n'a pas de portes"};
 inline constexpr Message<> needs_stimuli{"without STIM the run is step by step",
                                          "sans STIM, on avance pas à pas"};
+inline constexpr Message<> moment_needs_stimuli{"it needs STIM, the stimuli of the run",
+                                                "il faut STIM, les stimuli de l'évolution"};
 inline constexpr Message<> inputs_are_sampled{
     "inputs are sampled, and any of them change between two scans",
     "les entrées sont échantillonnées, et peuvent toutes changer entre deux scrutations"};

@@ -59,6 +59,9 @@ constexpr OptionUse option_uses[] = {
     {"check", "--power-up", fact::open_start, &say::only_open_start},
     {"check", "--scan", fact::clocked | fact::listing | fact::ladder, &say::nothing_is_scanned},
 
+    {"draw", "--at", fact::stimuli, &say::moment_needs_stimuli},
+    {"draw", "--standalone", by_format},
+
     {"plc", "--io", by_format},
     {"plc", "--addresses", by_format},
     {"plc", "--mnemonics", by_format},

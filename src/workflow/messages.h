@@ -37,4 +37,7 @@ inline constexpr Message<std::string_view, std::string_view> broken_assumption{
     "at {} ms the stimuli break what the GRAFCET assumes: {}",
     "à {} ms, les stimuli contredisent ce que le GRAFCET suppose : {}"};
 
+/// Behind the title of a drawing.
+inline constexpr Message<Localized> situation_at{"situation at {}", "situation à {}"};
+
 }  // namespace grafwire::messages::workflow

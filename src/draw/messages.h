@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "text/message.h"
+
+namespace grafwire::messages::draw {
+
+// What a viewer shows of the parts of a picture, and reads aloud.
+
+inline constexpr Message<std::string> step{"step {}", "étape {}"};
+inline constexpr Message<std::string> active_step{"step {}, active", "étape {}, active"};
+inline constexpr Message<std::string> macro_step{"macro-step {}", "macro-étape {}"};
+
+// Headings.
+
+inline constexpr Message<std::string> expansion{"Expansion of {}", "Expansion de {}"};
+
+/// The page, and how many there are.
+inline constexpr Message<std::size_t, std::size_t> sheet{"sheet {} of {}", "folio {} sur {}"};
+/// At a cut link: the step, and the page that it stands on.
+inline constexpr Message<std::string, std::size_t> on_sheet{"{}, sheet {}", "{}, folio {}"};
+
+}  // namespace grafwire::messages::draw

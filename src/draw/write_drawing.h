@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "draw/draw_chart.h"
+#include "text/message.h"
+
+namespace grafwire {
+
+/// Sheets as one self-contained SVG file, one below the other, in mm; printed from a browser, a
+/// sheet takes a page. Every group carries the class of its owner and its facts (`data-step`), so a
+/// style sheet or a script finds the parts again. For light and dark viewers, black on white on
+/// paper. `title` is what a viewer calls the picture.
+std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view title,
+                              const Paper& paper, Language language);
+
+/// Sheets as TikZ pictures, to be read into a document that loads TikZ; or as a whole document, a
+/// page each.
+std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_view title,
+                               const Paper& paper, bool standalone);
+
+}  // namespace grafwire

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include "draw/write_drawing.h"
+#include "text/escape.h"
+
+namespace grafwire {
+
+namespace {
+
+/// Pixels to a unit inside the picture; its size on paper is told in mm.
+constexpr double scale = 40;
+
+constexpr std::string_view style = R"(<style>
+.paper { fill: #ffffff; }
+g { stroke: #1b1b1b; fill: none; stroke-width: 1.6; }
+.frame { stroke-width: 2.2; }
+.thin { stroke-width: 1; }
+.ground { fill: #ffffff; stroke-width: 2.2; }
+.mark { fill: #1b1b1b; stroke: none; }
+text { font-family: "DejaVu Sans", Arial, sans-serif; font-size: 14px; fill: #1b1b1b; stroke: none; }
+.name { font-size: 16px; }
+.title { font-size: 20px; font-weight: bold; }
+.remark { fill: #444444; }
+.over { text-decoration: overline; }
+.under { text-decoration: underline; }
+.active .ground { fill: #ffe08a; stroke-width: 3.2; }
+.clearable { stroke: #b3261e; }
+.clearable .mark { fill: #b3261e; }
+@media (prefers-color-scheme: dark) {
+.paper, .ground { fill: #16191d; }
+g { stroke: #e3e6ea; }
+.mark, text { fill: #e3e6ea; }
+.remark { fill: #a9b1ba; }
+.active .ground { fill: #6b5300; }
+.clearable { stroke: #ff8a80; }
+.clearable .mark { fill: #ff8a80; }
+}
+@media print {
+.paper, .ground { fill: #ffffff; }
+g { stroke: #000000; }
+.mark, text { fill: #000000; }
+.active .ground { fill: #d9d9d9; }
+}
+)";
+
+class SvgWriter {
+  public:
+    std::string take() { return std::move(out_); }
+
+    void write(const Sheet& sheet, double top) {
+        top_ = top;
+        // The shapes of each owner together, in the order of the owners.
+        std::vector<std::vector<const Shape*>> shapes(sheet.scene.owners.size());
+        for (const Shape& shape : sheet.scene.shapes)
+            shapes[index_of(shape.owner)].push_back(&shape);
+        // Links first: what stands on them covers them.
+        for (const bool is_link : {true, false}) {
+            for (std::size_t i = 0; i < shapes.size(); ++i) {
+                const Owner& owner = sheet.scene.owners[sheet.scene.owners.id_at(i)];
+                if (shapes[i].empty() || owner.kind.starts_with("link") != is_link) continue;
+                begin(owner);
+                for (const Shape* shape : shapes[i]) {
+                    std::visit([this](const auto& form) { write(form); }, shape->form);
+                }
+                out_ += "</g>\n";
+            }
+        }
+    }
+
+  private:
+    static double at(double units) { return units * scale; }
+    double y_at(double units) const { return (units + top_) * scale; }
+
+    void begin(const Owner& owner) {
+        out_ += fmt::format("<g class=\"{}\"", owner.kind);
+        for (const auto& [name, value] : owner.facts) {
+            out_ += fmt::format(" data-{}=\"{}\"", name, xml_attribute(value));
+        }
+        out_ += ">\n";
+        if (!owner.title.empty()) out_ += fmt::format("<title>{}</title>\n", xml_text(owner.title));
+    }
+
+    std::string points(const std::vector<Point>& all) const {
+        std::string text;
+        for (const Point& point : all) {
+            text +=
+                fmt::format("{}{:.6g},{:.6g}", text.empty() ? "" : " ", at(point.x), y_at(point.y));
+        }
+        return text;
+    }
+
+    void write(const Line& line) {
+        constexpr std::string_view classes[] = {"", " class=\"frame\"", " class=\"thin\""};
+        out_ += fmt::format("<polyline{} points=\"{}\"/>\n",
+                            classes[static_cast<std::size_t>(line.weight)], points(line.points));
+    }
+    void write(const Rectangle& rectangle) {
+        const Bounds& bounds = rectangle.bounds;
+        out_ += fmt::format(
+            "<rect class=\"{}\" x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\"/>\n",
+            rectangle.filled ? "ground" : "frame", at(bounds.left), y_at(bounds.top),
+            at(bounds.right - bounds.left), at(bounds.bottom - bounds.top));
+    }
+    void write(const Patch& patch) {
+        out_ += fmt::format("<polygon class=\"mark\" points=\"{}\"/>\n", points(patch.points));
+    }
+    void write(const Dot& dot) {
+        out_ += fmt::format("<circle class=\"mark\" cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.6g}\"/>\n",
+                            at(dot.centre.x), y_at(dot.centre.y), at(dot.radius));
+    }
+    void write(const Label& label) {
+        constexpr std::string_view anchors[] = {"", " text-anchor=\"middle\"",
+                                                " text-anchor=\"end\""};
+        constexpr std::string_view roles[] = {"", " class=\"name\"", " class=\"title\"",
+                                              " class=\"remark\""};
+        // Half the height of a capital letter of DejaVu Sans.
+        const double baseline = label.at.y + 0.365 * letter_size(label.role);
+        out_ += fmt::format(
+            "<text{}{} x=\"{:.6g}\" y=\"{:.6g}\">", roles[static_cast<std::size_t>(label.role)],
+            anchors[static_cast<std::size_t>(label.anchor)], at(label.at.x), y_at(baseline));
+        for (const TextRun& run : label.text) {
+            const std::string text = xml_text(run.text);
+            if (run.rule == TextRun::Rule::plain) {
+                out_ += text;
+            } else {
+                out_ += fmt::format("<tspan class=\"{}\">{}</tspan>",
+                                    run.rule == TextRun::Rule::over ? "over" : "under", text);
+            }
+        }
+        out_ += "</text>\n";
+    }
+
+    std::string out_;
+    double top_ = 0;
+};
+
+}  // namespace
+
+std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view title,
+                              const Paper& paper, Language language) {
+    double width = 0;
+    double height = 0;
+    SvgWriter writer;
+    for (const Sheet& sheet : sheets) {
+        writer.write(sheet, height);
+        width = std::max(width, sheet.width);
+        height += sheet.height;
+    }
+    const double unit = sheets.front().unit;
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" lang=\"{}\" "
+               "width=\"{:.6g}mm\" height=\"{:.6g}mm\" viewBox=\"0 0 {:.6g} {:.6g}\">\n"
+               "<title>{}</title>\n{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n"
+               "<rect class=\"paper\" width=\"{:.6g}\" height=\"{:.6g}\"/>\n",
+               language == Language::french ? "fr" : "en", width * unit, height * unit,
+               width * scale, height * scale, xml_text(title), style, paper.name,
+               sheets.front().lies ? " landscape" : "", width * scale, height * scale) +
+           writer.take() + "</svg>\n";
+}
+
+}  // namespace grafwire

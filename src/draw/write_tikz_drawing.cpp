@@ -1,0 +1,167 @@
+// Plain TikZ: packages for GRAFCET on CTAN place symbols by hand and need fonts that small
+// installations of TeX do not have. Coordinates are in units of a step, with y downwards, so that
+// the same layout serves SVG; sans serif letters of 8 points are narrower than those that it was
+// made for.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "draw/write_drawing.h"
+#include "text/utf8.h"
+
+namespace grafwire {
+
+namespace {
+
+struct Escape {
+    char32_t character;
+    std::string_view latex;
+};
+constexpr Escape escapes[] = {
+    {'{', "\\{"},
+    {'}', "\\}"},
+    {'$', "\\$"},
+    {'&', "\\&"},
+    {'#', "\\#"},
+    {'%', "\\%"},
+    {'_', "\\_"},
+    {'\\', "\\textbackslash{}"},
+    {'^', "\\textasciicircum{}"},
+    {'~', "\\textasciitilde{}"},
+    {'<', "\\textless{}"},
+    {'>', "\\textgreater{}"},
+    {'|', "\\textbar{}"},
+    {'-', "-{}"},
+    {U'↑', "$\\uparrow$"},
+    {U'↓', "$\\downarrow$"},
+    {U'→', "$\\rightarrow$"},
+    {U'·', "$\\cdot$"},
+    {U'−', "$-$"},
+    {U'≤', "$\\leq$"},
+    {U'≥', "$\\geq$"},
+    {U'≠', "$\\neq$"},
+    {U'⊕', "$\\oplus$"},
+};
+
+/// A text in one line, for pdflatex with T1 and UTF-8: of characters beyond the Latin alphabets the
+/// number is shown, for pdflatex would stop at them.
+std::string latex_label(std::string_view text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint c = decode_utf8(text, at);
+        const std::uint32_t bytes = c.length == 0 ? 1 : c.length;
+        const auto* found = std::find_if(std::begin(escapes), std::end(escapes),
+                                         [&](const Escape& e) { return e.character == c.value; });
+        if (found != std::end(escapes)) {
+            out += found->latex;
+        } else if (c.value < 0x180 || c.value == U'–') {
+            out += text.substr(at, bytes);
+        } else {
+            out += fmt::format("U+{:04X}", static_cast<std::uint32_t>(c.value));
+        }
+        at += bytes;
+    }
+    return out;
+}
+
+class TikzWriter {
+  public:
+    std::string take() { return std::move(out_); }
+
+    void write(const Sheet& sheet) {
+        out_ += fmt::format(
+            "\\begin{{tikzpicture}}[x={0:g}mm, y=-{0:g}mm, line width=0.3mm,\n"
+            "  frame/.style={{line width=0.42mm}}, thin/.style={{line width=0.2mm}},\n"
+            "  every node/.style={{inner sep=0, outer sep=0, anchor=base,\n"
+            "    font=\\sffamily\\fontsize{{8}}{{9}}\\selectfont}},\n"
+            "  name/.style={{font=\\sffamily\\fontsize{{9}}{{10}}\\selectfont}},\n"
+            "  title/.style={{font=\\sffamily\\bfseries\\fontsize{{11}}{{12}}\\selectfont}}]\n",
+            sheet.unit);
+        out_ += fmt::format("\\path (0,0) rectangle ({:.6g},{:.6g});\n", sheet.width, sheet.height);
+        for (const bool is_link : {true, false}) {
+            for (const Shape& shape : sheet.scene.shapes) {
+                owner_ = &sheet.scene.owners[shape.owner];
+                if (owner_->kind.starts_with("link") != is_link) continue;
+                std::visit([this](const auto& form) { write(form); }, shape.form);
+            }
+        }
+        out_ += "\\end{tikzpicture}\n";
+    }
+
+  private:
+    static std::string at(Point point) { return fmt::format("({:.6g},{:.6g})", point.x, point.y); }
+    static std::string path(const std::vector<Point>& points) {
+        std::string text;
+        for (const Point& point : points) text += (text.empty() ? "" : " -- ") + at(point);
+        return text;
+    }
+
+    void write(const Line& line) {
+        constexpr std::string_view weights[] = {"", "[frame]", "[thin]"};
+        out_ += fmt::format("\\draw{} {};\n", weights[static_cast<std::size_t>(line.weight)],
+                            path(line.points));
+    }
+    void write(const Rectangle& rectangle) {
+        const Bounds& bounds = rectangle.bounds;
+        const bool is_active = owner_->kind.ends_with(" active");
+        out_ += fmt::format("\\draw[frame{}] {} rectangle {};\n",
+                            !rectangle.filled ? ""
+                            : is_active       ? ", fill=black!15"
+                                              : ", fill=white",
+                            at({bounds.left, bounds.top}), at({bounds.right, bounds.bottom}));
+    }
+    void write(const Patch& patch) {
+        out_ += fmt::format("\\fill {} -- cycle;\n", path(patch.points));
+    }
+    void write(const Dot& dot) {
+        out_ += fmt::format("\\fill {} circle [radius={:.6g}];\n", at(dot.centre), dot.radius);
+    }
+    void write(const Label& label) {
+        constexpr std::string_view anchors[] = {"base west", "base", "base east"};
+        constexpr std::string_view roles[] = {"", ", name", ", title", ""};
+        const double baseline = label.at.y + 0.365 * letter_size(label.role);
+        std::string text;
+        for (const TextRun& run : label.text) {
+            const std::string words = latex_label(run.text);
+            switch (run.rule) {
+                case TextRun::Rule::plain:
+                    text += words;
+                    break;
+                case TextRun::Rule::over:
+                    text += fmt::format("$\\overline{{\\mbox{{{}}}}}$", words);
+                    break;
+                case TextRun::Rule::under:
+                    text += fmt::format("\\underline{{{}}}", words);
+                    break;
+            }
+        }
+        out_ += fmt::format(
+            "\\node[anchor={}{}] at {} {{{}}};\n", anchors[static_cast<std::size_t>(label.anchor)],
+            roles[static_cast<std::size_t>(label.role)], at({label.at.x, baseline}), text);
+    }
+
+    std::string out_;
+    const Owner* owner_ = nullptr;
+};
+
+}  // namespace
+
+std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_view title,
+                               const Paper& paper, bool standalone) {
+    TikzWriter writer;
+    for (const Sheet& sheet : sheets) writer.write(sheet);
+    const std::string head = fmt::format("% {}\n", visible(title, ""));
+    if (!standalone) return head + writer.take();
+    return head +
+           fmt::format(
+               "\\documentclass[{}paper]{{article}}\n"
+               "\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n"
+               "\\usepackage{{lmodern}}\n\\usepackage{{tikz}}\n"
+               "\\usepackage[{}margin=9.9mm]{{geometry}}\n"
+               "\\pagestyle{{empty}}\n\\parindent=0pt\n\\begin{{document}}\n",
+               paper.name, sheets.front().lies ? "landscape, " : "") +
+           writer.take() + "\\end{document}\n";
+}
+
+}  // namespace grafwire

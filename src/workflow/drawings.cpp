@@ -1,0 +1,61 @@
+#include "workflow/drawings.h"
+
+#include "draw/write_drawing.h"
+#include "story/instant_story.h"
+#include "text/shown_duration.h"
+#include "workflow/messages.h"
+
+namespace grafwire {
+
+namespace say = messages::workflow;
+
+namespace {
+
+constexpr DrawingFormat formats[] = {
+    {"svg",
+     {"a picture for browsers and word processors",
+      "une image pour navigateurs et traitements de texte"},
+     ""},
+    {"tikz", {"a TikZ picture for LaTeX", "une figure TikZ pour LaTeX"}, "--standalone"},
+};
+
+}  // namespace
+
+std::span<const DrawingFormat> drawing_formats() {
+    return formats;
+}
+
+std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& stimuli, Time at,
+                                           Language language) {
+    const Grafcet& grafcet = chart.grafcet;
+    const InstantStory* shown = nullptr;
+    const std::vector<InstantStory> stories = tell_run(grafcet, stimuli, std::nullopt);
+    for (const InstantStory& story : stories) {
+        if (story.at <= at) shown = &story;
+    }
+    if (shown == nullptr || !shown->is_stable) return std::nullopt;
+    ShownSituation situation;
+    situation.active.resize(grafcet.steps.size());
+    for (std::size_t step = 0; step < grafcet.steps.size(); ++step) {
+        situation.active[step] = shown->situation.test(step);
+    }
+    situation.enabled.resize(grafcet.transitions.size());
+    situation.clearable.resize(grafcet.transitions.size());
+    for (const EnabledTransition& enabled : shown->enabled) {
+        situation.enabled[index_of(enabled.transition)] = true;
+        situation.clearable[index_of(enabled.transition)] = enabled.condition;
+    }
+    situation.caption = say::situation_at(shown_duration(at)).in(language);
+    return situation;
+}
+
+std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
+                          bool standalone) {
+    const Grafcet& grafcet = chart.grafcet;
+    const std::string title = grafcet.title.empty() ? grafcet.name : grafcet.title;
+    const std::vector<Sheet> sheets = draw_chart(grafcet, how);
+    if (format.name == "tikz") return write_tikz_drawing(sheets, title, how.paper, standalone);
+    return write_svg_drawing(sheets, title, how.paper, how.language);
+}
+
+}  // namespace grafwire

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "draw/draw_chart.h"
+#include "text/message.h"
+#include "text/time.h"
+#include "trace/stimuli.h"
+#include "workflow/chart.h"
+
+namespace grafwire {
+
+/// A format of drawings, by the name users write.
+struct DrawingFormat {
+    std::string_view name;
+    Message<> description;
+    std::string_view options;  ///< those that only some formats heed
+};
+std::span<const DrawingFormat> drawing_formats();
+
+/// The signs for NOT by the names users write.
+struct NotationRow {
+    std::string_view name;
+    NotSign sign;
+};
+inline constexpr NotationRow notation_table[] = {
+    {"overline", NotSign::overline},
+    {"slash", NotSign::slash},
+};
+
+/// The moment of a run that a drawing shows: the last instant that is not later than `at`. Empty
+/// where the run has no stable situation there.
+std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& stimuli, Time at,
+                                           Language language);
+
+/// The chart as IEC 60848 draws it, in a format of the table. `standalone` makes a whole document
+/// of it, in formats that heed it.
+std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
+                          bool standalone);
+
+}  // namespace grafwire
