@@ -127,6 +127,20 @@ TEST_CASE("options of equations and of run") {
     CHECK(options_of({"info"}).empty());
 }
 
+TEST_CASE("options of draw") {
+    const Files files;
+    try_all({"draw"},
+            {{"--at", {"0"}},
+             {"--to", {"svg"}},
+             {"--notation", {"slash"}},
+             {"--paper", {"a3"}},
+             {"--standalone", {}},
+             {"-o", {files.path("out")}}},
+            {{{sequence_chart}, {"--at", "--standalone"}},
+             {{sequence_chart, sequence_stimuli, "--at", "0"}, {"--standalone"}},
+             {{sequence_chart, "--to", "tikz"}, {"--at"}}});
+}
+
 TEST_CASE("options of netlist") {
     const Files files;
     std::vector<Context> contexts;
