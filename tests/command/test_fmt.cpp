@@ -122,4 +122,11 @@ TEST_CASE("requests that mean nothing") {
     CHECK(text_of(file) == crowded);
 }
 
+TEST_CASE("the examples are in the canonical layout") {
+    for (const auto& entry : std::filesystem::directory_iterator(GRAFWIRE_ROOT "/examples")) {
+        if (entry.path().extension() != ".grafcet") continue;
+        CHECK(grafwire_with({"fmt", "--check", entry.path().string()}).status == 0);
+    }
+}
+
 }  // namespace grafwire::testing
