@@ -99,6 +99,7 @@ inline constexpr Message<> output{"output file (default: standard output)",
                                   "fichier de sortie (par défaut : la sortie standard)"};
 inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
+inline constexpr Message<> trace_to{"format of the trace", "format de l'évolution relevée"};
 inline constexpr Message<> waveform{
     "the waveform as VCD for GTKWave; beside OUT.vcd goes OUT.gtkw, which says what to show",
     "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};

@@ -9,7 +9,9 @@
 
 #include "command/help.h"
 #include "command/messages.h"
+#include "command/terminal.h"
 #include "text/nearest_name.h"
+#include "workflow/drawings.h"
 
 namespace grafwire {
 
@@ -148,6 +150,18 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& re
 void TraceOutput::declare(const CommandLine& line) {
     line.add("-o", csv, help::trace());
     line.add("--vcd", vcd, help::waveform());
+}
+
+void TraceOutput::declare_format(const CommandLine& line) {
+    line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
+}
+
+std::optional<std::string> TraceOutput::text_of(const Trace& trace, const Chart& chart,
+                                                Language language) const {
+    const TraceFormat* row = format_named(trace_formats(), format);
+    if (row == nullptr) return std::nullopt;
+    if (row->name == "csv") return trace_text(trace, chart.grafcet, csv, language);
+    return trace_in_format(trace, chart, *row, language);
 }
 
 void TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

@@ -83,8 +83,15 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& re
 struct TraceOutput {
     std::string csv;
     std::string vcd;
+    std::string format = "csv";
 
     void declare(const CommandLine& line);
+    /// Of commands whose trace belongs to a chart: also its format.
+    void declare_format(const CommandLine& line);
+    /// The trace in that format; CSV that goes to a terminal is a table. Empty, and shown, where
+    /// there is no such format.
+    std::optional<std::string> text_of(const Trace& trace, const Chart& chart,
+                                       Language language) const;
     /// `explained`: standard output is taken by words, and the trace goes only where it was asked
     /// to.
     void add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

@@ -38,6 +38,7 @@ constexpr OptionUse option_uses[] = {
     {"netlist", "--bench", fact::output, &say::bench_needs_output},
 
     {"run", "--explain", fact::stimuli, &say::needs_stimuli},
+    {"run", "--to", fact::stimuli, &say::needs_stimuli},
     {"run", "-o", fact::stimuli, &say::needs_stimuli},
     {"run", "--vcd", fact::stimuli, &say::needs_stimuli},
 

@@ -8,7 +8,6 @@
 #include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/step_by_step.h"
-#include "command/terminal.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
@@ -43,10 +42,12 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
             format_milliseconds(*result.unstable_at),
             fmt::format("{}", fmt::join(result.changing, ", "))));
     }
+    const auto trace = request.output.text_of(result.trace, chart, language);
+    if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
     request.output.add_files(
-        files, trace_text(result.trace, chart.grafcet, request.output.csv, language),
+        files, *trace,
         request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
         request.explain);
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
@@ -84,6 +85,7 @@ Task declare_run(const CommandLine& line) {
     line.add("--scan", request->scan, help::run_scan());
     line.add_flag("--explain", request->explain, help::run_explain());
     request->output.declare(line);
+    request->output.declare_format(line);
     return [request, line] { return run(*request, line); };
 }
 

@@ -6,7 +6,6 @@
 #include "command/inputs.h"
 #include "command/messages.h"
 #include "command/option_uses.h"
-#include "command/terminal.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
 
@@ -99,11 +98,11 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
+    const auto trace = request.output.text_of(result.trace, *chart, line.language());
+    if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli, request.against});
     if (request.explain) files.add("-", story);
-    request.output.add_files(
-        files, trace_text(result.trace, chart->grafcet, request.output.csv, line.language()),
-        result.waveform, request.explain);
+    request.output.add_files(files, *trace, result.waveform, request.explain);
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
@@ -120,6 +119,7 @@ Task declare_simulate(const CommandLine& line) {
     line.add("--scan", request->scan, help::simulate_scan());
     line.add_flag("--explain", request->explain, help::simulate_explain());
     request->output.declare(line);
+    request->output.declare_format(line);
     return [request, line] { return simulate_netlist(*request, line); };
 }
 

@@ -21,9 +21,7 @@ namespace grafwire {
 
 namespace {
 
-constexpr double margin = 0.4;
 constexpr double block_gap = 1.5;
-constexpr double heading_room = 1;
 /// In mm, what a step may measure.
 constexpr double units[] = {8, 7, 6};
 
@@ -38,7 +36,7 @@ struct Size {
 Size size_of(const Paper& paper, double unit, bool lies) {
     const double width = (lies ? paper.height : paper.width) / unit;
     const double height = (lies ? paper.width : paper.height) / unit;
-    return {width - 2 * margin, height - 2 * margin - heading_room, unit, lies};
+    return {width - 2 * sheet_margin, height - 2 * sheet_margin - title_room, unit, lies};
 }
 
 /// A block or a part of it, laid out with its heading, its upper left corner at the origin.
@@ -319,7 +317,7 @@ class ChartSheets {
         std::vector<Sheet> sheets(count);
         for (std::size_t i = 0; i < places.size(); ++i) {
             std::vector<Shape> shapes = std::move(parts_[i].shapes);
-            move(shapes, margin + places[i].x, margin + heading_room + places[i].y);
+            move(shapes, sheet_margin + places[i].x, sheet_margin + title_room + places[i].y);
             std::vector<Shape>& all = sheets[places[i].sheet].scene.shapes;
             all.insert(all.end(), std::make_move_iterator(shapes.begin()),
                        std::make_move_iterator(shapes.end()));
@@ -328,11 +326,11 @@ class ChartSheets {
             Sheet& sheet = sheets[i];
             add_title(sheet, i, count);
             const Bounds bounds = bounds_of(sheet.scene.shapes);
-            sheet.width = bounds.right + margin;
-            sheet.height = bounds.bottom + margin;
+            sheet.width = bounds.right + sheet_margin;
+            sheet.height = bounds.bottom + sheet_margin;
             if (count > 1) {
-                sheet.width = std::max(sheet.width, size.width + 2 * margin);
-                sheet.height = std::max(sheet.height, size.height + 2 * margin + heading_room);
+                sheet.width = std::max(sheet.width, size.width + 2 * sheet_margin);
+                sheet.height = std::max(sheet.height, size.height + 2 * sheet_margin + title_room);
             }
             sheet.unit = size.unit;
             sheet.lies = size.lies;
@@ -349,8 +347,8 @@ class ChartSheets {
             title += " – " + messages::draw::sheet(number + 1, count).in(how_.language);
         }
         Pen pen(sheet.scene.shapes, scene_.owners.add({"title", {}, {}}));
-        pen.label(plain_text(std::move(title)), {margin, margin + 0.3}, Label::Anchor::start,
-                  Label::Role::title);
+        pen.label(plain_text(std::move(title)), {sheet_margin, sheet_margin + 0.3},
+                  Label::Anchor::start, Label::Role::title);
     }
 
     const Grafcet& grafcet_;

@@ -21,29 +21,12 @@ struct ShownSituation {
     std::string caption;  ///< what the moment is; may be empty
 };
 
-/// A sheet of paper, without its margins, in mm.
-struct Paper {
-    std::string_view name;
-    double width = 190;
-    double height = 277;
-};
-inline constexpr Paper papers[] = {{"a4", 190, 277}, {"a3", 277, 400}};
-
 /// How a chart is to be drawn.
 struct ChartDrawing {
     NotSign sign = NotSign::overline;
     Paper paper = papers[0];
     Language language = Language::english;
     ShownSituation situation;
-};
-
-/// A sheet of a drawing: what stands on it, between (0, 0) and (width, height), in units.
-struct Sheet {
-    Scene scene;
-    double width = 0;
-    double height = 0;
-    double unit = 8;    ///< in mm
-    bool lies = false;  ///< the longer side of the paper is the lower one
 };
 
 /// The chart as IEC 60848 draws it. Upright if it fits, else lying, else in smaller letters, else

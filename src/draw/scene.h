@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,10 +33,10 @@ struct Bounds {
     bool overlaps(const Bounds& other) const;
 };
 
-/// A line from point to point.
+/// A line from point to point; aids to the eye are dashed.
 struct Line {
     std::vector<Point> points;
-    enum class Weight : std::uint8_t { link, frame, thin } weight = Weight::link;
+    enum class Weight : std::uint8_t { link, frame, thin, aid } weight = Weight::link;
 };
 
 /// A rectangle in outline, on a ground that hides what is below it where it is `filled`.
@@ -90,6 +91,27 @@ struct Shape {
 struct Scene {
     Table<OwnerId, Owner> owners;
     std::vector<Shape> shapes;
+};
+
+/// A sheet of paper, without its margins, in mm.
+struct Paper {
+    std::string_view name;
+    double width = 190;
+    double height = 277;
+};
+inline constexpr Paper papers[] = {{"a4", 190, 277}, {"a3", 277, 400}};
+
+/// Round what stands on a sheet, and above it for the title; in units.
+inline constexpr double sheet_margin = 0.4;
+inline constexpr double title_room = 1;
+
+/// A sheet of a drawing: what stands on it, between (0, 0) and (width, height), in units.
+struct Sheet {
+    Scene scene;
+    double width = 0;
+    double height = 0;
+    double unit = 8;    ///< in mm
+    bool lies = false;  ///< the longer side of the paper is the lower one
 };
 
 /// The size of letters of a role, in units.

@@ -4,8 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "draw/draw_chart.h"
+#include "draw/scene.h"
 #include "text/message.h"
+#include "trace/trace.h"
 
 namespace grafwire {
 
@@ -20,5 +21,9 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
 /// page each.
 std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_view title,
                                const Paper& paper, bool standalone);
+
+/// A run as JSON for WaveDrom (WaveJSON): a period for each moment at which something changes, with
+/// the times in the first line; inputs, steps, outputs and the rest in groups.
+std::string write_wavedrom(const Trace& trace, std::string_view title, Language language);
 
 }  // namespace grafwire

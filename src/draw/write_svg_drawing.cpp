@@ -15,12 +15,13 @@ constexpr std::string_view style = R"(<style>
 g { stroke: #1b1b1b; fill: none; stroke-width: 1.6; }
 .frame { stroke-width: 2.2; }
 .thin { stroke-width: 1; }
+.aid { stroke-width: 0.7; stroke-dasharray: 3 3; }
 .ground { fill: #ffffff; stroke-width: 2.2; }
 .mark { fill: #1b1b1b; stroke: none; }
 text { font-family: "DejaVu Sans", Arial, sans-serif; font-size: 14px; fill: #1b1b1b; stroke: none; }
-.name { font-size: 16px; }
-.title { font-size: 20px; font-weight: bold; }
-.remark { fill: #444444; }
+text.name { font-size: 16px; }
+text.title { font-size: 20px; font-weight: bold; }
+text.remark { fill: #444444; }
 .over { text-decoration: overline; }
 .under { text-decoration: underline; }
 .active .ground { fill: #ffe08a; stroke-width: 3.2; }
@@ -30,7 +31,7 @@ text { font-family: "DejaVu Sans", Arial, sans-serif; font-size: 14px; fill: #1b
 .paper, .ground { fill: #16191d; }
 g { stroke: #e3e6ea; }
 .mark, text { fill: #e3e6ea; }
-.remark { fill: #a9b1ba; }
+text.remark { fill: #a9b1ba; }
 .active .ground { fill: #6b5300; }
 .clearable { stroke: #ff8a80; }
 .clearable .mark { fill: #ff8a80; }
@@ -90,7 +91,8 @@ class SvgWriter {
     }
 
     void write(const Line& line) {
-        constexpr std::string_view classes[] = {"", " class=\"frame\"", " class=\"thin\""};
+        constexpr std::string_view classes[] = {"", " class=\"frame\"", " class=\"thin\"",
+                                                " class=\"aid\""};
         out_ += fmt::format("<polyline{} points=\"{}\"/>\n",
                             classes[static_cast<std::size_t>(line.weight)], points(line.points));
     }

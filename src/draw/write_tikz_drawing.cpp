@@ -73,6 +73,7 @@ class TikzWriter {
         out_ += fmt::format(
             "\\begin{{tikzpicture}}[x={0:g}mm, y=-{0:g}mm, line width=0.3mm,\n"
             "  frame/.style={{line width=0.42mm}}, thin/.style={{line width=0.2mm}},\n"
+            "  aid/.style={{line width=0.14mm, dash pattern=on 0.6mm off 0.6mm}},\n"
             "  every node/.style={{inner sep=0, outer sep=0, anchor=base,\n"
             "    font=\\sffamily\\fontsize{{8}}{{9}}\\selectfont}},\n"
             "  name/.style={{font=\\sffamily\\fontsize{{9}}{{10}}\\selectfont}},\n"
@@ -98,7 +99,7 @@ class TikzWriter {
     }
 
     void write(const Line& line) {
-        constexpr std::string_view weights[] = {"", "[frame]", "[thin]"};
+        constexpr std::string_view weights[] = {"", "[frame]", "[thin]", "[aid]"};
         out_ += fmt::format("\\draw{} {};\n", weights[static_cast<std::size_t>(line.weight)],
                             path(line.points));
     }

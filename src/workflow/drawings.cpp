@@ -1,5 +1,6 @@
 #include "workflow/drawings.h"
 
+#include "draw/timing_diagram.h"
 #include "draw/write_drawing.h"
 #include "story/instant_story.h"
 #include "text/shown_duration.h"
@@ -10,6 +11,17 @@ namespace grafwire {
 namespace say = messages::workflow;
 
 namespace {
+
+/// What a picture of the chart is called.
+std::string title_of(const Grafcet& grafcet) {
+    return grafcet.title.empty() ? grafcet.name : grafcet.title;
+}
+
+constexpr TraceFormat trace_rows[] = {
+    {"csv", {"a row for each instant or scan", "une ligne par instant ou par scrutation"}},
+    {"svg", {"a timing diagram", "un chronogramme"}},
+    {"wavedrom", {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"}},
+};
 
 constexpr DrawingFormat formats[] = {
     {"svg",
@@ -52,10 +64,27 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone) {
     const Grafcet& grafcet = chart.grafcet;
-    const std::string title = grafcet.title.empty() ? grafcet.name : grafcet.title;
+    const std::string title = title_of(grafcet);
     const std::vector<Sheet> sheets = draw_chart(grafcet, how);
     if (format.name == "tikz") return write_tikz_drawing(sheets, title, how.paper, standalone);
     return write_svg_drawing(sheets, title, how.paper, how.language);
+}
+
+std::span<const TraceFormat> trace_formats() {
+    return trace_rows;
+}
+
+std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
+                            Language language) {
+    const std::string title = title_of(chart.grafcet);
+    if (format.name == "svg") {
+        TimingDrawing how;
+        how.title = title;
+        how.language = language;
+        return write_svg_drawing(draw_timing(trace, how), title, how.paper, language);
+    }
+    if (format.name == "wavedrom") return write_wavedrom(trace, title, language);
+    return write_csv(trace);
 }
 
 }  // namespace grafwire

@@ -9,6 +9,7 @@
 #include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
+#include "trace/trace.h"
 #include "workflow/chart.h"
 
 namespace grafwire {
@@ -40,5 +41,16 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
 /// of it, in formats that heed it.
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone);
+
+/// A format of traces, by the name users write.
+struct TraceFormat {
+    std::string_view name;
+    Message<> description;
+};
+std::span<const TraceFormat> trace_formats();
+
+/// A run of the chart in a format of the table.
+std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
+                            Language language);
 
 }  // namespace grafwire

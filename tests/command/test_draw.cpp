@@ -64,6 +64,23 @@ TEST_CASE("the situation of a moment: active steps, and what they enable") {
     CHECK(contains(drawn_at("1500ms"), "situation at 1.5s"));
 }
 
+TEST_CASE("a run, and a simulation, as a timing diagram") {
+    const Ran svg = grafwire_with({"run", sequence_chart, sequence_stimuli, "--to", "svg"});
+    CHECK(svg.status == 0);
+    CHECK(contains(svg.out, "class=\"signal\" data-signal=\"X0\""));
+    const std::vector<std::string> request{"simulate", sequence_chart, sequence_stimuli,
+                                           "--style",  "nand",         "--to"};
+    for (const std::string format : {"svg", "wavedrom"}) {
+        std::vector<std::string> arguments = request;
+        arguments.push_back(format);
+        const Ran run = grafwire_with({"run", sequence_chart, sequence_stimuli, "--to", format});
+        CHECK(grafwire_with(arguments).out == run.out);
+    }
+    const Ran refused = grafwire_with({"run", sequence_chart, sequence_stimuli, "--to", "png"});
+    CHECK(refused.status == 2);
+    CHECK(contains(refused.err, "there is no format 'png'; there are: csv, svg, wavedrom"));
+}
+
 TEST_CASE("a moment without a stable situation, or that is none, is refused") {
     const std::string chart = "input a\ngraph G { initial 0\n step 1\n 0 -> 1 : a\n 1 -> 0 : a }\n";
     const ScratchFolder folder;

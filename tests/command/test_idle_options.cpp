@@ -120,10 +120,11 @@ TEST_CASE("options of equations and of run") {
     try_all({"run"},
             {{"--scan", {"10ms"}},
              {"--explain", {}},
+             {"--to", {"svg"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
             {{{sequence_chart, sequence_stimuli}, {}},
-             {{sequence_chart}, {"--explain", "--vcd", "-o"}}});
+             {{sequence_chart}, {"--explain", "--to", "--vcd", "-o"}}});
     CHECK(options_of({"info"}).empty());
 }
 
@@ -196,6 +197,7 @@ TEST_CASE("options of simulate") {
              {"--delay", {"unit"}},
              {"--scan", {"10ms"}},
              {"--explain", {}},
+             {"--to", {"svg"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
             {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan"}},

@@ -1,0 +1,319 @@
+// Rows of a trace in which nothing changes show nothing: only moments of change have a place. A run
+// often waits for seconds between changes that are milliseconds apart; to scale, the changes would
+// fall together on paper. So the scale is linear only while the longest interval is at most twenty
+// times the shortest, and all of it fits one strip.
+
+#include "draw/timing_diagram.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "draw/messages.h"
+#include "text/shown_duration.h"
+
+namespace grafwire {
+
+namespace {
+
+using Kind = Trace::Column::Kind;
+
+constexpr double pitch = 0.85;      ///< of the lines
+constexpr double level = 0.5;       ///< between 0 and 1
+constexpr double group_gap = 0.35;  ///< above inputs, steps, outputs, …
+constexpr double times_room = 0.7;  ///< above the lines, for the times
+constexpr double strip_gap = 0.9;
+constexpr double least_step = 1.3;  ///< between two moments
+constexpr double tail = 1.3;        ///< behind the last moment
+constexpr double widest_ratio = 20;
+
+/// A line of the diagram: a column of the trace, or the situation.
+struct SignalRow {
+    std::optional<std::size_t> column;
+    std::string name;
+    bool is_boxed = false;  ///< numbers and situations
+    bool begins_group = false;
+};
+
+/// The moments from number `first` up to `last`, excluded, side by side.
+struct Strip {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+class TimingDiagram {
+  public:
+    TimingDiagram(const Trace& trace, const TimingDrawing& how) : trace_(trace), how_(how) {
+        choose_rows();
+        choose_moments();
+        for (const SignalRow& row : rows_) {
+            names_width_ = std::max(names_width_, width_of(plain_text(row.name)));
+        }
+        height_ = times_room + 0.2;
+        for (const SignalRow& row : rows_) height_ += pitch + (row.begins_group ? group_gap : 0);
+    }
+
+    std::vector<Sheet> make() {
+        // Lying, unless the lines are too many for it.
+        const double unit = 8;
+        const bool lies = height_ + title_room + 2 * sheet_margin <= how_.paper.width / unit;
+        const double width = (lies ? how_.paper.height : how_.paper.width) / unit;
+        const double height = (lies ? how_.paper.width : how_.paper.height) / unit;
+        space_moments(width - 2 * sheet_margin - names_width_ - 0.3);
+        std::vector<Sheet> sheets;
+        double y = 0;
+        for (const Strip& strip : strips_) {
+            if (sheets.empty() || y + height_ + sheet_margin > height) {
+                sheets.emplace_back();
+                sheets.back().lies = lies;
+                sheets.back().unit = unit;
+                y = sheet_margin + title_room;
+            }
+            scene_ = &sheets.back().scene;
+            draw(strip, y);
+            y += height_ + strip_gap;
+        }
+        for (std::size_t i = 0; i < sheets.size(); ++i) {
+            finish(sheets[i], i, sheets.size(), width, height);
+        }
+        return sheets;
+    }
+
+  private:
+    std::int64_t value(std::size_t moment, std::size_t column) const {
+        return trace_.values[moments_[moment] * trace_.columns.size() + column];
+    }
+
+    // -- What is shown
+
+    void choose_rows() {
+        std::optional<Kind> kind;
+        for (std::size_t i = 0; i < trace_.columns.size(); ++i) {
+            const Trace::Column& column = trace_.columns[i];
+            if (is_control(column.name) && stays_0(i)) continue;
+            if (kind == Kind::step && column.kind != Kind::step) add_situation();
+            rows_.push_back({i, column.name, column.width > 1, kind && *kind != column.kind});
+            kind = column.kind;
+        }
+        if (kind == Kind::step) add_situation();
+    }
+    void add_situation() {
+        rows_.push_back({std::nullopt, messages::draw::situation.in(how_.language), true, false});
+    }
+    static bool is_control(const std::string& name) {
+        return name == "Init" || name == "AUdur" || name == "AUdoux";
+    }
+    bool stays_0(std::size_t column) const {
+        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
+            if (trace_.values[row * trace_.columns.size() + column] != 0) return false;
+        }
+        return true;
+    }
+
+    void choose_moments() {
+        const auto row_of = [&](std::size_t row) {
+            return trace_.values.begin() + static_cast<std::ptrdiff_t>(row * trace_.columns.size());
+        };
+        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
+            const bool changes =
+                row == 0 || !std::equal(row_of(row), row_of(row + 1), row_of(row - 1));
+            const bool is_last = row + 1 == trace_.row_count();
+            if (changes || is_last) moments_.push_back(row);
+        }
+    }
+
+    std::string situation(std::size_t moment) const {
+        std::string steps;
+        for (std::size_t i = 0; i < trace_.columns.size(); ++i) {
+            if (trace_.columns[i].kind != Kind::step || value(moment, i) == 0) continue;
+            if (!steps.empty()) steps += ',';
+            // Without the X of its variable.
+            steps += trace_.columns[i].name.substr(1);
+            if (value(moment, i) == Trace::unknown) steps += '?';
+        }
+        return '{' + steps + '}';
+    }
+    std::string text_at(const SignalRow& row, std::size_t moment) const {
+        if (!row.column) return situation(moment);
+        const std::int64_t shown = value(moment, *row.column);
+        return shown == Trace::unknown ? "x" : fmt::format("{}", shown);
+    }
+
+    // -- Where moments stand
+
+    Time time_of(std::size_t moment) const { return trace_.times[moments_[moment]]; }
+    std::string time_text(std::size_t moment) const {
+        return shown_duration(time_of(moment)).in(how_.language);
+    }
+
+    /// `room`: how wide the lines may be.
+    void space_moments(double room) {
+        double step = least_step;
+        for (std::size_t i = 0; i < moments_.size(); ++i) {
+            step = std::max(step, width_of(plain_text(time_text(i))) + 0.3);
+            for (const SignalRow& row : rows_) {
+                if (row.is_boxed && row.column) {
+                    step = std::max(step, width_of(plain_text(text_at(row, i))) + 0.3);
+                }
+            }
+        }
+        if (is_linear(step, room)) {
+            strips_.push_back({0, moments_.size()});
+            return;
+        }
+        const auto per_strip = static_cast<std::size_t>(std::max(1.0, (room - tail) / step + 1));
+        for (std::size_t first = 0; first < moments_.size(); first += per_strip) {
+            const std::size_t last = std::min(first + per_strip, moments_.size());
+            strips_.push_back({first, last});
+            for (std::size_t i = first; i < last; ++i) {
+                x_.push_back(static_cast<double>(i - first) * step);
+            }
+        }
+    }
+
+    /// Whether time is to scale; then the places are entered.
+    bool is_linear(double step, double room) {
+        if (moments_.size() < 2) return false;
+        Time shortest = never;
+        Time longest = 0;
+        for (std::size_t i = 1; i < moments_.size(); ++i) {
+            shortest = std::min(shortest, time_of(i) - time_of(i - 1));
+            longest = std::max(longest, time_of(i) - time_of(i - 1));
+        }
+        if (shortest <= 0) return false;
+        const double scale = step / static_cast<double>(shortest);
+        const auto whole = static_cast<double>(time_of(moments_.size() - 1) - time_of(0)) * scale;
+        if (static_cast<double>(longest) > widest_ratio * static_cast<double>(shortest))
+            return false;
+        if (whole + tail > room) return false;
+        for (std::size_t i = 0; i < moments_.size(); ++i) {
+            x_.push_back(static_cast<double>(time_of(i) - time_of(0)) * scale);
+        }
+        is_to_scale_ = true;
+        return true;
+    }
+
+    // -- Drawing
+
+    void draw(const Strip& strip, double top) {
+        const double left = sheet_margin + names_width_ + 0.3;
+        const double end = left + x_[strip.last - 1] + tail;
+        const double bottom = top + height_;
+        for (std::size_t i = strip.first; i < strip.last; ++i) {
+            const double x = left + x_[i];
+            Pen pen(scene_->shapes, scene_->owners.add({"moment", {{"time", time_text(i)}}, {}}));
+            pen.line({{x, top + 0.45}, {x, bottom}}, Line::Weight::aid);
+            pen.label(plain_text(time_text(i)), {x, top + 0.2}, Label::Anchor::middle,
+                      Label::Role::remark);
+        }
+        double y = top + times_room;
+        for (const SignalRow& row : rows_) {
+            y += row.begins_group ? group_gap : 0;
+            Pen pen(scene_->shapes, scene_->owners.add({"signal", {{"signal", row.name}}, {}}));
+            pen.label(plain_text(row.name), {left - 0.3, y + pitch / 2}, Label::Anchor::end);
+            const double low = y + (pitch + level) / 2;
+            if (row.is_boxed) {
+                draw_boxes(pen, row, strip, left, end, low);
+            } else {
+                pen.line({{left, low}, {end, low}}, Line::Weight::thin);
+                draw_levels(pen, *row.column, strip, left, end, low);
+            }
+            y += pitch;
+        }
+    }
+
+    double x_after(std::size_t moment, const Strip& strip, double left, double end) const {
+        return moment + 1 < strip.last ? left + x_[moment + 1] : end;
+    }
+
+    void draw_levels(Pen& pen, std::size_t column, const Strip& strip, double left, double end,
+                     double low) {
+        std::vector<Point> points;
+        const auto put = [&] {
+            if (points.size() > 1) pen.line(points, Line::Weight::frame);
+            points.clear();
+        };
+        for (std::size_t i = strip.first; i < strip.last; ++i) {
+            const double from = left + x_[i];
+            const double to = x_after(i, strip, left, end);
+            const std::int64_t shown = value(i, column);
+            if (shown == Trace::unknown) {
+                put();
+                pen.rectangle({from, low - level, to, low});
+                pen.label(plain_text("x"), {(from + to) / 2, low - level / 2},
+                          Label::Anchor::middle, Label::Role::remark);
+                continue;
+            }
+            const double y = shown != 0 ? low - level : low;
+            if (points.empty() || points.back().y != y) points.push_back({from, y});
+            if (points.size() > 1 && points[points.size() - 2].y == y) points.pop_back();
+            points.push_back({to, y});
+        }
+        put();
+    }
+
+    void draw_boxes(Pen& pen, const SignalRow& row, const Strip& strip, double left, double end,
+                    double low) {
+        for (std::size_t i = strip.first; i < strip.last;) {
+            std::string text = text_at(row, i);
+            const double from = left + x_[i];
+            double to = from;
+            for (; i < strip.last && text_at(row, i) == text; ++i)
+                to = x_after(i, strip, left, end);
+            pen.rectangle({from, low - level, to, low});
+            // A situation of many steps is cut short; the lines of the steps have it.
+            bool is_cut = false;
+            while (width_of(plain_text(text + (is_cut ? "…" : ""))) > to - from - 0.1 &&
+                   text.size() > 1) {
+                do text.pop_back();
+                while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U);
+                is_cut = true;
+            }
+            pen.label(plain_text(text + (is_cut ? "…" : "")), {(from + to) / 2, low - level / 2},
+                      Label::Anchor::middle);
+        }
+    }
+
+    void finish(Sheet& sheet, std::size_t number, std::size_t count, double width, double height) {
+        namespace say = messages::draw;
+        std::string title = how_.title;
+        if (count > 1) title += " – " + say::sheet(number + 1, count).in(how_.language);
+        Pen pen(sheet.scene.shapes, sheet.scene.owners.add({"title", {}, {}}));
+        pen.label(plain_text(std::move(title)), {sheet_margin, sheet_margin + 0.3},
+                  Label::Anchor::start, Label::Role::title);
+        Bounds bounds = bounds_of(sheet.scene.shapes);
+        if (!is_to_scale_ && moments_.size() > 1) {
+            pen.label(plain_text(say::not_to_scale.in(how_.language)),
+                      {sheet_margin, bounds.bottom + 0.5}, Label::Anchor::start,
+                      Label::Role::remark);
+            bounds = bounds_of(sheet.scene.shapes);
+        }
+        sheet.width = bounds.right + sheet_margin;
+        sheet.height = bounds.bottom + sheet_margin;
+        if (count > 1) {
+            sheet.width = std::max(sheet.width, width);
+            sheet.height = std::max(sheet.height, height);
+        }
+    }
+
+    const Trace& trace_;
+    const TimingDrawing& how_;
+    std::vector<SignalRow> rows_;
+    std::vector<std::size_t> moments_;  ///< rows of the trace
+    std::vector<double> x_;             ///< by moment, from the beginning of its strip
+    std::vector<Strip> strips_;
+    bool is_to_scale_ = false;
+    double names_width_ = 0;
+    double height_ = 0;  ///< of a strip
+    Scene* scene_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<Sheet> draw_timing(const Trace& trace, const TimingDrawing& how) {
+    return TimingDiagram(trace, how).make();
+}
+
+}  // namespace grafwire

@@ -1,0 +1,156 @@
+// Runs as timing diagrams, measured in the SVG file, and as WaveJSON.
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "draw/picture_rules.h"
+#include "draw/timing_diagram.h"
+#include "draw/write_drawing.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+using Kind = Trace::Column::Kind;
+
+/// A run of an input, two control inputs, two steps, an output and a counter; a row is a time in
+/// milliseconds and the values.
+Trace run_with(const std::vector<std::vector<std::int64_t>>& rows) {
+    Trace trace;
+    trace.columns = {{"a", 1, Kind::input},   {"Init", 1, Kind::input}, {"AUdur", 1, Kind::input},
+                     {"X1", 1, Kind::step},   {"X2", 1, Kind::step},    {"été", 1, Kind::output},
+                     {"c", 4, Kind::internal}};
+    for (const std::vector<std::int64_t>& row : rows) {
+        trace.times.push_back(row.front() * millisecond);
+        trace.values.insert(trace.values.end(), row.begin() + 1, row.end());
+    }
+    return trace;
+}
+
+const Trace& short_run() {
+    static const Trace trace = run_with({{0, 0, 0, 0, 1, 0, 0, 0},
+                                         {100, 1, 0, 0, 0, 1, 1, 1},
+                                         {150, 1, 0, 0, 0, 1, 1, 1},
+                                         {300, 0, 1, 0, 1, 0, 0, 12},
+                                         {400, 0, 0, 0, 1, 0, 0, 12}});
+    return trace;
+}
+
+Picture picture_of(const Trace& trace, std::size_t* sheets = nullptr,
+                   Language language = Language::english) {
+    TimingDrawing how;
+    how.title = "run";
+    how.language = language;
+    const std::vector<Sheet> drawn = draw_timing(trace, how);
+    if (sheets != nullptr) *sheets = drawn.size();
+    return read_picture(write_svg_drawing(drawn, how.title, how.paper, language));
+}
+
+/// The levels of a signal from left to right, one for each level line: `0`, `1`; and what its boxes
+/// say.
+std::string shown_values(const Picture& picture, const std::string& name) {
+    std::string shown;
+    for (const PictureGroup* signal : picture.all("signal")) {
+        if (signal->fact("signal") != name) continue;
+        double low = 0;
+        for (const Stroke& stroke : signal->strokes) low = std::max(low, stroke.y1);
+        for (const Stroke& stroke : signal->strokes) {
+            if (stroke.is_heavy && stroke.is_level()) shown += stroke.y1 < low ? '1' : '0';
+        }
+        for (std::size_t i = 1; i < signal->words.size(); ++i) shown += signal->words[i] + ' ';
+    }
+    return shown;
+}
+
+/// Boxes hide the dashed lines below them.
+Faults faults_of(const Picture& picture) {
+    Faults faults = crowded_texts(picture);
+    std::erase_if(faults, [](const std::string& fault) {
+        return fault.find("lies on a line of moment") != std::string::npos;
+    });
+    return faults;
+}
+
+std::vector<std::string> times_of(const Picture& picture) {
+    std::vector<std::string> times;
+    for (const PictureGroup* moment : picture.all("moment")) times.push_back(moment->words.at(0));
+    return times;
+}
+
+}  // namespace
+
+TEST_CASE("timing: a line for each signal, boxes for counters and situations") {
+    const Picture picture = picture_of(short_run());
+    CHECK(shown_values(picture, "a") == "010");
+    CHECK(shown_values(picture, "Init") == "010");
+    CHECK(shown_values(picture, "X1") == "101");
+    CHECK(shown_values(picture, "été") == "010");
+    CHECK(shown_values(picture, "c") == "0 1 12 ");
+    CHECK(shown_values(picture, "Situation") == "{1} {2} {1} ");
+    // What stays 0 all the time is left out, of control inputs.
+    CHECK(shown_values(picture, "AUdur").empty());
+    CHECK(faults_of(picture).empty());
+}
+
+TEST_CASE("timing: moments without change have no place; time is to scale where that can be") {
+    const Picture picture = picture_of(short_run());
+    CHECK(times_of(picture) == std::vector<std::string>{"0s", "100ms", "300ms", "400ms"});
+    const auto moments = picture.all("moment");
+    const double first = moments[1]->strokes[0].x1 - moments[0]->strokes[0].x1;
+    const double second = moments[2]->strokes[0].x1 - moments[1]->strokes[0].x1;
+    CHECK(second == doctest::Approx(2 * first));
+    CHECK(picture.all("title")[0]->words.size() == 1);
+    // A wait of an hour between them: side by side, and said.
+    const Picture long_wait = picture_of(run_with(
+        {{0, 0, 0, 0, 1, 0, 0, 0}, {100, 1, 0, 0, 1, 0, 0, 0}, {3'600'000, 0, 0, 0, 1, 0, 0, 0}}));
+    const auto apart = long_wait.all("moment");
+    CHECK(apart[1]->strokes[0].x1 - apart[0]->strokes[0].x1 ==
+          doctest::Approx(apart[2]->strokes[0].x1 - apart[1]->strokes[0].x1));
+    CHECK(long_wait.all("title")[0]->words.at(1).find("not to scale") != std::string::npos);
+}
+
+TEST_CASE("timing: long runs are folded into strips, with the names before each, and sheets") {
+    std::vector<std::vector<std::int64_t>> rows;
+    for (std::int64_t i = 0; i < 100; ++i) rows.push_back({i * i, i % 2, 0, 0, 1, 0, 0, i % 16});
+    std::size_t sheets = 0;
+    const Trace trace = run_with(rows);
+    const Picture picture = picture_of(trace, &sheets, Language::french);
+    CHECK(sheets > 1);
+    CHECK(times_of(picture).size() == 100);
+    CHECK(times_of(picture).back() == "9,801\u00a0s");
+    std::size_t strips = 0;
+    for (const PictureGroup* signal : picture.all("signal")) {
+        strips += signal->fact("signal") == "a" ? 1 : 0;
+    }
+    CHECK(strips > sheets);
+    CHECK(faults_of(picture).empty());
+    CHECK(picture.all("title").size() == sheets);
+}
+
+TEST_CASE("timing: an unknown value is neither 0 nor 1") {
+    const Picture picture =
+        picture_of(run_with({{0, 0, 0, 0, Trace::unknown, Trace::unknown, 0, Trace::unknown},
+                             {100, 0, 0, 0, 1, 0, 0, 3}}));
+    CHECK(shown_values(picture, "X1") == "1x ");
+    CHECK(shown_values(picture, "c") == "x 3 ");
+    CHECK(shown_values(picture, "Situation") == "{1?,2?} {1} ");
+}
+
+TEST_CASE("WaveDrom: a period for each moment, groups, and the texts of boxes") {
+    const auto json =
+        nlohmann::ordered_json::parse(write_wavedrom(short_run(), "run", Language::english));
+    CHECK(json["head"]["text"] == "run");
+    const auto& signals = json["signal"];
+    REQUIRE(signals.size() == 5);
+    CHECK(signals[0]["data"] == nlohmann::ordered_json{"0s", "100ms", "300ms", "400ms"});
+    CHECK(signals[1][0] == "inputs");
+    CHECK(signals[1][1] == nlohmann::ordered_json{{"name", "a"}, {"wave", "010."}});
+    CHECK(signals[2][1] == nlohmann::ordered_json{{"name", "X1"}, {"wave", "101."}});
+    CHECK(signals[3][1] == nlohmann::ordered_json{{"name", "été"}, {"wave", "010."}});
+    CHECK(signals[4][1] ==
+          nlohmann::ordered_json{{"name", "c"}, {"wave", "===."}, {"data", {"0", "1", "12"}}});
+}
+
+}  // namespace grafwire::testing
