@@ -1,19 +1,8 @@
+#include "trace/sample_trace.h"
 #include "trace/small_grafcet.h"
 #include "trace/trace.h"
 
 namespace grafwire::testing {
-
-namespace {
-
-Trace sample() {
-    Trace trace;
-    trace.columns = {{"a", 1}, {"a,b \"c\"", 1}, {"count", 4}};
-    trace.times = {0, 1500 * microsecond, 2 * second};
-    trace.values = {0, 1, -3, 1, Trace::unknown, 5, 1, 0, 5};
-    return trace;
-}
-
-}  // namespace
 
 TEST_CASE("the columns of a trace are the declarations in their order") {
     const Trace trace = empty_trace(read_grafcet(R"(
@@ -38,7 +27,7 @@ graph G { initial "my step" : set w, c := d, d := e, e := f, f := c on 1s/w }
 }
 
 TEST_CASE("CSV: fields quoted where they must be, times without trailing zeros") {
-    CHECK(write_csv(sample()) ==
+    CHECK(write_csv(sample_trace()) ==
           "time_ms,a,\"a,b \"\"c\"\"\",count\n"
           "0,0,1,-3\n"
           "1.5,1,x,5\n"

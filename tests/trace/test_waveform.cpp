@@ -2,22 +2,10 @@
 
 #include <set>
 
+#include "trace/sample_trace.h"
 #include "trace/waveform.h"
 
 namespace grafwire::testing {
-
-namespace {
-
-Trace kinds_of_columns() {
-    using Kind = Trace::Column::Kind;
-    Trace trace;
-    trace.columns = {{"a", 1, Kind::input}, {"a,b \"c\"", 1, Kind::output}, {"count", 4}};
-    trace.times = {0, 1500 * microsecond, 2 * second};
-    trace.values = {0, 1, -3, 1, Trace::unknown, 5, 1, 0, 5};
-    return trace;
-}
-
-}  // namespace
 
 TEST_CASE("a waveform written signal by signal") {
     VcdWriter writer("top");
@@ -105,7 +93,7 @@ TEST_CASE("wide numbers are extended with their sign") {
 }
 
 TEST_CASE("a trace as a waveform: only changes, counters as vectors, x for the unknown") {
-    CHECK(waveform_of(kinds_of_columns(), "my machine").vcd ==
+    CHECK(waveform_of(sample_trace(), "my machine").vcd ==
           "$version grafwire $end\n"
           "$timescale 1 us $end\n"
           "$scope module my_machine $end\n"
@@ -144,7 +132,7 @@ TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
 }
 
 TEST_CASE("a viewer is told to show inputs, steps and outputs in groups, counters as numbers") {
-    CHECK(write_gtkw(waveform_of(kinds_of_columns(), "my machine"), "run.vcd") ==
+    CHECK(write_gtkw(waveform_of(sample_trace(), "my machine"), "run.vcd") ==
           "[dumpfile] \"run.vcd\"\n"
           "[timestart] 0\n"
           "@800200\n-inputs\n"
