@@ -8,6 +8,8 @@
 #include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/step_by_step.h"
+#include "command/terminal.h"
+#include "text/wrapped.h"
 #include "workflow/runs.h"
 
 namespace grafwire {
@@ -45,7 +47,10 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
     const auto trace = request.output.text_of(result.trace, chart, language);
     if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli});
-    if (request.explain) files.add("-", explain_run(chart, *stimuli, period.value, language));
+    if (request.explain) {
+        files.add("-",
+                  wrapped(explain_run(chart, *stimuli, period.value, language), width_of_output()));
+    }
     request.output.add_files(
         files, *trace,
         request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),

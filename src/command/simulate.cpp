@@ -6,6 +6,8 @@
 #include "command/inputs.h"
 #include "command/messages.h"
 #include "command/option_uses.h"
+#include "command/terminal.h"
+#include "text/wrapped.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
 
@@ -101,7 +103,7 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     const auto trace = request.output.text_of(result.trace, *chart, line.language());
     if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli, request.against});
-    if (request.explain) files.add("-", story);
+    if (request.explain) files.add("-", wrapped(story, width_of_output()));
     request.output.add_files(files, *trace, result.waveform, request.explain);
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }

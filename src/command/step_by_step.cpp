@@ -10,8 +10,10 @@
 #include "command/line_reader.h"
 #include "command/messages.h"
 #include "command/standard_error.h"
+#include "command/terminal.h"
 #include "story/session.h"
 #include "text/utf8.h"
+#include "text/wrapped.h"
 
 namespace grafwire {
 
@@ -52,7 +54,7 @@ ExitStatus step_by_step(const std::string& path, const Chart& chart, std::option
         } else if (!reply.save_path.empty()) {
             all_obeyed = save(path, reply, language) && all_obeyed;
         } else {
-            print(reply.text);
+            print(wrapped(reply.text, width_of_output()));
         }
     }
     return all_obeyed || lines.is_terminal() ? ExitStatus::done : ExitStatus::bad_request;

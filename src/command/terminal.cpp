@@ -26,6 +26,10 @@ std::optional<TableLook> look_of_terminal() {
     return look;
 }
 
+std::size_t width_of_output() {
+    return look_of_terminal().value_or(TableLook()).width;
+}
+
 std::string trace_text(const Trace& trace, const Grafcet& grafcet, const std::string& path,
                        Language language) {
     const auto look = path.empty() ? look_of_terminal() : std::nullopt;

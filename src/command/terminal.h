@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,10 @@ namespace grafwire {
 /// columns where that is not known), emphasised unless NO_COLOR is set (no-color.org) or the
 /// terminal is a dumb one.
 std::optional<TableLook> look_of_terminal();
+
+/// How wide the lines of a text on standard output may be: as wide as the terminal; 80 columns
+/// where it is none, or where that is not known.
+std::size_t width_of_output();
 
 /// A trace for the file at `path`: CSV, but a table where it goes to standard output (`path` is
 /// empty) and that is a terminal.
