@@ -18,6 +18,7 @@
 
 #include "evolution/run.h"
 #include "explain/messages.h"
+#include "grafcet/shown_transition.h"
 #include "trace/input_values.h"
 
 namespace grafwire {
@@ -140,18 +141,6 @@ std::string ExplanationWriter::situation_text(const BitTable& situation) const {
     return fmt::format("{}", fmt::join(active, " "));
 }
 
-std::string ExplanationWriter::transition_text(TransitionId id) const {
-    const Transition& transition = grafcet_.transitions[id];
-    const auto names = [&](std::span<const StepId> steps) {
-        std::vector<std::string> list;
-        for (const StepId step : steps) list.push_back(grafcet_.steps[step].name);
-        return fmt::format("{}", fmt::join(list, ", "));
-    };
-    const std::string before = names(grafcet_.preceding(transition));
-    return fmt::format("({}) {}{}-> {}", transition.name, before, before.empty() ? "" : " ",
-                       names(grafcet_.following(transition)));
-}
-
 void ExplanationWriter::explain_reference() {
     say(words::the_reference);
     const ReferenceEnd end = end_of_reference(grafcet_, witness_);
@@ -182,7 +171,7 @@ void ExplanationWriter::explain_scan(const ReferenceEnd::Scan& scan, std::size_t
         return;
     }
     std::vector<std::string> names;
-    for (const TransitionId id : scan.cleared) names.push_back(transition_text(id));
+    for (const TransitionId id : scan.cleared) names.push_back(shown_transition(grafcet_, id));
     const std::string cleared =
         fmt::format("{}", fmt::join(names, words::between_transitions.in(language_)));
     if (is_numbered) {

@@ -64,7 +64,6 @@ class ExplanationWriter {
   private:
     void explain_scan(const ReferenceEnd::Scan& scan, std::size_t number);
     std::string situation_text(const BitTable& situation) const;
-    std::string transition_text(TransitionId id) const;
 
     const Grafcet& grafcet_;
     const Witness& witness_;

@@ -7,6 +7,7 @@
 #include "s7/instruction_set.h"
 #include "s7/messages.h"
 #include "text/nearest_name.h"
+#include "text/trimmed.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -14,12 +15,6 @@ namespace grafwire::s7 {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f,";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\v\f");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\v\f") - first + 1);
-}
 
 }  // namespace
 

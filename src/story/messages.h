@@ -55,7 +55,8 @@ inline constexpr Message<std::string, std::string> not_cleared_frozen{
     "{} is not cleared: {} is frozen\n", "{} n'est pas franchie : {} est figé\n"};
 inline constexpr Message<std::string> cleared_together{"cleared together: {} (rule 4)\n",
                                                        "franchies ensemble : {} (règle 4)\n"};
-inline constexpr Message<> rule_3{" (rule 3)", " (règle 3)"};
+/// The arguments of the next ones say, or end with, which steps change.
+inline constexpr Message<std::string> rule_3{"{} (rule 3)\n", "{} (règle 3)\n"};
 inline constexpr Message<std::string> deactivated{"deactivated: {}", "désactivation : {}"};
 inline constexpr Message<std::string> activated{"activated: {}", "activation : {}"};
 inline constexpr Message<> no_step_changes{"no step changes", "aucune étape ne change"};
@@ -201,6 +202,9 @@ inline constexpr Message<std::string> long_way{"a long way: stopped at {} ms\n",
                                                "c'est long : arrêt à {} ms\n"};
 inline constexpr Message<std::string> read_by_next_scan{
     "The scan at {} ms will read the inputs.\n", "La scrutation à {} ms lira les entrées.\n"};
+inline constexpr Message<std::string> breaks_assumption{
+    "These inputs break what the GRAFCET assumes: {}\n",
+    "Ces entrées contredisent ce que le GRAFCET suppose : {}\n"};
 inline constexpr Message<> not_begun{"Not begun: all inputs are 0.\n",
                                      "Rien n'a commencé : toutes les entrées sont à 0.\n"};
 /// Arguments: the time, the inputs at 1.

@@ -15,7 +15,9 @@
 #include "grafcet/write_grafcet.h"
 #include "story/messages.h"
 #include "story/write_story.h"
+#include "text/trimmed.h"
 #include "text/utf8.h"
+#include "trace/input_values.h"
 
 namespace grafwire {
 
@@ -26,16 +28,6 @@ namespace words = messages::story;
 /// Of one line; a longer way is gone in several.
 constexpr std::size_t most_instants = 100'000;
 constexpr Time until_next_change = millisecond;
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 /// Cuts off the first word of a line.
 std::string_view take_word(std::string_view& line) {
@@ -231,7 +223,9 @@ SessionReply Session::advance(Time to, const std::vector<Stimuli::Assignment>& a
     if (period_ && moment_.inputs != moment_.run.inputs && remark.empty() && !is_stuck()) {
         remark = words::read_by_next_scan.in(language_, format_milliseconds(next_scan()));
     }
+    const bool has_new_inputs = !assignments.empty() || past_.size() == 1;
     std::string text = write_stories(grafcet_, stories, language_);
+    if (has_new_inputs) text += broken_assumptions();
     return said(text + remark);
 }
 
@@ -247,6 +241,18 @@ void Session::do_instant(Time at, bool is_asked, std::vector<InstantStory>& stor
     moment_.now = at;
     moment_.last = story;
     add_story(stories, std::move(story));
+}
+
+/// A line for each that the inputs break, as they are now.
+std::string Session::broken_assumptions() const {
+    std::string text;
+    for (std::size_t i = 0; i < grafcet_.assumptions.size(); ++i) {
+        if (assumption_holds(grafcet_, i, moment_.inputs)) continue;
+        text += words::breaks_assumption.in(
+            language_,
+            write_expression(grafcet_, grafcet_.expressions, grafcet_.assumptions[i].expression));
+    }
+    return text;
 }
 
 std::string Session::shown() const {

@@ -35,6 +35,8 @@ struct SessionReply {
 ///     save FILE        all of this as stimuli
 ///     help, quit
 ///
+/// Inputs that break an assumption of the GRAFCET are obeyed, with a warning.
+///
 /// Without scans, the first inputs are those of the instant 0, and later ones without a time change
 /// a millisecond after the last instant. The GRAFCET must outlive the session.
 class Session {
@@ -74,6 +76,7 @@ class Session {
     bool is_stuck() const { return moment_.last && !moment_.last->is_stable; }
     Time next_scan() const { return moment_.run.state ? moment_.run.now + *period_ : 0; }
     void do_instant(Time at, bool is_asked, std::vector<InstantStory>& stories);
+    std::string broken_assumptions() const;
     std::string shown() const;
 
     const Grafcet& grafcet_;

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <type_traits>
 
+#include "grafcet/shown_transition.h"
 #include "grafcet/write_grafcet.h"
 #include "story/messages.h"
 
@@ -50,7 +50,7 @@ class StoryWriter {
     std::string expression(ExprId id) const {
         return write_expression(grafcet_, grafcet_.expressions, id);
     }
-    std::string transition(TransitionId id) const;
+    std::string transition(TransitionId id) const { return shown_transition(grafcet_, id); }
     std::string condition(const EnabledTransition& enabled) const;
     /// ` (start=1 top=1)`; nothing where the condition is a single operand.
     std::string values(const EnabledTransition& enabled) const;
@@ -81,19 +81,6 @@ class StoryWriter {
     std::size_t indent_ = 0;
     std::string text_;
 };
-
-std::string StoryWriter::transition(TransitionId id) const {
-    const Transition& transition = grafcet_.transitions[id];
-    const auto names = [&](std::span<const StepId> steps) {
-        std::vector<std::string> result;
-        for (const StepId step : steps) result.push_back(grafcet_.steps[step].name);
-        return list(result);
-    };
-    const std::string before = names(grafcet_.preceding(transition));
-    const std::string after = names(grafcet_.following(transition));
-    return fmt::format("({}) {}{}->{}{}", transition.name, before, before.empty() ? "" : " ",
-                       after.empty() ? "" : " ", after);
-}
 
 std::string StoryWriter::condition(const EnabledTransition& enabled) const {
     const ExprId id = grafcet_.transitions[enabled.transition].condition;
@@ -243,8 +230,7 @@ void StoryWriter::tell_clearing(const ScanStory& scan, const InstantStory& story
         say(words::cleared_together, list(names));
     }
     if (scan.before != scan.record.after_clearing) {
-        text_.append(indent_, ' ') +=
-            changed_steps(scan.before, scan.record.after_clearing) + word(words::rule_3) + "\n";
+        say(words::rule_3, changed_steps(scan.before, scan.record.after_clearing));
     }
     std::vector<std::string> kept;
     for (const StepId id : scan.kept) kept.push_back(step(id));

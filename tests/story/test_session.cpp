@@ -125,6 +125,23 @@ TEST_CASE("an input that is called like a command; no way on without a stable si
     typed.obeyed("a=1");
 }
 
+TEST_CASE("inputs that break an assumption are obeyed with a warning") {
+    const auto grafcet = read_grafcet(
+        "input a, b\nassume /(a . b)\ngraph G {\n  initial 0\n  step 1\n  0 -> 1 : a\n}");
+    REQUIRE(grafcet);
+    const std::string warning = "These inputs break what the GRAFCET assumes: /(a.b)\n";
+    Session session(*grafcet, std::nullopt, Language::english);
+    CHECK(!has(session.answer("a=1").text, "assumes"));
+    CHECK(session.answer("b=1").text.ends_with(warning));
+    CHECK(!has(session.answer("+1s").text, "assumes"));
+    CHECK(!has(session.answer("b=0").text, "assumes"));
+    Session scans(*grafcet, 10 * millisecond, Language::french);
+    CHECK(scans.answer("a=1 b=1").text ==
+          "Ces entrées contredisent ce que le GRAFCET suppose\u00a0: /(a.b)\n"
+          "La scrutation à 0\u00a0ms lira les entrées.\n");
+    CHECK(!has(scans.answer("scan").text, "suppose"));
+}
+
 TEST_CASE("in French, English words are taken as well") {
     Typed typed(std::nullopt, Language::french);
     CHECK(has(typed.obeyed("a=1"), "À 0 ms"));

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "grafcet/shown_transition.h"
 #include "random/read_text.h"
 #include "story/instant_story.h"
 #include "story/write_story.h"
@@ -32,6 +33,18 @@ graph G {
 })";
 
 }  // namespace
+
+TEST_CASE("transitions with the steps before and behind them, of sources and sinks too") {
+    const auto grafcet = read_grafcet(
+        "input a\ngraph G {\n  initial 0\n  step 1\n  (7) 0 -> 1 : a\n  (8) -> 0 : a\n"
+        "  (9) 1 -> : a\n  (10) 0, 1 -> 0, 1 : a\n}");
+    REQUIRE(grafcet);
+    std::string texts;
+    for (std::size_t i = 0; i < grafcet->transitions.size(); ++i) {
+        texts += shown_transition(*grafcet, grafcet->transitions.id_at(i)) + '|';
+    }
+    CHECK(texts == "(7) 0 -> 1|(8) -> 0|(9) 1 ->|(10) 0, 1 -> 0, 1|");
+}
 
 TEST_CASE("rules 1 to 3, a delay, and what an enabled transition waits for") {
     CHECK(told(lamp, "10ms : a=1\n20ms : a=0\n") == R"(At 0 ms: all inputs are 0
