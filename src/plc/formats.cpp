@@ -46,7 +46,7 @@ std::string ladder_of(const Grafcet& grafcet, const ScanProgram& program, const 
 std::string write_ladder_text(const Grafcet& grafcet, const ScanProgram& program,
                               const PlcOptions& options, Diagnostics& diagnostics) {
     return ladder_of(grafcet, program, options, diagnostics, [&](const ladder::Ladder& ladder) {
-        return ladder::write_text(ladder, 100, options.language);
+        return ladder::write_text(ladder, 80, options.language);
     });
 }
 
@@ -107,7 +107,7 @@ constexpr PlcFormat table[] = {
      write_ladder_text},
     {"ladder-svg",
      ".svg",
-     {"ladder diagram, as a picture", "schéma à contacts, en image"},
+     {"ladder diagram, as a picture in pages of A4", "schéma à contacts, en image par pages A4"},
      write_ladder_svg},
     {"pl7-2",
      ".txt",

@@ -1,11 +1,18 @@
 // Drawings of ladder diagrams.
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <regex>
+
+#include "ladder/draw/cut_drawing.h"
 #include "ladder/draw/layout.h"
 #include "ladder/draw/write_drawings.h"
 #include "ladder/ladder_from.h"
+#include "random/random_cases.h"
+#include "random/random_grafcet.h"
 #include "random/read_text.h"
+#include "support/chart_files.h"
 #include "text/utf8.h"
 
 namespace grafwire::testing {
@@ -17,6 +24,58 @@ ladder::Ladder ladder_of(const std::string& chart, bool modes) {
     REQUIRE(grafcet);
     Diagnostics diagnostics;
     return ladder::ladder_from(*grafcet, program_from(*grafcet, {modes}), diagnostics);
+}
+
+/// A page of a picture, as a text.
+std::vector<std::string> pages_of(const std::string& svg) {
+    const std::string begin = "<g class=\"page\"";
+    std::vector<std::string> pages;
+    for (std::size_t at = svg.find(begin); at != std::string::npos;) {
+        const std::size_t next = svg.find(begin, at + 1);
+        pages.push_back(svg.substr(at, next - at));
+        at = next;
+    }
+    return pages;
+}
+
+/// What a pattern with one group finds, in order.
+std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::vector<std::string> matches;
+    for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end;
+         ++match) {
+        matches.push_back((*match)[1]);
+    }
+    return matches;
+}
+
+/// The numbers of the rungs that begin or go on on a page.
+std::vector<std::string> rung_numbers(const std::string& page) {
+    return found(page, "class=\"number\" x=\"52\"[^>]*>(\\d+)<");
+}
+
+/// A chart whose transition has a condition of so many terms.
+std::string chart_with_terms(int count) {
+    std::string inputs;
+    std::string condition;
+    for (int i = 0; i < count; ++i) {
+        inputs += fmt::format("{}a{}", i == 0 ? "" : ", ", i);
+        condition += fmt::format("{}a{}", i == 0 ? "" : " + ", i);
+    }
+    return fmt::format("input {}\ngraph G {{ initial 0 step 1  0 -> 1 : {}  1 -> 0 : a0 }}", inputs,
+                       condition);
+}
+
+/// All that is drawn stays within the margins of a page.
+void check_within_page(const std::string& page) {
+    for (const std::string& y : found(page, " y[12]?=\"([-0-9.]+)\"")) {
+        CHECK(std::stod(y) >= 0);
+        CHECK(std::stod(y) <= 1188 - 35);
+    }
+    for (const std::string& x : found(page, " x[12]?=\"([-0-9.]+)\"")) {
+        CHECK(std::stod(x) >= 0);
+        CHECK(std::stod(x) <= 840);
+    }
 }
 
 }  // namespace
@@ -164,6 +223,103 @@ TEST_CASE("a picture escapes what is not text in XML") {
     CHECK(svg.find(">c&amp;d</text>") != std::string::npos);
     CHECK(svg.find("prefers-color-scheme: dark") != std::string::npos);
     CHECK(svg.find("<b") == std::string::npos);
+}
+
+TEST_CASE("a picture is pages of A4, and each rung of the examples on one of them") {
+    for (const ChartFiles& example : example_charts()) {
+        INFO(example.name);
+        const ladder::Ladder ladder = ladder_of(example.chart, true);
+        const std::string svg = write_svg(ladder);
+        const std::vector<std::string> pages = pages_of(svg);
+        REQUIRE_FALSE(pages.empty());
+        CHECK(svg.find(fmt::format("width=\"210mm\" height=\"{}mm\" viewBox=\"0 0 840 {}\"",
+                                   297 * pages.size(), 1188 * pages.size())) != std::string::npos);
+        std::vector<std::string> numbers;
+        for (std::size_t i = 0; i < pages.size(); ++i) {
+            CHECK(pages[i].find(fmt::format("translate(0 {})", 1188 * i)) != std::string::npos);
+            CHECK(pages[i].find(fmt::format(">{}/{}</text>", i + 1, pages.size())) !=
+                  std::string::npos);
+            CHECK(found(pages[i], "class=\"title\"[^>]*>([^<]*)<").front().find(ladder.name) == 0);
+            check_within_page(pages[i]);
+            for (const std::string& number : rung_numbers(pages[i])) numbers.push_back(number);
+        }
+        std::vector<std::string> expected;
+        for (const ladder::Rung& rung : ladder.rungs) {
+            expected.push_back(fmt::format("{}", rung.number));
+        }
+        CHECK(numbers == expected);
+    }
+}
+
+TEST_CASE("a rung taller than a page goes on on the next") {
+    const std::string chart = chart_with_terms(120);
+    const std::vector<std::string> pages = pages_of(write_svg(ladder_of(chart, false)));
+    REQUIRE(pages.size() == 5);
+    std::string all;
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        check_within_page(pages[i]);
+        all += pages[i];
+    }
+    for (const std::string& page : {pages[1], pages[2], pages[3]}) {
+        CHECK(page.find(">continued</text>") != std::string::npos);
+        CHECK(rung_numbers(page).front() == rung_numbers(pages[1]).front());
+    }
+    for (int i = 1; i < 120; ++i) {
+        CHECK(found(all, fmt::format("class=\"name\"[^>]*>(a{})<", i)).size() == 1);
+    }
+}
+
+TEST_CASE("a comment longer than a page, and a name wider than one") {
+    const std::vector<std::string> pages =
+        pages_of(write_svg(ladder_of(chart_with_terms(1200), false)));
+    for (const std::string& page : pages) check_within_page(page);
+    const std::string wide(200, 'w');
+    const std::string svg = write_svg(
+        ladder_of("input " + wide + "\ngraph G { initial 0  0 -> 0 : " + wide + " }", false));
+    const std::vector<std::string> sizes = found(svg, "viewBox=\"0 0 (\\d+ \\d+)\"");
+    REQUIRE(sizes.size() == 1);
+    const double width = std::stod(sizes.front());
+    const double height = std::stod(sizes.front().substr(sizes.front().find(' ')));
+    CHECK(width > 1600);
+    CHECK(height * 210 == width * 297 * static_cast<double>(pages_of(svg).size()));
+}
+
+TEST_CASE("parts of a drawing hold all of it, each name with its contact") {
+    for (std::uint64_t seed = 970'000; seed < 970'000 + case_count(20); ++seed) {
+        INFO("seed " << seed);
+        RandomSource random(seed);
+        const Features features;
+        const ladder::Ladder ladder = ladder_of(random_grafcet(random, features), true);
+        for (const ladder::Rung& rung : ladder.rungs) {
+            const ladder::Drawing whole = draw(ladder, rung, 50);
+            const int most = static_cast<int>(random.between(9, 20));
+            std::size_t symbols = 0;
+            std::size_t labels = 0;
+            std::size_t boxes = 0;
+            for (int from = 0; from < whole.height;) {
+                const int to = row_to_cut(whole, from, most);
+                REQUIRE(to > from);
+                CHECK(to - from <= most);
+                const ladder::Drawing part = rows_of(whole, from, to);
+                for (const ladder::Drawing::Symbol& symbol : part.symbols) {
+                    CHECK((symbol.y >= 1 && symbol.y < part.height));
+                }
+                for (const ladder::Drawing::Box& box : part.boxes) {
+                    CHECK((box.y >= 0 && box.y + box.height <= part.height));
+                }
+                for (const ladder::Drawing::Wire& wire : part.wires) {
+                    CHECK((wire.y1 >= 0 && wire.y2 <= 2 * part.height));
+                }
+                symbols += part.symbols.size();
+                labels += part.labels.size();
+                boxes += part.boxes.size();
+                from = to;
+            }
+            CHECK(symbols == whole.symbols.size());
+            CHECK(labels == whole.labels.size());
+            CHECK(boxes == whole.boxes.size());
+        }
+    }
 }
 
 TEST_CASE("integers are as wide as their sums need") {

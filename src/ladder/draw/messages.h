@@ -12,4 +12,7 @@ inline constexpr Message<> bits{"Bits", "Bits"};
 inline constexpr Message<> integers{"Integers", "Entiers"};
 inline constexpr Message<> blocks{"Blocks", "Blocs"};
 
+/// Of a rung that begins on the page before.
+inline constexpr Message<> continued{"continued", "suite"};
+
 }  // namespace grafwire::messages::ladder_draw

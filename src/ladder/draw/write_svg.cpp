@@ -1,11 +1,21 @@
-// Ladder diagrams as pictures. The layout's grid becomes cells of 8 by 17 units; names are set in a
-// monospaced font that fits them. Colours follow the viewer's preference for dark or light.
+// Ladder diagrams as pictures: pages of A4 below one another, each exactly as high as the paper, so
+// that a browser prints one on each sheet. A rung stands on one page; only one that is taller than
+// a page goes on on the next. The unit is a quarter of a millimetre; the layout's grid becomes
+// cells of 8 by 17 units, with names in a monospaced font that fits them. Where a rung is too wide,
+// all pages show everything smaller. Colours follow the viewer's preference for dark or light.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ladder/draw/cut_drawing.h"
 #include "ladder/draw/layout.h"
+#include "ladder/draw/messages.h"
 #include "ladder/draw/write_drawings.h"
 #include "text/escape.h"
+#include "text/utf8.h"
 
 namespace grafwire::ladder {
 
@@ -13,11 +23,27 @@ namespace {
 
 constexpr double cell_width = 8;
 constexpr double cell_height = 17;
-constexpr int columns = 104;
-constexpr double margin = 24;
+constexpr int columns = 95;
+constexpr double margin = 40;
+/// Of A4: 210 mm by 297 mm. One that is wider and its height are multiples of the steps.
+constexpr double paper_width = 840;
+constexpr double paper_height = 1188;
+constexpr double width_step = 70;
+constexpr double height_step = 99;
+/// The room of a section's heading, between the comment of a rung and its drawing, and below that.
+constexpr double heading_height = 2.6 * cell_height;
+constexpr double comment_gap = 4;
+constexpr double rung_end = 0.6 * cell_height;
+/// With room for fewer the rest of a drawing goes on on the next page.
+constexpr int fewest_rows = 8;
+/// Characters of the title in one line, and at most.
+constexpr std::size_t title_columns = 52;
+constexpr std::size_t longest_title = 3 * title_columns;
 
 constexpr const char* style = R"(<style>
+@page { size: 210mm 297mm; margin: 0; }
 .paper { fill: #ffffff; }
+.edge { stroke: #9fb0c0; stroke-dasharray: 6 6; }
 .wire { stroke: #1d2b3a; stroke-width: 1.6; fill: none; stroke-linecap: square; }
 .rail { stroke: #1d2b3a; stroke-width: 3; }
 text { font: 13px "DejaVu Sans Mono", Menlo, Consolas, monospace; fill: #1d2b3a; white-space: pre; }
@@ -31,6 +57,9 @@ text { font: 13px "DejaVu Sans Mono", Menlo, Consolas, monospace; fill: #1d2b3a;
 text { fill: #d7dee6; }
 .heading, .number { fill: #7cc4ee; }
 .comment { fill: #9fb0c0; }
+}
+@media print {
+.edge { display: none; }
 }
 </style>
 )";
@@ -46,17 +75,35 @@ class Picture {
     void path(const std::string& path) {
         body_ += fmt::format("<path class=\"wire\" d=\"{}\"/>\n", path);
     }
-    void paragraph(const std::string& words, std::string_view kind);
-    void rung(const Ladder& ladder, const Rung& rung);
     void drawing(const Drawing& drawing);
     void symbol(const Drawing::Symbol& symbol);
     void box(const Drawing::Box& box);
+    void remark(const std::string& words);
+    void rung(const Rung& rung, const Drawing& drawing, Language language);
+    void rows(const Rung& rung, const Drawing& drawing, Language language);
+    void head(const Rung& rung, const std::vector<std::string>& lines);
+    void close_rails();
+    void turn_page();
+    std::string page(std::size_t index) const;
+
     static double x_of(double cells) { return margin + cells * cell_width; }
     double y_of(double cells) const { return top_ + cells * cell_height; }
+    /// What is left of the page.
+    double room() const { return height_ - margin - top_; }
+    /// What a page has below its title.
+    double whole_room() const { return height_ - margin - body_top(); }
+    double body_top() const {
+        return margin + cell_height * (1.6 + static_cast<double>(title_.size()));
+    }
 
-    std::string body_;
-    double top_ = 0;
-    double widest_ = 0;
+    double width_ = paper_width;  ///< of a page
+    double height_ = paper_height;
+    std::vector<std::string> title_;  ///< in lines
+    std::vector<std::string> pages_;  ///< those that are full
+    std::string body_;                ///< of the page that is drawn on
+    double top_ = 0;                  ///< where its next part begins
+    double rails_top_ = 0;            ///< where the rails of the rung begin on it
+    double right_rail_ = 0;
 };
 
 void Picture::text(double x, double y, std::string_view kind, std::string_view anchor,
@@ -68,13 +115,6 @@ void Picture::text(double x, double y, std::string_view kind, std::string_view a
 void Picture::line(double x1, double y1, double x2, double y2, std::string_view kind) {
     body_ += fmt::format("<line class=\"{}\" x1=\"{:g}\" y1=\"{:g}\" x2=\"{:g}\" y2=\"{:g}\"/>\n",
                          kind, x1, y1, x2, y2);
-}
-
-void Picture::paragraph(const std::string& words, std::string_view kind) {
-    for (const std::string& line : wrapped_text(words, columns)) {
-        text(margin, top_ + 13, kind, "start", line);
-        top_ += cell_height;
-    }
 }
 
 void Picture::symbol(const Drawing::Symbol& symbol) {
@@ -137,44 +177,116 @@ void Picture::drawing(const Drawing& drawing) {
     }
 }
 
-void Picture::rung(const Ladder& ladder, const Rung& rung) {
-    if (!rung.heading.empty()) {
+void Picture::remark(const std::string& words) {
+    for (const std::string& line : wrapped_text(words, columns)) {
+        if (room() < cell_height) turn_page();
+        text(margin, top_ + 13, "comment", "start", line);
         top_ += cell_height;
-        text(margin, top_ + 14, "heading", "start", rung.heading);
-        top_ += 1.6 * cell_height;
     }
-    const Drawing layout = draw(ladder, rung, columns);
-    const double right = x_of(layout.width - 0.5);
-    widest_ = std::max(widest_, right);
-    const double begin = top_;
-    const std::vector<std::string> lines = wrapped_text(rung.comment, columns - 8);
+}
+
+void Picture::turn_page() {
+    pages_.push_back(std::move(body_));
+    body_.clear();
+    top_ = body_top();
+    rails_top_ = top_;
+}
+
+void Picture::close_rails() {
+    line(x_of(0.5), rails_top_, x_of(0.5), top_, "rail");
+    line(right_rail_, rails_top_, right_rail_, top_, "rail");
+}
+
+/// The number of a rung and what is said of it.
+void Picture::head(const Rung& rung, const std::vector<std::string>& lines) {
     text(x_of(1.5), top_ + 13, "number", "start", fmt::format("{}", rung.number));
     for (const std::string& line : lines) {
+        if (room() < cell_height) {
+            close_rails();
+            turn_page();
+        }
         text(x_of(5.5), top_ + 13, "comment", "start", line);
         top_ += cell_height;
     }
-    top_ += 4;
-    drawing(layout);
-    top_ = y_of(layout.height + 0.6);
-    line(x_of(0.5), begin, x_of(0.5), top_, "rail");
-    line(right, begin, right, top_, "rail");
+    top_ += comment_gap;
+}
+
+/// A drawing, on as many pages as it takes.
+void Picture::rows(const Rung& rung, const Drawing& drawing, Language language) {
+    const std::vector<std::string> continued{messages::ladder_draw::continued.in(language)};
+    for (int from = 0; from < drawing.height;) {
+        const int most = static_cast<int>((room() - rung_end) / cell_height);
+        const bool is_last = drawing.height - from <= most;
+        if (is_last || most >= fewest_rows) {
+            const int to = row_to_cut(drawing, from, most);
+            this->drawing(rows_of(drawing, from, to));
+            top_ = y_of(to - from) + (is_last ? rung_end : 0);
+            from = to;
+        }
+        close_rails();
+        if (is_last) return;
+        turn_page();
+        head(rung, continued);
+    }
+}
+
+void Picture::rung(const Rung& rung, const Drawing& drawing, Language language) {
+    const std::vector<std::string> lines = wrapped_text(rung.comment, columns - 8);
+    const double heading = rung.heading.empty() ? 0 : heading_height;
+    const double height = heading + static_cast<double>(lines.size()) * cell_height + comment_gap +
+                          drawing.height * cell_height + rung_end;
+    // One that is taller than a page may as well begin where half of one is left.
+    const double needed = height <= whole_room() ? height : whole_room() / 2;
+    if (room() < needed && top_ > body_top()) turn_page();
+    if (!rung.heading.empty()) {
+        text(margin, top_ + cell_height + 14, "heading", "start", rung.heading);
+        top_ += heading_height;
+    }
+    rails_top_ = top_;
+    right_rail_ = x_of(drawing.width - 0.5);
+    head(rung, lines);
+    rows(rung, drawing, language);
+}
+
+std::string Picture::page(std::size_t index) const {
+    const double y = height_ * static_cast<double>(index);
+    std::string text = fmt::format(
+        "<g class=\"page\" transform=\"translate(0 {})\">\n"
+        "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+        y, width_, height_);
+    if (index > 0)
+        text +=
+            fmt::format("<line class=\"edge\" x1=\"0\" y1=\"0\" x2=\"{}\" y2=\"0\"/>\n", width_);
+    Picture head;
+    for (std::size_t i = 0; i < title_.size(); ++i) {
+        head.text(margin, margin + 18 + static_cast<double>(i) * cell_height, "title", "start",
+                  title_[i]);
+    }
+    head.text(width_ - margin, margin + 18, "heading", "end",
+              fmt::format("{}/{}", index + 1, pages_.size()));
+    return text + head.body_ + pages_[index] + "</g>\n";
 }
 
 std::string Picture::write(const Ladder& ladder, Language language) {
-    top_ = margin;
-    text(margin, top_ + 18, "title", "start", heading_of(ladder, language));
-    top_ += 2 * cell_height;
-    for (const std::string& remark : ladder.remarks) paragraph(remark, "comment");
-    widest_ = x_of(columns);
-    for (const Rung& item : ladder.rungs) rung(ladder, item);
-    const double width = widest_ + margin;
-    const double height = top_ + margin;
-    return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" "
-               "viewBox=\"0 0 {0:g} {1:g}\">\n<title>{2}</title>\n{3}"
-               "<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n",
-               width, height, xml_text(ladder.name), style) +
-           body_ + "</svg>\n";
+    std::vector<Drawing> drawings;
+    for (const Rung& item : ladder.rungs) {
+        drawings.push_back(draw(ladder, item, columns));
+        width_ = std::max(width_, x_of(drawings.back().width) + margin);
+    }
+    width_ = std::ceil(width_ / width_step) * width_step;
+    height_ = width_ / width_step * height_step;
+    title_ = wrapped_text(shortened(heading_of(ladder, language), longest_title), title_columns);
+    top_ = body_top();
+    for (const std::string& words : ladder.remarks) remark(words);
+    for (std::size_t i = 0; i < drawings.size(); ++i) rung(ladder.rungs[i], drawings[i], language);
+    turn_page();
+    const auto count = static_cast<double>(pages_.size());
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"210mm\" height=\"{}mm\" "
+        "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n{}",
+        297 * pages_.size(), width_, height_ * count, xml_text(ladder.name), style);
+    for (std::size_t i = 0; i < pages_.size(); ++i) svg += page(i);
+    return svg + "</svg>\n";
 }
 
 }  // namespace
