@@ -26,11 +26,15 @@ fp-compiler          /usr/bin/fpc
 gtkwave              /usr/bin/gtkwave
 iverilog             /usr/bin/iverilog
 libxml2-utils        /usr/bin/xmllint
+lmodern              /usr/share/texmf/tex/latex/lm/lmodern.sty
 ngspice              /usr/bin/ngspice
 patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config
 python3              /usr/bin/python3
 python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py
+texlive-lang-french  /usr/share/texlive/texmf-dist/tex/generic/babel-french/french.ldf
+texlive-latex-base   /usr/bin/pdflatex
+texlive-latex-recommended /usr/share/texlive/texmf-dist/tex/latex/booktabs/booktabs.sty
 texlive-pictures     /usr/share/texlive/texmf-dist/tex/latex/pgf/frontendlayer/tikz.sty
 xauth                /usr/bin/xauth
 xvfb                 /usr/bin/xvfb-run

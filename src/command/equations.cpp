@@ -1,5 +1,7 @@
 // grafwire equations: CAX, CDX, X and the equations of the actions, in one of the forms.
 
+#include <span>
+
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -18,6 +20,7 @@ struct Request {
     std::string format = "text";
     std::string output;
     bool karnaugh = false;
+    bool standalone = false;
 };
 
 }  // namespace
@@ -31,12 +34,14 @@ Task declare_equations(const CommandLine& line) {
         .one_of_names(equation_format_table)
         .shows_default();
     line.add_flag("--karnaugh", request->karnaugh, help::karnaugh());
+    line.add_flag("--standalone", request->standalone, help::whole_report());
     line.add("-o", request->output, help::output());
     return [request, line] {
         const EquationFormatRow& format = *row_named(equation_format_table, request->format);
         const CdxForm cdx = row_named(cdx_table, request->cdx)->form;
-        if (refuse_idle_options(line, "equations",
-                                format.shows_minimised ? fact::minimised : fact::none)) {
+        const ChosenFormat chosen =
+            chosen_format(std::span<const EquationFormatRow>(equation_format_table), format);
+        if (refuse_idle_options(line, "equations", fact::none, &chosen)) {
             return ExitStatus::bad_request;
         }
         // Read the GRAFCET.
@@ -45,9 +50,9 @@ Task declare_equations(const CommandLine& line) {
         // Derive the equations, and write them down.
         show_wiring_warnings(*chart, cdx);
         OutputFiles files({request->path});
-        files.add(request->output,
-                  equation_report(*chart, {cdx, request->modes == "on"},
-                                  {format.format, request->karnaugh, line.language()}));
+        files.add(request->output, equation_report(*chart, {cdx, request->modes == "on"},
+                                                   {format.format, request->karnaugh,
+                                                    line.language(), request->standalone}));
         return finish(files, ExitStatus::done);
     };
 }

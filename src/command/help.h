@@ -126,8 +126,12 @@ inline constexpr Message<> standalone{"a whole document rather than a part of on
 
 inline constexpr Message<> equations_to{"output form", "forme de la sortie"};
 inline constexpr Message<> karnaugh{
-    "with the truth table, Karnaugh map and minimised form of every step",
-    "avec la table de vérité, le tableau de Karnaugh et la forme réduite de chaque étape"};
+    "with the truth table and Karnaugh map of a step, and the minimised form of every step",
+    "avec la table de vérité et le tableau de Karnaugh d'une étape, et la forme réduite de chaque "
+    "étape"};
+inline constexpr Message<> whole_report{
+    "LaTeX: a whole document for pdflatex, not a fragment to include in one",
+    "LaTeX : un document complet pour pdflatex, et non un fragment à inclure"};
 
 // run
 

@@ -109,8 +109,6 @@ inline constexpr Message<> only_generated{"it is for a netlist made from the GRA
 inline constexpr Message<> only_clocked{
     "it is for the clocked style: the others have no scans",
     "cette option est pour le style clocked : les autres n'ont pas de scrutation"};
-inline constexpr Message<> not_in_csv{"CSV has no place for it",
-                                      "le CSV n'a pas de place pour cela"};
 inline constexpr Message<> stimuli_by_bench{
     "this format takes stimuli with --bench, as a test bench",
     "ce format prend les stimuli avec --bench, comme banc d'essai"};

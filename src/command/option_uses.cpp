@@ -27,7 +27,8 @@ struct OptionUse {
 constexpr unsigned by_format = fact::none;
 
 constexpr OptionUse option_uses[] = {
-    {"equations", "--karnaugh", fact::minimised, &say::not_in_csv},
+    {"equations", "--karnaugh", by_format},
+    {"equations", "--standalone", by_format},
 
     {"netlist", "--scan", by_format},
     {"netlist", "--scan", fact::clocked, &say::only_clocked},

@@ -18,11 +18,10 @@ inline constexpr unsigned ladder = 8;         ///< a ladder diagram
 inline constexpr unsigned asynchronous = 16;  ///< the netlist has no clock
 inline constexpr unsigned clocked = 32;       ///< it has one
 inline constexpr unsigned open_start = 64;    ///< nothing sets its steps: from elsewhere, no Init
-inline constexpr unsigned minimised = 128;    ///< the form shows minimised equations
-inline constexpr unsigned stimuli = 256;      ///< there are stimuli
-inline constexpr unsigned own_bench = 512;    ///< the format keeps a bench in a file of its own
-inline constexpr unsigned bench = 1024;       ///< a bench is asked for
-inline constexpr unsigned output = 2048;      ///< the result goes into a file
+inline constexpr unsigned stimuli = 128;      ///< there are stimuli
+inline constexpr unsigned own_bench = 256;    ///< the format keeps a bench in a file of its own
+inline constexpr unsigned bench = 512;        ///< a bench is asked for
+inline constexpr unsigned output = 1024;      ///< the result goes into a file
 }  // namespace fact
 
 /// A format as the table of options sees it.

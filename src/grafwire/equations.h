@@ -15,6 +15,7 @@ struct EquationOptions {
     bool modes = true;      ///< with Init, AUdur and AUdoux
     bool karnaugh = false;  ///< with truth tables, Karnaugh maps and minimised forms; not in CSV
     Language language = Language::english;  ///< of text, Markdown and LaTeX
+    bool standalone = false;                ///< LaTeX: a whole document
 };
 
 enum class EquationForm { text, markdown, latex, csv, json };

@@ -32,6 +32,7 @@ std::string equations(const Chart& chart, EquationForm form, const EquationOptio
     }
     report.karnaugh = options.karnaugh;
     report.language = language_from(options.language);
+    report.standalone = options.standalone;
     return equation_report(chart.parts().chart, derivation, report);
 }
 

@@ -54,12 +54,15 @@ std::string_view name_of(CdxForm form);
 struct EquationFormatRow {
     std::string_view name;
     EquationFormat format;
-    bool shows_minimised;  ///< whether EquationReport::karnaugh changes anything
+    /// The options that it uses, as they are called on the command line.
+    std::string_view options;
 };
 inline constexpr EquationFormatRow equation_format_table[] = {
-    {"text", EquationFormat::text, true},   {"markdown", EquationFormat::markdown, true},
-    {"latex", EquationFormat::latex, true}, {"csv", EquationFormat::csv, false},
-    {"json", EquationFormat::json, true},
+    {"text", EquationFormat::text, "--karnaugh"},
+    {"markdown", EquationFormat::markdown, "--karnaugh"},
+    {"latex", EquationFormat::latex, "--karnaugh --standalone"},
+    {"csv", EquationFormat::csv, ""},
+    {"json", EquationFormat::json, "--karnaugh"},
 };
 
 /// Derives the equations of a chart and writes them down.

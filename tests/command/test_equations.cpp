@@ -115,6 +115,14 @@ TEST_CASE("the other forms") {
     CHECK(karnaugh.status == 0);
     CHECK(karnaugh.out.size() >
           grafwire_with({"equations", example("single-sequence.grafcet")}).out.size());
+    const Ran fragment = grafwire_with(
+        {"equations", example("single-sequence.grafcet"), "--to", "latex", "--karnaugh"});
+    const Ran document =
+        grafwire_with({"--lang", "fr", "equations", example("single-sequence.grafcet"), "--to",
+                       "latex", "--karnaugh", "--standalone"});
+    CHECK(!contains(fragment.out, "\\documentclass"));
+    CHECK(contains(document.out, "\\usepackage[french]{babel}"));
+    CHECK(document.out.rfind("\\end{document}\n") == document.out.size() - 15);
 }
 
 TEST_CASE("equations and info warn of what wiring may get wrong, in the form asked for") {

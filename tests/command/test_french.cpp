@@ -111,6 +111,7 @@ TEST_CASE("refused requests and inputs are told in French") {
         {"plc", "-", "--to", "s7-200", "--io", "-"},
         {"run", "-", "-"},
         {"equations", chart, "--to", "csv", "--karnaugh"},
+        {"equations", chart, "--standalone"},
         {"netlist", chart, "--style", "nand", "--to", "verilog", "--scan", "1ms"},
         {"netlist", chart, "--style", "nand", "--to", "verilog", "--stim", stim},
         {"netlist", chart, "--style", "nand", "--to", "verilog", "--bench"},

@@ -106,15 +106,17 @@ void try_all(const std::vector<std::string>& command, const Values& values,
 TEST_CASE("options of equations and of run") {
     const Files files;
     std::vector<Context> contexts;
-    for (const std::string form : {"text", "markdown", "latex", "json"}) {
-        contexts.push_back({{sequence_chart, "--to", form}, {}});
+    for (const std::string form : {"text", "markdown", "json"}) {
+        contexts.push_back({{sequence_chart, "--to", form}, {"--standalone"}});
     }
-    contexts.push_back({{sequence_chart, "--to", "csv"}, {"--karnaugh"}});
+    contexts.push_back({{sequence_chart, "--to", "latex"}, {}});
+    contexts.push_back({{sequence_chart, "--to", "csv"}, {"--karnaugh", "--standalone"}});
     try_all({"equations"},
             {{"--cdx", {"transition"}},
              {"--modes", {"off"}},
              {"--to", {"text"}},
              {"--karnaugh", {}},
+             {"--standalone", {}},
              {"-o", {files.path("out")}}},
             contexts);
     try_all({"run"},

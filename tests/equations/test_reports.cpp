@@ -40,6 +40,12 @@ TEST_CASE("the report in text") {
     CHECK(report(lamp, {.format = EquationFormat::text}) == R"report(Equations of lamp (Lampe & co)
 CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
 
+Transitions
+  Transition  Steps        Transition condition  Clearing condition
+  (0)         X0 -> X1     ↑m.[n < 9]            X0.↑m.[n < 9]
+  (1)         X1 -> Xwait  "H|+".m + /m."H|+"    X1.("H|+".m + /m."H|+")
+  (2)         Xwait -> X0  1.5s/Xwait/20ms       Xwait . 1.5s/Xwait/20ms
+
 Activation and deactivation conditions
   Step   CAX                             CDX
   X0     Xwait . 1.5s/Xwait/20ms + Init  X1./Init
@@ -79,6 +85,14 @@ TEST_CASE("the report in markdown") {
           R"report(# Equations of lamp (Lampe \& co)
 
 CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
+
+## Transitions
+
+| Transition | Steps | Transition condition | Clearing condition |
+|---|---|---|---|
+| (0) | `X0 -> X1` | `↑m.[n < 9]` | `X0.↑m.[n < 9]` |
+| (1) | `X1 -> Xwait` | `"H\|+".m + /m."H\|+"` | `X1.("H\|+".m + /m."H\|+")` |
+| (2) | `Xwait -> X0` | `1.5s/Xwait/20ms` | `Xwait . 1.5s/Xwait/20ms` |
 
 ## Activation and deactivation conditions
 
@@ -127,69 +141,95 @@ CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
 }
 
 TEST_CASE("the report in LaTeX") {
-    CHECK(report(lamp, {.format = EquationFormat::latex}) == R"report(% \usepackage{amsmath}
-\section*{Equations of lamp (Lampe \& co)}
+    CHECK(report(lamp, {.format = EquationFormat::latex}) ==
+          R"report(% Needs in the preamble: \usepackage{amsmath,array,booktabs,longtable}
+\providecommand{\equationlist}[1]{\raggedright
+  \settowidth{\labelwidth}{#1}\setlength{\leftmargin}{\labelwidth}%
+  \addtolength{\leftmargin}{\labelsep}\setlength{\itemsep}{3pt}\setlength{\parsep}{0pt}}
+\section*{\raggedright Equations of lamp (Lampe \& co)}
 
-CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
+\noindent CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
 
-\subsection*{Activation and deactivation conditions}
+\subsection*{\raggedright Transitions}
 
-\begin{tabular}{lll}
+\noindent\begin{tabular}{@{}llll@{}}
+\toprule
+Transition & Steps & Transition condition & Clearing condition \\
+\midrule
+(0) & $X_{0} \to X_{1}$ & ${\uparrow}m \cdot {[n < 9]}$ & $X_{0} \cdot {\uparrow}m \cdot {[n < 9]}$ \\
+(1) & $X_{1} \to X_{\mathrm{wait}}$ & $\text{H\textbar{}+} \cdot m \allowbreak + \overline{m} \cdot \text{H\textbar{}+}$ & $X_{1} \cdot (\text{H\textbar{}+} \cdot m \allowbreak + \overline{m} \cdot \text{H\textbar{}+})$ \\
+(2) & $X_{\mathrm{wait}} \to X_{0}$ & $1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms}$ & $X_{\mathrm{wait}} \cdot 1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms}$ \\
+\bottomrule
+\end{tabular}
+
+\subsection*{\raggedright Activation and deactivation conditions}
+
+\noindent\begin{tabular}{@{}lll@{}}
+\toprule
 Step & CAX & CDX \\
-\hline
-$X_{0}$ & $X_{\mathrm{wait}} \cdot 1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms} + \mathrm{Init}$ & $X_{1} \cdot \overline{\mathrm{Init}}$ \\
-$X_{1}$ & $X_{0} \cdot \uparrow m \cdot [n < 9] \cdot \overline{\mathrm{Init}}$ & $X_{\mathrm{wait}} + \mathrm{Init}$ \\
-$X_{\mathrm{wait}}$ & $X_{1} \cdot (\text{H\textbar{}+} \cdot m + \overline{m} \cdot \text{H\textbar{}+}) \cdot \overline{\mathrm{Init}}$ & $X_{0} + \mathrm{Init}$ \\
+\midrule
+$X_{0}$ & $X_{\mathrm{wait}} \cdot 1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms} \allowbreak + \mathrm{Init}$ & $X_{1} \cdot \overline{\mathrm{Init}}$ \\
+$X_{1}$ & $X_{0} \cdot {\uparrow}m \cdot {[n < 9]} \cdot \overline{\mathrm{Init}}$ & $X_{\mathrm{wait}} + \mathrm{Init}$ \\
+$X_{\mathrm{wait}}$ & $X_{1} \cdot (\text{H\textbar{}+} \cdot m \allowbreak + \overline{m} \cdot \text{H\textbar{}+}) \cdot \overline{\mathrm{Init}}$ & $X_{0} + \mathrm{Init}$ \\
+\bottomrule
 \end{tabular}
 
-\subsection*{Equations of the steps}
+\subsection*{\raggedright Equations of the steps}
 
-\begin{align*}
-X_{0} &= (X_{\mathrm{wait}} \cdot 1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms} + \overline{X_{1}} \cdot X_{0} + \mathrm{Init}) \cdot \overline{\mathrm{AUdur}} \\
-X_{1} &= (X_{0} \cdot \uparrow m \cdot [n < 9] + \overline{X_{\mathrm{wait}}} \cdot X_{1}) \cdot \overline{\mathrm{Init}} \cdot \overline{\mathrm{AUdur}} \\
-X_{\mathrm{wait}} &= (X_{1} \cdot (\text{H\textbar{}+} \cdot m + \overline{m} \cdot \text{H\textbar{}+}) + \overline{X_{0}} \cdot X_{\mathrm{wait}}) \cdot \overline{\mathrm{Init}} \cdot \overline{\mathrm{AUdur}}
-\end{align*}
+\begin{list}{}{\equationlist{$X_{\mathrm{wait}} =$}}
+\item[$X_{0} =$] $(X_{\mathrm{wait}} \cdot 1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms} + \overline{X_{1}} \cdot X_{0} + \mathrm{Init}) \cdot \overline{\mathrm{AUdur}}$
+\item[$X_{1} =$] $(X_{0} \cdot {\uparrow}m \cdot {[n < 9]} + \overline{X_{\mathrm{wait}}} \cdot X_{1}) \cdot \overline{\mathrm{Init}} \cdot \overline{\mathrm{AUdur}}$
+\item[$X_{\mathrm{wait}} =$] $(X_{1} \cdot (\text{H\textbar{}+} \cdot m + \overline{m} \cdot \text{H\textbar{}+}) \allowbreak + \overline{X_{0}} \cdot X_{\mathrm{wait}}) \cdot \overline{\mathrm{Init}} \cdot \overline{\mathrm{AUdur}}$
+\end{list}
 
-\subsection*{Outputs}
+\subsection*{\raggedright Outputs}
 
-\begin{align*}
-A &= X_{1} \cdot (m + \overline{\mathrm{off}}) \cdot \overline{\mathrm{AUdoux}}
-\end{align*}
+\begin{list}{}{\equationlist{$A =$}}
+\item[$A =$] $X_{1} \cdot (m + \overline{\mathrm{off}}) \cdot \overline{\mathrm{AUdoux}}$
+\end{list}
 
-\subsection*{Stored outputs and variables}
+\subsection*{\raggedright Stored outputs and variables}
 
-\begin{tabular}{lll}
+\noindent\begin{tabular}{@{}lll@{}}
+\toprule
 Variable & Set & Reset \\
-\hline
-$\mathrm{L\_1}$ & $\uparrow X_{1}$ & $\downarrow X_{\mathrm{wait}} \cdot \overline{\uparrow X_{1}}$ \\
+\midrule
+$\mathrm{L\_1}$ & ${\uparrow}X_{1}$ & ${\downarrow}X_{\mathrm{wait}} \cdot \overline{{\uparrow}X_{1}}$ \\
+\bottomrule
 \end{tabular}
 
-\begin{align*}
-\mathrm{L\_1} &= \uparrow X_{1} + \overline{\downarrow X_{\mathrm{wait}} \cdot \overline{\uparrow X_{1}}} \cdot \mathrm{L\_1}
-\end{align*}
+\begin{list}{}{\equationlist{$\mathrm{L\_1} =$}}
+\item[$\mathrm{L\_1} =$] ${\uparrow}X_{1} + \overline{{\downarrow}X_{\mathrm{wait}} \cdot \overline{{\uparrow}X_{1}}} \cdot \mathrm{L\_1}$
+\end{list}
 
-\subsection*{Counters}
+\subsection*{\raggedright Counters}
 
-\begin{tabular}{llll}
+\noindent\begin{tabular}{@{}llll@{}}
+\toprule
 Counter & Range & When & Write \\
-\hline
-$n$ & 0..9 & $X_{0} \cdot \uparrow m \cdot [n < 9] \cdot \overline{\mathrm{Init}}$ & $n := n + 1$ \\
+\midrule
+$n$ & 0..9 & $X_{0} \cdot {\uparrow}m \cdot {[n < 9]} \cdot \overline{\mathrm{Init}}$ & $n := n + 1$ \\
+\bottomrule
 \end{tabular}
 
-\subsection*{Time conditions}
+\subsection*{\raggedright Time conditions}
 
-\begin{tabular}{llll}
+\noindent\begin{tabular}{@{}llll@{}}
+\toprule
 Time condition & Operand & 1 after & 0 after \\
-\hline
+\midrule
 $1.5\,\mathrm{s}/X_{\mathrm{wait}}/20\,\mathrm{ms}$ & $X_{\mathrm{wait}}$ & 1.5s & 20ms \\
+\bottomrule
 \end{tabular}
 
-\subsection*{Edges}
+\subsection*{\raggedright Edges}
 
-\begin{tabular}{ll}
+\noindent\begin{tabular}{@{}ll@{}}
+\toprule
 Edge & Operand \\
-\hline
-$\uparrow m$ & $m$ \\
+\midrule
+${\uparrow}m$ & $m$ \\
+\bottomrule
 \end{tabular}
 )report");
 }
@@ -209,6 +249,11 @@ TEST_CASE("the report in JSON") {
   "name": "lamp",
   "title": "Lampe & co",
   "options": {"cdx":"successor","modes":true},
+  "transitions": [
+    {"name":"0","from":["X0"],"to":["X1"],"condition":"↑m.[n < 9]","clearing":"X0.↑m.[n < 9]"},
+    {"name":"1","from":["X1"],"to":["Xwait"],"condition":"\"H|+\".m + /m.\"H|+\"","clearing":"X1.(\"H|+\".m + /m.\"H|+\")"},
+    {"name":"2","from":["Xwait"],"to":["X0"],"condition":"1.5s/Xwait/20ms","clearing":"Xwait . 1.5s/Xwait/20ms"}
+  ],
   "steps": [
     {"name":"X0","initial":true,"cax":"Xwait . 1.5s/Xwait/20ms + Init","cdx":"X1./Init","x":"(Xwait . 1.5s/Xwait/20ms + /X1.X0 + Init)./AUdur"},
     {"name":"X1","initial":false,"cax":"X0.↑m.[n < 9]./Init","cdx":"Xwait + Init","x":"(X0.↑m.[n < 9] + /Xwait.X1)./Init./AUdur"},
@@ -236,6 +281,11 @@ TEST_CASE("the report in French, with truth tables and Karnaugh maps") {
                  {.cdx = CdxForm::transition, .modes = false}) == R"report(Équations de grafcet
 CDX d'après les transitions franchies (forme transition), sans Init, AUdur ni AUdoux.
 
+Transitions
+  Transition  Étapes    Réceptivité  Condition de franchissement
+  (0)         X0 -> X1  m.b + m./b   X0.(m.b + m./b)
+  (1)         X1 -> X0  b            X1.b
+
 Conditions d'activation et de désactivation
   Étape  CAX              CDX
   X0     X1.b             X0.(m.b + m./b)
@@ -245,53 +295,32 @@ Conditions d'activation et de désactivation
   X0 = X1.b + /(X0.(m.b + m./b)).X0
   X1 = X0.(m.b + m./b) + /(X1.b).X1
 
-Table de vérité et tableau de Karnaugh de X0
-  X0(t)  CAX0  CDX0  X0(t+dt)  Remarque
-  0      0     0     0         L'étape reste inactive (effet mémoire)
-  0      0     1     0         L'étape reste inactive
-  0      1     0     1         Activation de l'étape
-  0      1     1     1         Activation ET désactivation = activation
-  1      0     0     1         L'étape reste active (effet mémoire)
-  1      0     1     0         Désactivation de l'étape
-  1      1     0     1         L'étape reste active
-  1      1     1     1         Activation ET désactivation = activation
+Table de vérité et tableau de Karnaugh d'une étape
+Ils sont les mêmes pour toutes les étapes.
+  X(t)  CAX  CDX  X(t+dt)  Remarque
+  0     0    0    0        L'étape reste inactive (effet mémoire)
+  0     0    1    0        L'étape reste inactive
+  0     1    0    1        Activation de l'étape
+  0     1    1    1        Activation ET désactivation = activation
+  1     0    0    1        L'étape reste active (effet mémoire)
+  1     0    1    0        Désactivation de l'étape
+  1     1    0    1        L'étape reste active
+  1     1    1    1        Activation ET désactivation = activation
 
-  X0  00   01  11   10
-  0   0    0   1 a  1 a
-  1   1 b  0   1 a  1 ab
+     CAX CDX
+  X  00   01  11   10
+  0  0    0   1 a  1 a
+  1  1 b  0   1 a  1 ab
 
-  Groupe  Produit   Cases (X, CAX CDX)
-  a       CAX0      0, 11; 0, 10; 1, 11; 1, 10
-  b       /CDX0.X0  1, 00; 1, 10
+  Groupe  Produit  Cases (X, CAX CDX)
+  a       CAX      0, 11; 0, 10; 1, 11; 1, 10
+  b       /CDX.X   1, 00; 1, 10
 
-  X0 = CAX0 + /CDX0.X0
+  X = CAX + /CDX.X
 
-Formes réduites :
+Formes réduites
   CDX0 = X0.m
   X0 = X1.b + /m.X0
-
-Table de vérité et tableau de Karnaugh de X1
-  X1(t)  CAX1  CDX1  X1(t+dt)  Remarque
-  0      0     0     0         L'étape reste inactive (effet mémoire)
-  0      0     1     0         L'étape reste inactive
-  0      1     0     1         Activation de l'étape
-  0      1     1     1         Activation ET désactivation = activation
-  1      0     0     1         L'étape reste active (effet mémoire)
-  1      0     1     0         Désactivation de l'étape
-  1      1     0     1         L'étape reste active
-  1      1     1     1         Activation ET désactivation = activation
-
-  X1  00   01  11   10
-  0   0    0   1 a  1 a
-  1   1 b  0   1 a  1 ab
-
-  Groupe  Produit   Cases (X, CAX CDX)
-  a       CAX1      0, 11; 0, 10; 1, 11; 1, 10
-  b       /CDX1.X1  1, 00; 1, 10
-
-  X1 = CAX1 + /CDX1.X1
-
-Formes réduites :
   CAX1 = X0.m
   X1 = X0.m + /b.X1
 )report");
@@ -299,29 +328,31 @@ Formes réduites :
 
 TEST_CASE("truth table and Karnaugh map in English") {
     const std::string text = report(two_steps, {.karnaugh = true});
-    CHECK(text.substr(text.find("\nTruth table and Karnaugh map of X1\n")) == R"report(
-Truth table and Karnaugh map of X1
-  X1(t)  CAX1  CDX1  X1(t+dt)  Remark
-  0      0     0     0         The step stays inactive (memory effect)
-  0      0     1     0         The step stays inactive
-  0      1     0     1         Activation of the step
-  0      1     1     1         Activation AND deactivation = activation
-  1      0     0     1         The step stays active (memory effect)
-  1      0     1     0         Deactivation of the step
-  1      1     0     1         The step stays active
-  1      1     1     1         Activation AND deactivation = activation
+    CHECK(text.substr(text.find("\nTruth table and Karnaugh map of a step\n")) == R"report(
+Truth table and Karnaugh map of a step
+They are the same for every step.
+  X(t)  CAX  CDX  X(t+dt)  Remark
+  0     0    0    0        The step stays inactive (memory effect)
+  0     0    1    0        The step stays inactive
+  0     1    0    1        Activation of the step
+  0     1    1    1        Activation AND deactivation = activation
+  1     0    0    1        The step stays active (memory effect)
+  1     0    1    0        Deactivation of the step
+  1     1    0    1        The step stays active
+  1     1    1    1        Activation AND deactivation = activation
 
-  X1  00   01  11   10
-  0   0    0   1 a  1 a
-  1   1 b  0   1 a  1 ab
+     CAX CDX
+  X  00   01  11   10
+  0  0    0   1 a  1 a
+  1  1 b  0   1 a  1 ab
 
-  Group  Product   Cells (X, CAX CDX)
-  a      CAX1      0, 11; 0, 10; 1, 11; 1, 10
-  b      /CDX1.X1  1, 00; 1, 10
+  Group  Product  Cells (X, CAX CDX)
+  a      CAX      0, 11; 0, 10; 1, 11; 1, 10
+  b      /CDX.X   1, 00; 1, 10
 
-  X1 = CAX1 + /CDX1.X1
+  X = CAX + /CDX.X
 
-Smaller forms:
+Smaller forms
   CAX1 = X0.m./Init
   X1 = X0.m./Init./AUdur + /X0.X1./Init./AUdur
 )report");
@@ -330,13 +361,17 @@ Smaller forms:
 TEST_CASE("truth table and Karnaugh map in LaTeX") {
     const std::string text =
         report(two_steps, {.format = EquationFormat::latex, .karnaugh = true}, without_modes);
-    CHECK(text.substr(text.find("\n\\subsection*{Truth table and Karnaugh map of X1}\n")) ==
+    CHECK(text.substr(text.find(
+              "\n\\subsection*{\\raggedright Truth table and Karnaugh map of a step}\n")) ==
           R"report(
-\subsection*{Truth table and Karnaugh map of X1}
+\subsection*{\raggedright Truth table and Karnaugh map of a step}
 
-\begin{tabular}{lllll}
-$X_{1}(t)$ & $\mathit{CAX}_{1}$ & $\mathit{CDX}_{1}$ & $X_{1}(t+dt)$ & Remark \\
-\hline
+\noindent They are the same for every step.
+
+\medskip\noindent\begin{tabular}{@{}lllll@{}}
+\toprule
+$X(t)$ & $\mathit{CAX}$ & $\mathit{CDX}$ & $X(t+dt)$ & Remark \\
+\midrule
 0 & 0 & 0 & 0 & The step stays inactive (memory effect) \\
 0 & 0 & 1 & 0 & The step stays inactive \\
 0 & 1 & 0 & 1 & Activation of the step \\
@@ -345,32 +380,38 @@ $X_{1}(t)$ & $\mathit{CAX}_{1}$ & $\mathit{CDX}_{1}$ & $X_{1}(t+dt)$ & Remark \\
 1 & 0 & 1 & 0 & Deactivation of the step \\
 1 & 1 & 0 & 1 & The step stays active \\
 1 & 1 & 1 & 1 & Activation AND deactivation = activation \\
+\bottomrule
 \end{tabular}
 
-\begin{tabular}{lllll}
-$X_{1}$ & 00 & 01 & 11 & 10 \\
-\hline
+\medskip\noindent{\renewcommand{\arraystretch}{1.3}\begin{tabular}{c|c|c|c|c|}
+\multicolumn{1}{c}{} & \multicolumn{4}{c}{$\mathit{CAX}\;\mathit{CDX}$} \\
+\multicolumn{1}{c}{$X$} & \multicolumn{1}{c}{00} & \multicolumn{1}{c}{01} & \multicolumn{1}{c}{11} & \multicolumn{1}{c}{10} \\
+\cline{2-5}
 0 & 0 & 0 & 1 a & 1 a \\
+\cline{2-5}
 1 & 1 b & 0 & 1 a & 1 ab \\
-\end{tabular}
+\cline{2-5}
+\end{tabular}}
 
-\begin{tabular}{lll}
+\medskip\noindent\begin{tabular}{@{}lll@{}}
+\toprule
 Group & Product & Cells (X, CAX CDX) \\
-\hline
-a & $\mathit{CAX}_{1}$ & 0, 11; 0, 10; 1, 11; 1, 10 \\
-b & $\overline{\mathit{CDX}_{1}} \cdot X_{1}$ & 1, 00; 1, 10 \\
+\midrule
+a & $\mathit{CAX}$ & 0, 11; 0, 10; 1, 11; 1, 10 \\
+b & $\overline{\mathit{CDX}} \cdot X$ & 1, 00; 1, 10 \\
+\bottomrule
 \end{tabular}
 
-\begin{align*}
-X_{1} &= \mathit{CAX}_{1} + \overline{\mathit{CDX}_{1}} \cdot X_{1}
-\end{align*}
+\begin{list}{}{\equationlist{$X =$}}
+\item[$X =$] $\mathit{CAX} + \overline{\mathit{CDX}} \cdot X$
+\end{list}
 
-Smaller forms:
+\subsection*{\raggedright Smaller forms}
 
-\begin{align*}
-\mathit{CAX}_{1} &= X_{0} \cdot m \\
-X_{1} &= X_{0} \cdot m + \overline{X_{0}} \cdot X_{1}
-\end{align*}
+\begin{list}{}{\equationlist{$\mathit{CAX}_{1} =$}}
+\item[$\mathit{CAX}_{1} =$] $X_{0} \cdot m$
+\item[$X_{1} =$] $X_{0} \cdot m + \overline{X_{0}} \cdot X_{1}$
+\end{list}
 )report");
 }
 
@@ -424,7 +465,8 @@ TEST_CASE("names that need it are quoted in formulas and escaped in every form")
     has(EquationFormat::csv, "\nXmy step,X1.é,X1,");
     has(EquationFormat::csv, "\n\"x,y\",,,\"\"\"Xmy step\"\".\"\"50%\"\"\"\n");
     has(EquationFormat::markdown, "| `` \"Xmy step\".\"a`b\" `` |");
-    has(EquationFormat::latex, "\\text{x,y} &= X_{\\text{my step}} \\cdot \\text{50\\%}\n");
+    has(EquationFormat::latex,
+        "\\item[$\\text{x,y} =$] $X_{\\text{my step}} \\cdot \\text{50\\%}$\n");
     has(EquationFormat::latex, "X_{1} \\cdot \\text{é}");
     has(EquationFormat::json, R"("name":"Xmy step")");
 }
@@ -436,10 +478,50 @@ TEST_CASE("LaTeX: operators, nested negations and time conditions") {
                   0 -> 1 : (a ⊕ b).c + /(/(a + b).c).↓(a.b)   1 -> 0 : 2s/(3s/a/1min) . 1s//b })",
                                     {.format = EquationFormat::latex}, without_modes);
     INFO(text);
-    CHECK(text.find(R"($X_{0} \cdot ((a \oplus b) \cdot c + \overline{\overline{a + b} \cdot c} )"
-                    R"(\cdot \downarrow (a \cdot b))$)") != std::string::npos);
+    CHECK(text.find(R"($X_{0} \cdot ((a \oplus b) \cdot c \allowbreak + )"
+                    R"(\overline{\overline{a + b} \cdot c} \cdot {\downarrow}(a \cdot b))$)") !=
+          std::string::npos);
     CHECK(text.find(R"($X_{1} \cdot 2\,\mathrm{s}/(3\,\mathrm{s}/a/1\,\mathrm{min}) )"
                     R"(\cdot 1\,\mathrm{s}/\overline{b}$)") != std::string::npos);
+}
+
+TEST_CASE("LaTeX: a negation too long for an overline has a slash, and a note says so") {
+    constexpr std::string_view chart = R"(
+        input first_input, second_input, third_input
+        graph G { initial 0 step 1
+                  0 -> 1 : /(first_input + second_input + third_input)   1 -> 0 : /first_input })";
+    const std::string text = report(
+        chart, {.format = EquationFormat::latex, .language = Language::french}, without_modes);
+    INFO(text);
+    CHECK(text.find("$/(\\mathrm{first\\_input} + \\mathrm{second\\_input}") != std::string::npos);
+    CHECK(text.find("\\overline{\\mathrm{first\\_input} + \\mathrm{second\\_input}") !=
+          std::string::npos);
+    CHECK(text.find("\n\\noindent Une barre oblique devant une parenthèse note") !=
+          std::string::npos);
+    CHECK(report(lamp, {.format = EquationFormat::latex}).find("slash") == std::string::npos);
+}
+
+TEST_CASE("LaTeX: names that are long, of other alphabets, or of signs that join") {
+    const std::string text = report(R"(
+        input "θ", "日", "a--b", a_name_longer_than_a_column_is_wide
+        graph G { initial 0 step 1
+                  0 -> 1 : "θ" . "日" . "a--b"   1 -> 0 : a_name_longer_than_a_column_is_wide })",
+                                    {.format = EquationFormat::latex}, without_modes);
+    INFO(text);
+    CHECK(text.find(R"(\text{\ensuremath{\theta}} \cdot \text{U+65E5} \cdot \text{a-{}-b})") !=
+          std::string::npos);
+    CHECK(text.find(R"(\mathrm{a\_name\_}\penalty999 \mathrm{longer\_}\penalty999 )") !=
+          std::string::npos);
+}
+
+TEST_CASE("LaTeX: a whole document in the language of the report") {
+    const std::string text =
+        report(two_steps,
+               {.format = EquationFormat::latex, .language = Language::french, .standalone = true});
+    INFO(text);
+    CHECK(text.rfind("\\documentclass[a4paper]{article}\n", 0) == 0);
+    CHECK(text.find("\\usepackage[french]{babel}\n") != std::string::npos);
+    CHECK(text.substr(text.size() - 15) == "\\end{document}\n");
 }
 
 TEST_CASE(

@@ -1,282 +1,324 @@
-// The page in LaTeX: a fragment for a document with the package amsmath. Negations are overlines,
-// as in the course, so a formula needs fewer parentheses than in the `.grafcet` language: `/(a +
-// b)` is
-// `\overline{a + b}`.
+// The page in LaTeX: a document for pdflatex on A4, or a fragment of one. TeX breaks the lines, so
+// that the page fits whatever it is set in: equations are a list whose formulas go on behind the
+// sign, tables that are too wide have columns with a share of the line. How wide things are is
+// estimated; what cannot be broken is kept narrower than the narrowest column.
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "equations/report/latex_expression.h"
+#include "equations/report/latex_text.h"
+#include "equations/report/messages.h"
 #include "equations/report/page.h"
-#include "equations/report/report_parts.h"
-#include "grafcet/write_grafcet.h"
-#include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
 
-/// How tightly an expression binds; what is looser than its place asks for gets parentheses.
-enum Binding { loosest, disjunction, exclusive_or, conjunction, prefix, tightest };
+/// In points: a line of A4 between margins of 20 mm, and the blank between two columns.
+constexpr double line_width = 483;
+constexpr double column_gap = 12;
+/// Room for what cannot be broken: in a column of a table with four of them, and behind the sign of
+/// an equation; and for the name before it.
+constexpr double room_in_column = 100;
+constexpr double room_in_equation = 320;
+constexpr double room_before_sign = 110;
+/// A table with more lines may be broken between two pages, and a row with more lines has to be.
+constexpr double longest_whole_table = 24;
+constexpr double longest_row = 40;
 
-Binding binding_of(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::disjunction:
-            return disjunction;
-        case ExprKind::exclusive_or:
-            return exclusive_or;
-        case ExprKind::conjunction:
-            return conjunction;
-        case ExprKind::rise:
-        case ExprKind::fall:
-        case ExprKind::time_condition:
-            return prefix;
-        default:
-            return tightest;
-    }
-}
+constexpr std::string_view packages = "\\usepackage{amsmath,array,booktabs,longtable}\n";
 
-/// Words for LaTeX's text mode, special characters escaped.
-std::string latex_words(std::string_view words) {
-    std::string text;
-    for (const char c : words) {
-        if (std::string_view("{}$&#%_").find(c) != std::string_view::npos) {
-            text += '\\';
-            text += c;
-        } else if (c == '\\') {
-            text += "\\textbackslash{}";
-        } else if (c == '^') {
-            text += "\\textasciicircum{}";
-        } else if (c == '~') {
-            text += "\\textasciitilde{}";
-        } else if (c == '<') {
-            text += "\\textless{}";
-        } else if (c == '>') {
-            text += "\\textgreater{}";
-        } else if (c == '|') {
-            text += "\\textbar{}";
-        } else {
-            text += c;
-        }
-    }
-    return text;
-}
-
-/// A name in mathematical mode: `m`, `\mathrm{dcy}`, `\text{H+}`.
-std::string latex_identifier(std::string_view name) {
-    if (name.size() == 1 && is_ascii_letter(name.front())) return std::string(name);
-    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-        return is_ascii_letter(c) || is_digit(c) || c == '_';
-    });
-    return (plain ? "\\mathrm{" : "\\text{") + latex_words(name) + "}";
-}
-
-/// `_{10}` of step 10, `_{\mathrm{start}}` of a step with a name.
-std::string latex_subscript(std::string_view name) {
-    if (std::all_of(name.begin(), name.end(), is_digit)) return "_{" + std::string(name) + "}";
-    return "_{" + latex_identifier(name) + "}";
-}
-
-/// `\mathit{CAX}_{10}`; for X `X_{10}`.
-std::string latex_of_step(const Grafcet& grafcet, std::string_view quantity, StepId step) {
-    const std::string symbol =
-        quantity.size() == 1 ? std::string(quantity) : "\\mathit{" + std::string(quantity) + "}";
-    return symbol + latex_subscript(grafcet.steps[step].name);
-}
-
-/// The name of a variable in mathematical mode: `X_{10}`, `m`, `\mathrm{dcy}`, `\text{H+}`.
-std::string latex_name(const Grafcet& grafcet, Variable variable) {
-    if (variable.kind == VariableKind::step) {
-        return latex_of_step(grafcet, "X", static_cast<StepId>(variable.index));
-    }
-    return latex_identifier(variable_name(grafcet, variable));
-}
-
-/// `\mathrm{pieces} + 1`
-std::string latex_sum(const Grafcet& grafcet, const Sum& sum) {
-    return sum_text(sum, [&](Variable counter) { return latex_name(grafcet, counter); });
-}
-
-/// `1.5\,\mathrm{s}`
-std::string latex_duration(Time duration) {
-    const std::string text = format_duration(duration);
-    const std::size_t unit = text.find_first_not_of("0123456789.");
-    if (unit == std::string::npos) return text;
-    return text.substr(0, unit) + "\\,\\mathrm{" + text.substr(unit) + "}";
-}
-
-std::string latex_comparison(const Grafcet& grafcet, const Comparison& comparison) {
-    constexpr const char* relations[] = {" = ", " \\neq ", " < ", " \\leq ", " > ", " \\geq "};
-    return "[" + latex_sum(grafcet, comparison.left) +
-           relations[static_cast<std::size_t>(comparison.relation)] +
-           latex_sum(grafcet, comparison.right) + "]";
-}
-
-/// An expression in mathematical mode, with overlines for negations. What is still to be written is
-/// kept in a stack of its own, so that the depth of calls does not grow with the expression.
-class LatexExpression {
-  public:
-    LatexExpression(const Grafcet& grafcet, const Expressions& pool)
-        : grafcet_(grafcet), pool_(pool) {}
-
-    std::string print(ExprId root) {
-        later(root, loosest);
-        while (!pending_.empty()) {
-            const Piece piece = std::move(pending_.back());
-            pending_.pop_back();
-            if (piece.id == no_expr) {
-                text_ += piece.text;
-            } else {
-                expand(piece.id, piece.least);
-            }
-        }
-        return std::move(text_);
-    }
-
-  private:
-    /// Either an expression in a place that asks for a binding, or a text.
-    struct Piece {
-        ExprId id = no_expr;
-        Binding least = loosest;
-        std::string text;
-    };
-
-    void later(ExprId id, Binding least) { pending_.push_back({id, least, {}}); }
-    void later(std::string text) { pending_.push_back({no_expr, loosest, std::move(text)}); }
-
-    /// Writes the first piece of an expression, and keeps the rest for later, last first.
-    void expand(ExprId id, Binding least) {
-        const Binding binding = binding_of(pool_.kind(id));
-        if (binding < least) {
-            later(")");
-            text_ += '(';
-        }
-        switch (pool_.kind(id)) {
-            case ExprKind::constant:
-                text_ += pool_.constant_value(id) ? '1' : '0';
-                break;
-            case ExprKind::variable:
-                text_ += latex_name(grafcet_, pool_.variable_of(id));
-                break;
-            case ExprKind::negation:
-                text_ += "\\overline{";
-                later("}");
-                later(pool_.operands(id).front(), loosest);
-                break;
-            case ExprKind::conjunction:
-                join(id, " \\cdot ", binding);
-                break;
-            case ExprKind::disjunction:
-                join(id, " + ", binding);
-                break;
-            case ExprKind::exclusive_or:
-                join(id, " \\oplus ", binding);
-                break;
-            case ExprKind::rise:
-                text_ += "\\uparrow ";
-                later(pool_.operands(id).front(), tightest);
-                break;
-            case ExprKind::fall:
-                text_ += "\\downarrow ";
-                later(pool_.operands(id).front(), tightest);
-                break;
-            case ExprKind::time_condition:
-                time_condition(pool_.time_condition_of(id));
-                break;
-            case ExprKind::comparison:
-                text_ += latex_comparison(grafcet_, pool_.comparison_of(id));
-                break;
-        }
-    }
-
-    void join(ExprId id, const char* sign, Binding binding) {
-        const std::span<const ExprId> operands = pool_.operands(id);
-        for (std::size_t i = operands.size(); i-- > 0;) {
-            // A nested operator of the same kind is shown as such.
-            later(operands[i], static_cast<Binding>(binding + 1));
-            if (i > 0) later(sign);
-        }
-    }
-
-    void time_condition(const TimeCondition& condition) {
-        text_ += latex_duration(condition.on_delay) + "/";
-        if (condition.off_delay != 0) later("/" + latex_duration(condition.off_delay));
-        later(condition.operand, tightest);
-    }
-
-    const Grafcet& grafcet_;
-    const Expressions& pool_;
-    std::vector<Piece> pending_;
-    std::string text_;
-};
+/// What the lists of equations have in common.
+constexpr std::string_view list_settings =
+    R"(\providecommand{\equationlist}[1]{\raggedright
+  \settowidth{\labelwidth}{#1}\setlength{\leftmargin}{\labelwidth}%
+  \addtolength{\leftmargin}{\labelsep}\setlength{\itemsep}{3pt}\setlength{\parsep}{0pt}}
+)";
 
 /// LaTeX: formulas in mathematical mode, equations aligned at the sign.
 class LatexPage : public Page {
   public:
-    LatexPage(const Grafcet& grafcet, const Expressions& pool) : grafcet_(grafcet), pool_(pool) {}
+    LatexPage(const Grafcet& grafcet, const Expressions& pool, Language language, bool standalone)
+        : grafcet_(grafcet), pool_(pool), language_(language), standalone_(standalone) {}
 
-    std::string expression(ExprId id) const override {
-        return LatexExpression(grafcet_, pool_).print(id);
-    }
+    std::string expression(ExprId id) override { return in_room(id, room_in_equation); }
+    Cell cell(ExprId id) override { return formula(in_room(id, room_in_column)); }
     std::string name(Variable variable) const override { return latex_name(grafcet_, variable); }
     std::string name(VarId var) const override { return latex_identifier(grafcet_.vars[var].name); }
+    std::string quantity(std::string_view quantity) const override {
+        return latex_symbol(quantity);
+    }
     std::string of_step(std::string_view quantity, StepId step) const override {
-        return latex_of_step(grafcet_, quantity, step);
+        return latex_indexed(quantity, grafcet_.steps[step].name);
     }
-    std::string held(StepId step) const override {
-        return "\\overline{" + of_step("CDX", step) + "} \\cdot " + of_step("X", step);
+    std::string held() const override {
+        return "\\overline{" + quantity("CDX") + "} \\cdot " + quantity("X");
     }
-    std::string write(Variable target, const StoredWrite& write) const override {
+    std::string passage(std::span<const StepId> from, std::span<const StepId> to) const override {
+        return product(from) + (from.empty() ? "\\to " : " \\to ") + product(to);
+    }
+    std::string write(Variable target, const StoredWrite& write) override {
         const std::string value =
-            write.sum.empty() ? expression(write.value) : latex_sum(grafcet_, write.sum);
+            write.sum.empty() ? cell(write.value).text : latex_sum(grafcet_, write.sum);
         return name(target) + " := " + value;
     }
 
-    void title(std::string_view text) override {
-        text_ += "% \\usepackage{amsmath}\n\\section*{" + latex_words(text) + "}\n";
-    }
+    void title(std::string_view text) override;
     void heading(std::string_view text) override {
-        text_ += "\n\\subsection*{" + latex_words(text) + "}\n";
+        text_ += "\n\\subsection*{\\raggedright " + latex_words(text) + "}\n";
+        after_heading_ = true;
     }
-    void paragraph(std::string_view text) override { text_ += "\n" + latex_words(text) + "\n"; }
+    void paragraph(std::string_view text) override {
+        text_ += "\n\\noindent " + latex_words(text) + "\n";
+        after_heading_ = false;
+    }
 
     void begin_table(const std::vector<Cell>& head) override {
-        text_ += "\n\\begin{tabular}{" + std::string(head.size(), 'l') + "}\n";
+        rows_.clear();
         row(head);
-        text_ += "\\hline\n";
     }
     void row(const std::vector<Cell>& cells) override {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (i > 0) text_ += " & ";
-            text_ += cells[i].is_formula ? "$" + cells[i].text + "$" : latex_words(cells[i].text);
+        std::vector<std::string>& row = rows_.emplace_back();
+        for (const Cell& cell : cells) {
+            row.push_back(cell.is_formula ? "$" + cell.text + "$" : latex_words(cell.text));
         }
-        text_ += " \\\\\n";
     }
-    void end_table() override { text_ += "\\end{tabular}\n"; }
+    void begin_map(const std::string& rows, const std::vector<std::string>& columns,
+                   const std::vector<std::string>& labels) override;
+    void end_table() override;
 
-    void begin_equations() override {
-        text_ += "\n\\begin{align*}\n";
-        first_equation_ = true;
-    }
+    void begin_equations() override { equations_.clear(); }
     void equation(const std::string& left, const std::string& right) override {
-        if (!first_equation_) text_ += " \\\\\n";
-        first_equation_ = false;
-        text_ += left + " &= " + right;
+        equations_.push_back({left, right});
     }
-    void end_equations() override { text_ += "\n\\end{align*}\n"; }
+    void end_equations() override;
 
-    std::string finish() override { return std::move(text_); }
+    std::string finish() override;
 
   private:
+    struct Equation {
+        std::string left;
+        std::string right;
+    };
+
+    std::string in_room(ExprId id, double room) {
+        LatexFormula formula = latex_expression(grafcet_, pool_, id, room);
+        has_slash_ = has_slash_ || formula.has_slash;
+        return std::move(formula.text);
+    }
+    std::string product(std::span<const StepId> steps) const {
+        std::string text;
+        for (const StepId step : steps)
+            text += (text.empty() ? "" : " \\cdot ") + of_step("X", step);
+        return text;
+    }
+    void add_row(const std::vector<std::string>& cells) {
+        text_ += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+    }
+    /// The beginning of a table that no page end breaks.
+    void begin_block() {
+        text_ += after_heading_ ? "\n\\noindent" : "\n\\medskip\\noindent";
+        after_heading_ = false;
+    }
+    void add_map();
+    void add_rows_as_paragraphs();
+
     const Grafcet& grafcet_;
     const Expressions& pool_;
+    Language language_;
+    bool standalone_;
     std::string text_;
-    bool first_equation_ = true;
+    bool has_slash_ = false;
+    bool after_heading_ = false;
+    std::vector<std::vector<std::string>> rows_;  ///< of the table that is open, the head first
+    std::string map_columns_;          ///< where it is a map: the variables of its columns
+    std::vector<Equation> equations_;  ///< of the list that is open
 };
+
+void LatexPage::title(std::string_view text) {
+    if (standalone_) {
+        text_ +=
+            "\\documentclass[a4paper]{article}\n"
+            "\\usepackage[T1]{fontenc}\n"
+            "\\usepackage[utf8]{inputenc}\n"
+            "\\usepackage{lmodern}\n";
+        text_ += fmt::format("\\usepackage[{}]{{babel}}\n",
+                             language_ == Language::french ? "french" : "english");
+        text_ += "\\usepackage[margin=20mm]{geometry}\n";
+        text_ += packages;
+        text_ += list_settings;
+        text_ +=
+            "\\renewcommand{\\arraystretch}{1.15}\n"
+            "\\begin{document}\n";
+        // Names hold such signs, and the blanks before those of sentences are written.
+        if (language_ == Language::french) text_ += "\\shorthandoff{:;!?}\n";
+        text_ += '\n';
+    } else {
+        text_ += "% Needs in the preamble: ";
+        text_ += packages;
+        text_ += list_settings;
+    }
+    text_ += "\\section*{\\raggedright " + latex_words(text) + "}\n";
+}
+
+/// The columns of a table: as wide as what they hold, or all of them as wide as the line together.
+struct Columns {
+    std::string specification;
+    double lines = 0;        ///< of the whole table
+    double longest_row = 0;  ///< in lines
+};
+
+/// The widths of columns that want more than the line has: narrow ones get what they want, and the
+/// others share the rest.
+std::vector<double> shared_widths(const std::vector<double>& wanted) {
+    std::vector<double> widths(wanted.size(), 0);
+    double rest = line_width - column_gap * static_cast<double>(wanted.size() - 1);
+    auto open = static_cast<double>(wanted.size());
+    for (bool changed = true; changed && open > 0;) {
+        changed = false;
+        const double share = rest / open;
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (widths[i] > 0 || wanted[i] > share) continue;
+            widths[i] = wanted[i];
+            rest -= wanted[i];
+            open -= 1;
+            changed = true;
+        }
+    }
+    for (double& width : widths) {
+        if (width == 0) width = rest / open;
+    }
+    return widths;
+}
+
+Columns columns_of(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<double> wanted(rows.front().size(), 1);
+    for (const std::vector<std::string>& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            wanted[i] = std::max(wanted[i], printed_width(row[i]));
+        }
+    }
+    const std::vector<double> widths = shared_widths(wanted);
+    Columns columns;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        columns.specification +=
+            widths[i] >= wanted[i]
+                ? "l"
+                : fmt::format(">{{\\raggedright\\arraybackslash}}p{{{:.2f}\\linewidth}}",
+                              std::floor(100 * widths[i] / line_width) / 100);
+    }
+    for (const std::vector<std::string>& row : rows) {
+        double lines = 1;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            lines = std::max(lines, std::ceil(printed_width(row[i]) / widths[i]));
+        }
+        columns.lines += lines;
+        columns.longest_row = std::max(columns.longest_row, lines);
+    }
+    return columns;
+}
+
+void LatexPage::end_table() {
+    if (!map_columns_.empty()) {
+        add_map();
+        return;
+    }
+    const Columns columns = columns_of(rows_);
+    if (columns.longest_row > longest_row) {
+        add_rows_as_paragraphs();
+        return;
+    }
+    const bool is_long = columns.lines > longest_whole_table;
+    if (!is_long) begin_block();
+    after_heading_ = false;
+    text_ += is_long ? "\n\\begin{longtable}[l]" : "\\begin{tabular}";
+    text_ += fmt::format("{{@{{}}{}@{{}}}}\n\\toprule\n", columns.specification);
+    add_row(rows_.front());
+    text_ += is_long ? "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n" : "\\midrule\n";
+    for (std::size_t i = 1; i < rows_.size(); ++i) add_row(rows_[i]);
+    text_ += is_long ? "\\end{longtable}\n" : "\\bottomrule\n\\end{tabular}\n";
+}
+
+/// No table can break a row between two pages.
+void LatexPage::add_rows_as_paragraphs() {
+    for (std::size_t i = 1; i < rows_.size(); ++i) {
+        text_ += "\n{\\raggedright\\noindent ";
+        for (std::size_t column = 0; column < rows_[i].size(); ++column) {
+            text_ += fmt::format("{}{}: {}", column == 0 ? "" : "\\\\\n", rows_[0][column],
+                                 rows_[i][column]);
+        }
+        text_ += "\\par}\n";
+    }
+}
+
+void LatexPage::begin_map(const std::string& rows, const std::vector<std::string>& columns,
+                          const std::vector<std::string>& labels) {
+    map_columns_ = fmt::format("${}$", fmt::join(columns, "\\;"));
+    rows_.assign(1, {"$" + rows + "$"});
+    rows_.front().insert(rows_.front().end(), labels.begin(), labels.end());
+}
+
+/// Cells with a frame each; what stands beside and above them has none.
+void LatexPage::add_map() {
+    const std::size_t count = rows_.front().size() - 1;
+    const std::string line = fmt::format("\\cline{{2-{}}}\n", count + 1);
+    std::string frames = "c|";
+    for (std::size_t i = 0; i < count; ++i) frames += "c|";
+    begin_block();
+    text_ +=
+        fmt::format("{{\\renewcommand{{\\arraystretch}}{{1.3}}\\begin{{tabular}}{{{}}}\n", frames);
+    add_row({"\\multicolumn{1}{c}{}",
+             fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", count, map_columns_)});
+    std::vector<std::string> head;
+    for (const std::string& cell : rows_.front()) {
+        head.push_back("\\multicolumn{1}{c}{" + cell + "}");
+    }
+    add_row(head);
+    text_ += line;
+    for (std::size_t i = 1; i < rows_.size(); ++i) {
+        add_row(rows_[i]);
+        text_ += line;
+    }
+    text_ += "\\end{tabular}}\n";
+    map_columns_.clear();
+}
+
+void LatexPage::end_equations() {
+    // A name too long for its place begins the line of its equation.
+    std::string widest;
+    const auto stands_before = [](const Equation& equation) {
+        return printed_width(equation.left) <= room_before_sign;
+    };
+    for (const Equation& equation : equations_) {
+        if (stands_before(equation) && printed_width(equation.left) > printed_width(widest)) {
+            widest = equation.left;
+        }
+    }
+    text_ += "\n\\begin{list}{}{\\equationlist{$" + widest + " =$}}\n";
+    for (const Equation& equation : equations_) {
+        text_ += stands_before(equation)
+                     ? fmt::format("\\item[${} =$] ${}$\n", equation.left, equation.right)
+                     : fmt::format("\\item[] ${} = {}$\n", equation.left, equation.right);
+    }
+    text_ += "\\end{list}\n";
+    after_heading_ = false;
+}
+
+std::string LatexPage::finish() {
+    if (has_slash_) paragraph(messages::equation_report::slash.in(language_));
+    if (standalone_) text_ += "\n\\end{document}\n";
+    return std::move(text_);
+}
 
 }  // namespace
 
-std::unique_ptr<Page> latex_page(const Grafcet& grafcet, const Expressions& pool) {
-    return std::make_unique<LatexPage>(grafcet, pool);
+std::unique_ptr<Page> latex_page(const Grafcet& grafcet, const Expressions& pool, Language language,
+                                 bool standalone) {
+    return std::make_unique<LatexPage>(grafcet, pool, language, standalone);
 }
 
 }  // namespace grafwire

@@ -66,6 +66,8 @@ class JsonReport {
                  Json({{"cdx", options.cdx == CdxForm::successor ? "successor" : "transition"},
                        {"modes", options.modes}})
                      .dump();
+        list("transitions", grafcet_.transitions.size(),
+             [&](std::size_t i) { return transition(i); });
         list("steps", grafcet_.steps.size(), [&](std::size_t i) { return step(i); });
         list("outputs", equations_.outputs.size(), [&](std::size_t i) { return output(i); });
         if (!equations_.held.empty()) {
@@ -97,6 +99,25 @@ class JsonReport {
 
     void add_if_present(Json& object, const char* key, ExprId id) const {
         if (id != no_expr) object[key] = shown(id);
+    }
+
+    Json step_names(std::span<const StepId> steps) const {
+        Json names = Json::array();
+        for (const StepId step : steps) names.push_back("X" + grafcet_.steps[step].name);
+        return names;
+    }
+
+    /// `{"name": "3", "from": ["X0"], "to": ["X1"], "condition": "m", "clearing": "X0.m"}`
+    Json transition(std::size_t index) const {
+        const TransitionId id = grafcet_.transitions.id_at(index);
+        const Transition& transition = grafcet_.transitions[id];
+        Json object;
+        object["name"] = transition.name;
+        object["from"] = step_names(grafcet_.preceding(transition));
+        object["to"] = step_names(grafcet_.following(transition));
+        object["condition"] = shown(condition_of(equations_, transition));
+        object["clearing"] = shown(equations_.clearing[id]);
+        return object;
     }
 
     /// `{"name": "X0", "initial": true, "cax": "…", …}`; parts that the step has not are left out.

@@ -30,8 +30,14 @@ inline constexpr Message<> transition_form_without_modes{
     "CDX from the transitions that are cleared (transition form), without Init, AUdur and AUdoux.",
     "CDX d'après les transitions franchies (forme transition), sans Init, AUdur ni AUdoux."};
 
-// Steps.
+// Transitions and steps.
 
+/// The same in both languages.
+inline constexpr Message<> transitions{"Transitions", "Transitions"};
+inline constexpr Message<> transition{"Transition", "Transition"};
+inline constexpr Message<> passage{"Steps", "Étapes"};
+inline constexpr Message<> transition_condition{"Transition condition", "Réceptivité"};
+inline constexpr Message<> clearing_condition{"Clearing condition", "Condition de franchissement"};
 inline constexpr Message<> conditions{"Activation and deactivation conditions",
                                       "Conditions d'activation et de désactivation"};
 inline constexpr Message<> step{"Step", "Étape"};
@@ -66,13 +72,15 @@ inline constexpr Message<> edge{"Edge", "Front"};
 
 // The truth table and the Karnaugh map of a step.
 
-inline constexpr Message<std::string_view> karnaugh{
-    "Truth table and Karnaugh map of X{}", "Table de vérité et tableau de Karnaugh de X{}"};
+inline constexpr Message<> karnaugh{"Truth table and Karnaugh map of a step",
+                                    "Table de vérité et tableau de Karnaugh d'une étape"};
+inline constexpr Message<> same_for_all{"They are the same for every step.",
+                                        "Ils sont les mêmes pour toutes les étapes."};
 inline constexpr Message<> remark{"Remark", "Remarque"};
 inline constexpr Message<> group{"Group", "Groupe"};
 inline constexpr Message<> covers{"Product", "Produit"};
 inline constexpr Message<> cells{"Cells (X, CAX CDX)", "Cases (X, CAX CDX)"};
-inline constexpr Message<> smaller{"Smaller forms:", "Formes réduites :"};
+inline constexpr Message<> smaller{"Smaller forms", "Formes réduites"};
 
 inline constexpr Message<> stays_inactive{"The step stays inactive (memory effect)",
                                           "L'étape reste inactive (effet mémoire)"};
@@ -90,5 +98,12 @@ inline constexpr Message<> stays_active_on_cax{"The step stays active", "L'étap
 inline constexpr std::array<const Message<>*, 8> remarks{
     &stays_inactive, &stays_inactive_on_cdx, &activation,          &activation_wins,
     &stays_active,   &deactivation,          &stays_active_on_cax, &activation_wins};
+
+// In LaTeX only.
+
+inline constexpr Message<> slash{
+    "A slash before parentheses negates what stands in them: it is too long for a line above it.",
+    "Une barre oblique devant une parenthèse note le complément d'une expression trop longue pour "
+    "être surlignée."};
 
 }  // namespace grafwire::messages::equation_report

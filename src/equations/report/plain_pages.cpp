@@ -2,6 +2,8 @@
 // aligned columns, and Markdown. A table of text is kept until its end, since the widths of its
 // columns are known only then; Markdown aligns by itself and is written as it comes.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "equations/report/page.h"
@@ -18,24 +20,32 @@ class PlainPage : public Page {
   public:
     PlainPage(const Grafcet& grafcet, const Expressions& pool) : grafcet_(grafcet), pool_(pool) {}
 
-    std::string expression(ExprId id) const override {
-        return write_expression(grafcet_, pool_, id);
-    }
+    std::string expression(ExprId id) override { return write_expression(grafcet_, pool_, id); }
     std::string name(Variable variable) const override { return shown_name(grafcet_, variable); }
     std::string name(VarId var) const override {
         return quoted_where_needed(grafcet_.vars[var].name);
     }
+    std::string quantity(std::string_view quantity) const override { return std::string(quantity); }
     std::string of_step(std::string_view quantity, StepId step) const override {
         return quoted_where_needed(std::string(quantity) + grafcet_.steps[step].name);
     }
-    std::string held(StepId step) const override {
-        return "/" + of_step("CDX", step) + "." + of_step("X", step);
+    std::string held() const override { return "/CDX.X"; }
+    std::string passage(std::span<const StepId> from, std::span<const StepId> to) const override {
+        std::string text = product(from);
+        text += from.empty() ? "->" : " ->";
+        return to.empty() ? text : text + " " + product(to);
     }
-    std::string write(Variable target, const StoredWrite& write) const override {
+    std::string write(Variable target, const StoredWrite& write) override {
         return write_text(grafcet_, pool_, target, write);
     }
 
   private:
+    std::string product(std::span<const StepId> steps) const {
+        std::string text;
+        for (const StepId step : steps) text += (text.empty() ? "" : ".") + of_step("X", step);
+        return text;
+    }
+
     const Grafcet& grafcet_;
     const Expressions& pool_;
 };
@@ -65,6 +75,13 @@ class TextPage : public PlainPage {
         separate();
         rows_.assign(1, head);
     }
+    void begin_map(const std::string& rows, const std::vector<std::string>& columns,
+                   const std::vector<std::string>& labels) override {
+        separate();
+        above_ = fmt::format("{}", fmt::join(columns, " "));
+        rows_.assign(1, {words(rows)});
+        for (const std::string& label : labels) rows_.front().push_back(words(label));
+    }
     void row(const std::vector<Cell>& cells) override { rows_.push_back(cells); }
     void end_table() override {
         std::vector<std::size_t> widths(rows_.front().size(), 0);
@@ -74,8 +91,10 @@ class TextPage : public PlainPage {
                 if (width <= widest_aligned) widths[i] = std::max(widths[i], width);
             }
         }
+        if (!above_.empty()) add_row({words(""), words(above_)}, widths);
         for (const std::vector<Cell>& row : rows_) add_row(row, widths);
         rows_.clear();
+        above_.clear();
         after_block_ = true;
     }
 
@@ -117,6 +136,7 @@ class TextPage : public PlainPage {
     std::string text_;
     bool after_block_ = false;
     std::vector<std::vector<Cell>> rows_;  ///< of the table that is open
+    std::string above_;                    ///< above the columns of a map
 };
 
 /// Words with everything escaped that Markdown would read as markup.
@@ -167,6 +187,12 @@ class MarkdownPage : public PlainPage {
         row(head);
         for (std::size_t i = 0; i < head.size(); ++i) text_ += "|---";
         text_ += "|\n";
+    }
+    void begin_map(const std::string& rows, const std::vector<std::string>& columns,
+                   const std::vector<std::string>& labels) override {
+        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, fmt::join(columns, " ")))};
+        for (const std::string& label : labels) head.push_back(words(label));
+        begin_table(head);
     }
     void row(const std::vector<Cell>& cells) override {
         for (const Cell& cell : cells) text_ += "| " + cell_text(cell) + " ";

@@ -76,6 +76,10 @@ UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations) {
             marks.marked_among(pool.time_conditions(), source.time_conditions().size())};
 }
 
+ExprId condition_of(const Equations& equations, const Transition& transition) {
+    return equations.from_grafcet[static_cast<std::size_t>(transition.condition)];
+}
+
 std::string shown_name(const Grafcet& grafcet, Variable variable) {
     return quoted_where_needed(variable_name(grafcet, variable));
 }

@@ -25,6 +25,9 @@ struct UsedMemories {
 };
 UsedMemories used_memories(const Grafcet& grafcet, const Equations& equations);
 
+/// The transition condition as it is written, in the equations' own expressions.
+ExprId condition_of(const Equations& equations, const Transition& transition);
+
 /// The name of a variable as expressions show it: quoted where it has to be.
 std::string shown_name(const Grafcet& grafcet, Variable variable);
 

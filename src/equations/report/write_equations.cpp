@@ -40,11 +40,11 @@ Page::Cell bit(bool value) {
     return Page::words(value ? "1" : "0");
 }
 
-void write_truth_table(StepId step, Language language, Page& page) {
-    page.begin_table(
-        {Page::formula(page.of_step("X", step) + "(t)"), Page::formula(page.of_step("CAX", step)),
-         Page::formula(page.of_step("CDX", step)),
-         Page::formula(page.of_step("X", step) + "(t+dt)"), Page::words(say::remark.in(language))});
+void write_truth_table(Language language, Page& page) {
+    const std::string x_name = page.quantity("X");
+    page.begin_table({Page::formula(x_name + "(t)"), Page::formula(page.quantity("CAX")),
+                      Page::formula(page.quantity("CDX")), Page::formula(x_name + "(t+dt)"),
+                      Page::words(say::remark.in(language))});
     for (std::size_t i = 0; i < say::remarks.size(); ++i) {
         const bool x = (i & 4U) != 0;
         const bool cax = (i & 2U) != 0;
@@ -56,11 +56,10 @@ void write_truth_table(StepId step, Language language, Page& page) {
 }
 
 /// Ones are marked with the groups that cover them: a for CAX, b for /CDX.X.
-void write_map(StepId step, Page& page) {
-    std::vector<Page::Cell> head{Page::words("")};
-    for (const Column& column : columns) head.push_back(Page::words(column.label));
-    head.front() = Page::formula(page.of_step("X", step));
-    page.begin_table(head);
+void write_map(Page& page) {
+    std::vector<std::string> labels;
+    for (const Column& column : columns) labels.emplace_back(column.label);
+    page.begin_map(page.quantity("X"), {page.quantity("CAX"), page.quantity("CDX")}, labels);
     for (const bool x : {false, true}) {
         std::vector<Page::Cell> cells{bit(x)};
         for (const Column& column : columns) {
@@ -74,35 +73,47 @@ void write_map(StepId step, Page& page) {
     page.end_table();
 }
 
-void write_groups(StepId step, Language language, Page& page) {
+void write_groups(Language language, Page& page) {
     page.begin_table({Page::words(say::group.in(language)), Page::words(say::covers.in(language)),
                       Page::words(say::cells.in(language))});
-    page.row({Page::words("a"), Page::formula(page.of_step("CAX", step)),
+    page.row({Page::words("a"), Page::formula(page.quantity("CAX")),
               Page::words("0, 11; 0, 10; 1, 11; 1, 10")});
-    page.row({Page::words("b"), Page::formula(page.held(step)), Page::words("1, 00; 1, 10")});
+    page.row({Page::words("b"), Page::formula(page.held()), Page::words("1, 00; 1, 10")});
     page.end_table();
     page.begin_equations();
-    page.equation(page.of_step("X", step), page.of_step("CAX", step) + " + " + page.held(step));
+    page.equation(page.quantity("X"), page.quantity("CAX") + " + " + page.held());
     page.end_equations();
 }
 
-void write_karnaugh(Reported& reported, StepId step, Language language, Page& page) {
-    page.heading(say::karnaugh.in(language, reported.grafcet.steps[step].name));
-    write_truth_table(step, language, page);
-    write_map(step, page);
-    write_groups(step, language, page);
+/// What a step makes of its CAX and CDX, which is the same for all.
+void write_karnaugh(Language language, Page& page) {
+    page.heading(say::karnaugh.in(language));
+    page.paragraph(say::same_for_all.in(language));
+    write_truth_table(language, page);
+    write_map(page);
+    write_groups(language, page);
+}
 
-    const SmallerForms smaller = smaller_forms(reported, step);
-    if (!smaller.any()) return;
-    page.paragraph(say::smaller.in(language));
-    page.begin_equations();
-    const auto show = [&](std::string_view quantity, ExprId id) {
-        if (id != no_expr) page.equation(page.of_step(quantity, step), page.expression(id));
-    };
-    show("CAX", smaller.cax);
-    show("CDX", smaller.cdx);
-    show("X", smaller.x);
-    page.end_equations();
+/// Of the steps that have some.
+void write_smaller_forms(Reported& reported, Language language, Page& page) {
+    bool has_begun = false;
+    for (std::size_t i = 0; i < reported.grafcet.steps.size(); ++i) {
+        const StepId step = reported.grafcet.steps.id_at(i);
+        const SmallerForms smaller = smaller_forms(reported, step);
+        if (!smaller.any()) continue;
+        if (!has_begun) {
+            page.heading(say::smaller.in(language));
+            page.begin_equations();
+            has_begun = true;
+        }
+        const auto show = [&](std::string_view quantity, ExprId id) {
+            if (id != no_expr) page.equation(page.of_step(quantity, step), page.expression(id));
+        };
+        show("CAX", smaller.cax);
+        show("CDX", smaller.cdx);
+        show("X", smaller.x);
+    }
+    if (has_begun) page.end_equations();
 }
 
 /// A report for people, part by part; how it looks is the affair of the page.
@@ -118,6 +129,7 @@ class Report {
 
     void write() {
         opening();
+        transitions();
         conditions();
         steps();
         outputs();
@@ -126,13 +138,12 @@ class Report {
         counters();
         memories();
         if (!karnaugh_) return;
-        for (std::size_t i = 0; i < grafcet_.steps.size(); ++i) {
-            write_karnaugh(reported_, grafcet_.steps.id_at(i), language_, page_);
-        }
+        write_karnaugh(language_, page_);
+        write_smaller_forms(reported_, language_, page_);
     }
 
   private:
-    Page::Cell shown(ExprId id) const { return Page::formula(page_.expression(id)); }
+    Page::Cell shown(ExprId id) const { return page_.cell(id); }
     Page::Cell shown(Variable variable) const { return Page::formula(page_.name(variable)); }
 
     Page::Cell word(const Message<>& message) const { return Page::words(message.in(language_)); }
@@ -153,6 +164,25 @@ class Report {
                 : (with_modes ? say::transition_form_with_modes
                               : say::transition_form_without_modes);
         page_.paragraph(basis.in(language_));
+    }
+
+    /// The transition condition as it is written, and with it what clears the transition: the
+    /// steps before it, and that nothing freezes it.
+    void transitions() {
+        if (grafcet_.transitions.empty()) return;
+        page_.heading(say::transitions.in(language_));
+        page_.begin_table({word(say::transition), word(say::passage),
+                           word(say::transition_condition), word(say::clearing_condition)});
+        for (std::size_t i = 0; i < grafcet_.transitions.size(); ++i) {
+            const TransitionId id = grafcet_.transitions.id_at(i);
+            const Transition& transition = grafcet_.transitions[id];
+            page_.row({Page::words("(" + transition.name + ")"),
+                       Page::formula(page_.passage(grafcet_.preceding(transition),
+                                                   grafcet_.following(transition))),
+                       shown(condition_of(equations_, transition)),
+                       shown(equations_.clearing[id])});
+        }
+        page_.end_table();
     }
 
     /// CAX and CDX as the course tabulates them.
@@ -296,7 +326,7 @@ std::string write_equations(const Grafcet& grafcet, const Equations& equations,
             page = markdown_page(grafcet, reported.pool);
             break;
         case EquationFormat::latex:
-            page = latex_page(grafcet, reported.pool);
+            page = latex_page(grafcet, reported.pool, report.language, report.standalone);
             break;
     }
     Report(reported, report, *page).write();
