@@ -20,7 +20,7 @@ namespace {
 using Request = std::vector<std::string>;
 
 /// Of this many requests and wrong charts one is tried.
-constexpr std::size_t sparser = is_slow_build ? 7 : 1;
+constexpr std::size_t sparser = is_slow_build ? 20 : 1;
 
 /// The text without what stands in quotes, « » or "…".
 std::string without_quoted(std::string text) {
