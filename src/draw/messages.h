@@ -25,6 +25,8 @@ inline constexpr Message<std::string, std::size_t> on_sheet{"{}, sheet {}", "{},
 
 /// The line that shows it; the same in both languages.
 inline constexpr Message<> situation{"Situation", "Situation"};
+/// The second line of a signal that two runs do not have in common.
+inline constexpr Message<std::string> found{"{} found", "{} constaté"};
 inline constexpr Message<> time{"time", "temps"};
 inline constexpr Message<> inputs{"inputs", "entrées"};
 inline constexpr Message<> steps{"steps", "étapes"};

@@ -35,6 +35,7 @@ struct SignalRow {
     std::string name;
     bool is_boxed = false;  ///< numbers and situations
     bool begins_group = false;
+    bool is_other = false;  ///< of the other run
 };
 
 /// The moments from number `first` up to `last`, excluded, side by side.
@@ -82,8 +83,22 @@ class TimingDiagram {
     }
 
   private:
-    std::int64_t value(std::size_t moment, std::size_t column) const {
-        return trace_.values[moments_[moment] * trace_.columns.size() + column];
+    std::int64_t value(std::size_t moment, std::size_t column, bool of_other = false) const {
+        const Trace& trace = of_other ? *how_.other : trace_;
+        return trace.values[moments_[moment] * trace_.columns.size() + column];
+    }
+    /// How many rows there are in both runs.
+    std::size_t row_count() const {
+        if (how_.other == nullptr) return trace_.row_count();
+        return std::min(trace_.row_count(), how_.other->row_count());
+    }
+    bool differs(std::size_t column) const {
+        if (how_.other == nullptr) return false;
+        for (std::size_t row = 0; row < row_count(); ++row) {
+            const std::size_t at = row * trace_.columns.size() + column;
+            if (trace_.values[at] != how_.other->values[at]) return true;
+        }
+        return false;
     }
 
     // -- What is shown
@@ -95,6 +110,10 @@ class TimingDiagram {
             if (is_control(column.name) && stays_0(i)) continue;
             if (kind == Kind::step && column.kind != Kind::step) add_situation();
             rows_.push_back({i, column.name, column.width > 1, kind && *kind != column.kind});
+            if (differs(i)) {
+                const std::string name = messages::draw::found(column.name).in(how_.language);
+                rows_.push_back({i, name, column.width > 1, false, true});
+            }
             kind = column.kind;
         }
         if (kind == Kind::step) add_situation();
@@ -106,22 +125,25 @@ class TimingDiagram {
         return name == "Init" || name == "AUdur" || name == "AUdoux";
     }
     bool stays_0(std::size_t column) const {
-        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
+        for (std::size_t row = 0; row < row_count(); ++row) {
             if (trace_.values[row * trace_.columns.size() + column] != 0) return false;
         }
         return true;
     }
 
     void choose_moments() {
-        const auto row_of = [&](std::size_t row) {
-            return trace_.values.begin() + static_cast<std::ptrdiff_t>(row * trace_.columns.size());
-        };
-        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
-            const bool changes =
-                row == 0 || !std::equal(row_of(row), row_of(row + 1), row_of(row - 1));
-            const bool is_last = row + 1 == trace_.row_count();
-            if (changes || is_last) moments_.push_back(row);
+        for (std::size_t row = 0; row < row_count(); ++row) {
+            const bool changes = row == 0 || changes_in(trace_, row) ||
+                                 (how_.other != nullptr && changes_in(*how_.other, row));
+            if (changes || row + 1 == row_count()) moments_.push_back(row);
         }
+    }
+    static bool changes_in(const Trace& trace, std::size_t row) {
+        const auto row_of = [&](std::size_t number) {
+            return trace.values.begin() +
+                   static_cast<std::ptrdiff_t>(number * trace.columns.size());
+        };
+        return !std::equal(row_of(row), row_of(row + 1), row_of(row - 1));
     }
 
     std::string situation(std::size_t moment) const {
@@ -137,7 +159,7 @@ class TimingDiagram {
     }
     std::string text_at(const SignalRow& row, std::size_t moment) const {
         if (!row.column) return situation(moment);
-        const std::int64_t shown = value(moment, *row.column);
+        const std::int64_t shown = value(moment, *row.column, row.is_other);
         return shown == Trace::unknown ? "x" : fmt::format("{}", shown);
     }
 
@@ -211,16 +233,28 @@ class TimingDiagram {
         double y = top + times_room;
         for (const SignalRow& row : rows_) {
             y += row.begins_group ? group_gap : 0;
-            Pen pen(scene_->shapes, scene_->owners.add({"signal", {{"signal", row.name}}, {}}));
+            Pen pen(scene_->shapes,
+                    scene_->owners.add(
+                        {row.is_other ? "signal other" : "signal", {{"signal", row.name}}, {}}));
             pen.label(plain_text(row.name), {left - 0.3, y + pitch / 2}, Label::Anchor::end);
             const double low = y + (pitch + level) / 2;
             if (row.is_boxed) {
                 draw_boxes(pen, row, strip, left, end, low);
             } else {
                 pen.line({{left, low}, {end, low}}, Line::Weight::thin);
-                draw_levels(pen, *row.column, strip, left, end, low);
+                draw_levels(pen, row, strip, left, end, low);
             }
+            if (row.is_other) draw_marks(pen, *row.column, strip, left, low);
             y += pitch;
+        }
+    }
+
+    /// `!` where the runs differ.
+    void draw_marks(Pen& pen, std::size_t column, const Strip& strip, double left, double low) {
+        for (std::size_t i = strip.first; i < strip.last; ++i) {
+            if (value(i, column) == value(i, column, true)) continue;
+            pen.label(plain_text("!"), {left + x_[i] + 0.18, low - level / 2},
+                      Label::Anchor::middle, Label::Role::name);
         }
     }
 
@@ -228,7 +262,7 @@ class TimingDiagram {
         return moment + 1 < strip.last ? left + x_[moment + 1] : end;
     }
 
-    void draw_levels(Pen& pen, std::size_t column, const Strip& strip, double left, double end,
+    void draw_levels(Pen& pen, const SignalRow& row, const Strip& strip, double left, double end,
                      double low) {
         std::vector<Point> points;
         const auto put = [&] {
@@ -238,7 +272,7 @@ class TimingDiagram {
         for (std::size_t i = strip.first; i < strip.last; ++i) {
             const double from = left + x_[i];
             const double to = x_after(i, strip, left, end);
-            const std::int64_t shown = value(i, column);
+            const std::int64_t shown = value(i, *row.column, row.is_other);
             if (shown == Trace::unknown) {
                 put();
                 pen.rectangle({from, low - level, to, low});

@@ -14,6 +14,9 @@ struct TimingDrawing {
     std::string title;
     Paper paper = papers[0];
     Language language = Language::english;
+    /// Another run in the same columns, such as that of a netlist: a signal that is not the same in
+    /// both has a second line with its values there, `!` where they differ.
+    const Trace* other = nullptr;
 };
 
 /// A run as teachers draw it: a line for each input, step, output and var, the values of counters

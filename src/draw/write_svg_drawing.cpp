@@ -25,7 +25,7 @@ text.remark { fill: #444444; }
 .over { text-decoration: overline; }
 .under { text-decoration: underline; }
 .active .ground { fill: #ffe08a; stroke-width: 3.2; }
-.clearable { stroke: #b3261e; }
+.clearable, .other { stroke: #b3261e; }
 .clearable .mark { fill: #b3261e; }
 @media (prefers-color-scheme: dark) {
 .paper, .ground { fill: #16191d; }
@@ -33,7 +33,7 @@ g { stroke: #e3e6ea; }
 .mark, text { fill: #e3e6ea; }
 text.remark { fill: #a9b1ba; }
 .active .ground { fill: #6b5300; }
-.clearable { stroke: #ff8a80; }
+.clearable, .other { stroke: #ff8a80; }
 .clearable .mark { fill: #ff8a80; }
 }
 @media print {

@@ -27,6 +27,7 @@
 #include "s7check/listing_device.h"
 #include "simulate/simulate.h"
 #include "text/utf8.h"
+#include "workflow/drawings.h"
 #include "workflow/messages.h"
 
 namespace grafwire {
@@ -72,9 +73,10 @@ struct Recorded {
 /// The files that show a witness, in the order of witness_file_names.
 std::vector<NamedText> witness_files(const Grafcet& grafcet, const Stimuli& stimuli,
                                      const std::string& explanation, const Recorded& expected,
-                                     const Recorded& got) {
+                                     const Recorded& got, Language language) {
     return {{"witness.stim", write_stimuli(stimuli, grafcet)},
             {"witness.txt", explanation},
+            {"witness.svg", picture_of_runs(grafcet, expected.trace, got.trace, language)},
             {"expected.csv", write_csv(expected.trace)},
             {"expected.vcd", expected.waveform.vcd},
             {"expected.gtkw", write_gtkw(expected.waveform, "expected.vcd")},
@@ -86,7 +88,7 @@ std::vector<NamedText> witness_files(const Grafcet& grafcet, const Stimuli& stim
 /// What reference and netlist make of the stimuli of a witness.
 std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
                                         const CellDelays& delays, const Witness& witness,
-                                        const std::string& explanation) {
+                                        const std::string& explanation, Language language) {
     const Stimuli& stimuli = witness.stimuli;
     const RunResult run = witness.scan_period == 0
                               ? run_until_stable(grafcet, stimuli)
@@ -97,7 +99,7 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
     return witness_files(grafcet, stimuli, explanation,
                          {run.trace, waveform_of(run.trace, grafcet.name)},
-                         {simulated.trace, simulated.waveform});
+                         {simulated.trace, simulated.waveform}, language);
 }
 
 /// Explains the witness, with its files beside it if they are wanted.
@@ -118,8 +120,8 @@ void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist
     if (explanation.cause) judgement.explained.cause = identifier_of(explanation.cause->kind);
     judgement.explained.lines = lines_of(text_in(Language::english, 0));
     if (request.with_files) {
-        judgement.witness_files =
-            files_of_witness(grafcet, powered, delays, witness, text_in(request.language, 0));
+        judgement.witness_files = files_of_witness(grafcet, powered, delays, witness,
+                                                   text_in(request.language, 0), request.language);
     }
 }
 
@@ -164,12 +166,13 @@ namespace {
 
 /// What reference and program make of the stimuli of a witness.
 std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
-                                      const Witness& witness, const std::string& explanation) {
+                                      const Witness& witness, const std::string& explanation,
+                                      Language language) {
     const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
     return witness_files(grafcet, witness.stimuli, explanation,
                          {expected.trace, waveform_of(expected.trace, grafcet.name)},
-                         {got, waveform_of(got, grafcet.name)});
+                         {got, waveform_of(got, grafcet.name)}, language);
 }
 
 /// Compares a program with the reference after every scan, in every state that can be reached.
@@ -193,8 +196,8 @@ std::optional<Judgement> check_device(
         judgement.explained.text = explain(*witness, request.language);
         judgement.explained.lines = lines_of(explain(*witness, Language::english));
         if (request.with_files) {
-            judgement.witness_files =
-                files_of_scans(grafcet, device, *witness, judgement.explained.text);
+            judgement.witness_files = files_of_scans(grafcet, device, *witness,
+                                                     judgement.explained.text, request.language);
         }
     }
     return judgement;

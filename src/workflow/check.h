@@ -45,8 +45,8 @@ struct NamedText {
 
 /// The names of the files that show a witness.
 inline constexpr std::string_view witness_file_names[] = {
-    "witness.stim",  "witness.txt", "expected.csv", "expected.vcd",
-    "expected.gtkw", "got.csv",     "got.vcd",      "got.gtkw"};
+    "witness.stim",  "witness.txt", "witness.svg", "expected.csv", "expected.vcd",
+    "expected.gtkw", "got.csv",     "got.vcd",     "got.gtkw"};
 
 /// What a check came to, and all that its reports say.
 struct Judgement {

@@ -87,4 +87,13 @@ std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceF
     return write_csv(trace);
 }
 
+std::string picture_of_runs(const Grafcet& grafcet, const Trace& expected, const Trace& found,
+                            Language language) {
+    TimingDrawing how;
+    how.title = title_of(grafcet);
+    how.language = language;
+    how.other = &found;
+    return write_svg_drawing(draw_timing(expected, how), how.title, how.paper, language);
+}
+
 }  // namespace grafwire

@@ -53,4 +53,8 @@ std::span<const TraceFormat> trace_formats();
 std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
                             Language language);
 
+/// Two runs of a chart as one timing diagram: what the reference does, and what was found.
+std::string picture_of_runs(const Grafcet& grafcet, const Trace& expected, const Trace& found,
+                            Language language);
+
 }  // namespace grafwire

@@ -138,6 +138,21 @@ TEST_CASE("timing: an unknown value is neither 0 nor 1") {
     CHECK(shown_values(picture, "Situation") == "{1?,2?} {1} ");
 }
 
+TEST_CASE("timing: two runs, with a second line where they differ") {
+    Trace found = short_run();
+    found.values[2 * found.columns.size() + 4] = 0;  // X2 at 150 ms
+    TimingDrawing how;
+    how.title = "run";
+    how.other = &found;
+    const Picture picture =
+        read_picture(write_svg_drawing(draw_timing(short_run(), how), how.title, how.paper, {}));
+    CHECK(shown_values(picture, "X2") == "010");
+    CHECK(shown_values(picture, "X2 found") == "010! ");
+    CHECK(shown_values(picture, "X1 found").empty());
+    CHECK(times_of(picture).size() == 5);
+    CHECK(faults_of(picture).empty());
+}
+
 TEST_CASE("WaveDrom: a period for each moment, groups, and the texts of boxes") {
     const auto json =
         nlohmann::ordered_json::parse(write_wavedrom(short_run(), "run", Language::english));
