@@ -65,6 +65,7 @@ class TimingDiagram {
         space_moments(width - 2 * sheet_margin - names_width_ - 0.3);
         std::vector<Sheet> sheets;
         double y = 0;
+        if (strips_.empty()) sheets.emplace_back();  // a run without an instant
         for (const Strip& strip : strips_) {
             if (sheets.empty() || y + height_ + sheet_margin > height) {
                 sheets.emplace_back();
@@ -84,19 +85,17 @@ class TimingDiagram {
 
   private:
     std::int64_t value(std::size_t moment, std::size_t column, bool of_other = false) const {
-        const Trace& trace = of_other ? *how_.other : trace_;
-        return trace.values[moments_[moment] * trace_.columns.size() + column];
+        return value_in(of_other ? *how_.other : trace_, moments_[moment], column);
     }
-    /// How many rows there are in both runs.
-    std::size_t row_count() const {
-        if (how_.other == nullptr) return trace_.row_count();
-        return std::min(trace_.row_count(), how_.other->row_count());
+    /// A run that does not settle ends before the other: what comes then is unknown.
+    static std::int64_t value_in(const Trace& trace, std::size_t row, std::size_t column) {
+        if (row >= trace.row_count()) return Trace::unknown;
+        return trace.values[row * trace.columns.size() + column];
     }
     bool differs(std::size_t column) const {
         if (how_.other == nullptr) return false;
-        for (std::size_t row = 0; row < row_count(); ++row) {
-            const std::size_t at = row * trace_.columns.size() + column;
-            if (trace_.values[at] != how_.other->values[at]) return true;
+        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
+            if (value_in(trace_, row, column) != value_in(*how_.other, row, column)) return true;
         }
         return false;
     }
@@ -125,25 +124,24 @@ class TimingDiagram {
         return name == "Init" || name == "AUdur" || name == "AUdoux";
     }
     bool stays_0(std::size_t column) const {
-        for (std::size_t row = 0; row < row_count(); ++row) {
-            if (trace_.values[row * trace_.columns.size() + column] != 0) return false;
+        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
+            if (value_in(trace_, row, column) != 0) return false;
         }
         return true;
     }
 
     void choose_moments() {
-        for (std::size_t row = 0; row < row_count(); ++row) {
+        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
             const bool changes = row == 0 || changes_in(trace_, row) ||
                                  (how_.other != nullptr && changes_in(*how_.other, row));
-            if (changes || row + 1 == row_count()) moments_.push_back(row);
+            if (changes || row + 1 == trace_.row_count()) moments_.push_back(row);
         }
     }
     static bool changes_in(const Trace& trace, std::size_t row) {
-        const auto row_of = [&](std::size_t number) {
-            return trace.values.begin() +
-                   static_cast<std::ptrdiff_t>(number * trace.columns.size());
-        };
-        return !std::equal(row_of(row), row_of(row + 1), row_of(row - 1));
+        for (std::size_t column = 0; column < trace.columns.size(); ++column) {
+            if (value_in(trace, row, column) != value_in(trace, row - 1, column)) return true;
+        }
+        return false;
     }
 
     std::string situation(std::size_t moment) const {

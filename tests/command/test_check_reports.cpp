@@ -263,7 +263,7 @@ TEST_CASE("JSON: different, with a witness") {
     // The files are there, and hold the stimuli and the story of the witness.
     std::vector<std::string> files;
     for (const Json& file : witness["files"]) files.push_back(file);
-    CHECK(files.size() == 8);
+    CHECK(files.size() == 9);
     for (const std::string& file : files) CHECK(!text_of(file).empty());
     CHECK(text_of(folder.path("w/witness.stim")) == witness["stimuli"]);
     std::string story;

@@ -95,7 +95,7 @@ TEST_CASE("check --against a listing: equivalent, or the network it comes from")
     CHECK(schema_problems(bad.out) == "");
     CHECK(report["verdict"] == "different");
     CHECK(report["period"] == "500ms");
-    CHECK(report["witness"]["files"].size() == 8);
+    CHECK(report["witness"]["files"].size() == 9);
     CHECK(report["witness"]["cause"].is_null());
     CHECK(report["witness"]["story"].back() == "      189  S     V70.0   K4");
     CHECK(contains(text_of(folder.path("w/witness.txt")), "l'a écrit : réseau 49"));

@@ -153,6 +153,22 @@ TEST_CASE("timing: two runs, with a second line where they differ") {
     CHECK(faults_of(picture).empty());
 }
 
+TEST_CASE(
+    "timing: a run that ends early is unknown from there on; one without an instant is empty") {
+    Trace found = short_run();
+    found.times.resize(3);
+    found.values.resize(3 * found.columns.size());
+    TimingDrawing how;
+    how.title = "run";
+    how.other = &found;
+    const Picture picture =
+        read_picture(write_svg_drawing(draw_timing(short_run(), how), how.title, how.paper, {}));
+    CHECK(shown_values(picture, "X2 found") == "01x x ! ! ");
+    const Picture empty = picture_of(run_with({}));
+    CHECK(empty.all("signal").empty());
+    CHECK(empty.all("title").size() == 1);
+}
+
 TEST_CASE("WaveDrom: a period for each moment, groups, and the texts of boxes") {
     const auto json =
         nlohmann::ordered_json::parse(write_wavedrom(short_run(), "run", Language::english));
