@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "draw/messages.h"
+#include "draw/moments.h"
 #include "text/shown_duration.h"
 
 namespace grafwire {
@@ -48,7 +49,7 @@ class TimingDiagram {
   public:
     TimingDiagram(const Trace& trace, const TimingDrawing& how) : trace_(trace), how_(how) {
         choose_rows();
-        choose_moments();
+        moments_ = moments_of(trace, how.other);
         for (const SignalRow& row : rows_) {
             names_width_ = std::max(names_width_, width_of(plain_text(row.name)));
         }
@@ -87,11 +88,6 @@ class TimingDiagram {
     std::int64_t value(std::size_t moment, std::size_t column, bool of_other = false) const {
         return value_in(of_other ? *how_.other : trace_, moments_[moment], column);
     }
-    /// A run that does not settle ends before the other: what comes then is unknown.
-    static std::int64_t value_in(const Trace& trace, std::size_t row, std::size_t column) {
-        if (row >= trace.row_count()) return Trace::unknown;
-        return trace.values[row * trace.columns.size() + column];
-    }
     bool differs(std::size_t column) const {
         if (how_.other == nullptr) return false;
         for (std::size_t row = 0; row < trace_.row_count(); ++row) {
@@ -128,20 +124,6 @@ class TimingDiagram {
             if (value_in(trace_, row, column) != 0) return false;
         }
         return true;
-    }
-
-    void choose_moments() {
-        for (std::size_t row = 0; row < trace_.row_count(); ++row) {
-            const bool changes = row == 0 || changes_in(trace_, row) ||
-                                 (how_.other != nullptr && changes_in(*how_.other, row));
-            if (changes || row + 1 == trace_.row_count()) moments_.push_back(row);
-        }
-    }
-    static bool changes_in(const Trace& trace, std::size_t row) {
-        for (std::size_t column = 0; column < trace.columns.size(); ++column) {
-            if (value_in(trace, row, column) != value_in(trace, row - 1, column)) return true;
-        }
-        return false;
     }
 
     std::string situation(std::size_t moment) const {

@@ -8,58 +8,38 @@
 #include <algorithm>
 
 #include "draw/write_drawing.h"
+#include "text/latex.h"
 #include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
 
-struct Escape {
+struct Sign {
     char32_t character;
     std::string_view latex;
 };
-constexpr Escape escapes[] = {
-    {'{', "\\{"},
-    {'}', "\\}"},
-    {'$', "\\$"},
-    {'&', "\\&"},
-    {'#', "\\#"},
-    {'%', "\\%"},
-    {'_', "\\_"},
-    {'\\', "\\textbackslash{}"},
-    {'^', "\\textasciicircum{}"},
-    {'~', "\\textasciitilde{}"},
-    {'<', "\\textless{}"},
-    {'>', "\\textgreater{}"},
-    {'|', "\\textbar{}"},
-    {'-', "-{}"},
-    {U'↑', "$\\uparrow$"},
-    {U'↓', "$\\downarrow$"},
-    {U'→', "$\\rightarrow$"},
-    {U'·', "$\\cdot$"},
-    {U'−', "$-$"},
-    {U'≤', "$\\leq$"},
-    {U'≥', "$\\geq$"},
-    {U'≠', "$\\neq$"},
-    {U'⊕', "$\\oplus$"},
+/// Those of conditions, in mathematical mode.
+constexpr Sign signs[] = {
+    {U'↑', "$\\uparrow$"}, {U'↓', "$\\downarrow$"}, {U'·', "$\\cdot$"}, {U'−', "$-$"},
+    {U'≤', "$\\leq$"},     {U'≥', "$\\geq$"},       {U'≠', "$\\neq$"},  {U'⊕', "$\\oplus$"},
 };
 
-/// A text in one line, for pdflatex with T1 and UTF-8: of characters beyond the Latin alphabets the
-/// number is shown, for pdflatex would stop at them.
+/// A text in one line.
 std::string latex_label(std::string_view text) {
     std::string out;
+    std::string last;
     for (std::size_t at = 0; at < text.size();) {
         const CodePoint c = decode_utf8(text, at);
-        const std::uint32_t bytes = c.length == 0 ? 1 : c.length;
-        const auto* found = std::find_if(std::begin(escapes), std::end(escapes),
-                                         [&](const Escape& e) { return e.character == c.value; });
-        if (found != std::end(escapes)) {
-            out += found->latex;
-        } else if (c.value < 0x180 || c.value == U'–') {
-            out += text.substr(at, bytes);
-        } else {
-            out += fmt::format("U+{:04X}", static_cast<std::uint32_t>(c.value));
-        }
+        const std::uint32_t bytes = std::max(c.length, 1U);
+        const auto* sign = std::find_if(std::begin(signs), std::end(signs),
+                                        [&](const Sign& row) { return row.character == c.value; });
+        const std::string written = sign != std::end(signs)
+                                        ? std::string(sign->latex)
+                                        : latex_character(c.value, text.substr(at, bytes));
+        if (is_latex_ligature(last, written)) out += "{}";
+        out += written;
+        last = written;
         at += bytes;
     }
     return out;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "draw/messages.h"
+#include "draw/moments.h"
 #include "draw/write_drawing.h"
 #include "text/shown_duration.h"
 
@@ -31,20 +32,6 @@ const Message<>& group_name(Kind kind) {
             break;
     }
     return say::internals;
-}
-
-/// The rows at which something changes, and the last.
-std::vector<std::size_t> changing_rows(const Trace& trace) {
-    std::vector<std::size_t> rows;
-    const std::size_t width = trace.columns.size();
-    for (std::size_t row = 0; row < trace.row_count(); ++row) {
-        const auto values = trace.values.begin() + static_cast<std::ptrdiff_t>(row * width);
-        const bool changes =
-            row == 0 || !std::equal(values, values + static_cast<std::ptrdiff_t>(width),
-                                    values - static_cast<std::ptrdiff_t>(width));
-        if (changes || row + 1 == trace.row_count()) rows.push_back(row);
-    }
-    return rows;
 }
 
 Json signal_of(const Trace& trace, std::size_t column, const std::vector<std::size_t>& rows) {
@@ -73,7 +60,7 @@ Json signal_of(const Trace& trace, std::size_t column, const std::vector<std::si
 }  // namespace
 
 std::string write_wavedrom(const Trace& trace, std::string_view title, Language language) {
-    const std::vector<std::size_t> rows = changing_rows(trace);
+    const std::vector<std::size_t> rows = moments_of(trace, nullptr);
     Json times = Json::array();
     for (const std::size_t row : rows) {
         times.push_back(shown_duration(trace.times[row]).in(language));

@@ -1,7 +1,3 @@
-// Only characters that pdflatex knows by T1 and UTF-8 are written as they are: those of the Latin
-// alphabets, and some signs. Greek letters are those of mathematical mode. Of all others the number
-// is shown, for pdflatex would stop at them.
-//
 // Widths are those of Latin Modern Roman in 10 points, rounded up.
 
 #include "equations/report/latex_text.h"
@@ -11,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "text/latex.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -23,73 +20,6 @@ constexpr double widest_piece = 55;
 /// A wider index is not set as one.
 constexpr double widest_index = 80;
 
-struct Escape {
-    char32_t character;
-    std::string_view latex;
-};
-constexpr Escape escapes[] = {
-    {'{', "\\{"},
-    {'}', "\\}"},
-    {'$', "\\$"},
-    {'&', "\\&"},
-    {'#', "\\#"},
-    {'%', "\\%"},
-    {'_', "\\_"},
-    {'\\', "\\textbackslash{}"},
-    {'^', "\\textasciicircum{}"},
-    {'~', "\\textasciitilde{}"},
-    {'<', "\\textless{}"},
-    {'>', "\\textgreater{}"},
-    {'|', "\\textbar{}"},
-    // Blanks that are not to be broken at.
-    {0x00a0, "~"},
-    {0x202f, "\\,"},
-};
-
-constexpr char32_t first_greek = 0x391;
-/// From Α to ω; empty where it looks like a Latin letter.
-constexpr std::string_view greek[] = {
-    "",           "",       "Gamma", "Delta", "",         "",      "",       "Theta",   "",
-    "",           "Lambda", "",      "",      "Xi",       "",      "Pi",     "",        "",
-    "Sigma",      "",       "",      "Phi",   "",         "Psi",   "Omega",  "",        "",
-    "",           "",       "",      "",      "",         "alpha", "beta",   "gamma",   "delta",
-    "varepsilon", "zeta",   "eta",   "theta", "iota",     "kappa", "lambda", "mu",      "nu",
-    "xi",         "",       "pi",    "rho",   "varsigma", "sigma", "tau",    "upsilon", "varphi",
-    "chi",        "psi",    "omega"};
-
-bool is_known_to_latex(char32_t c) {
-    constexpr char32_t unknown_letters[] = {0xad,  0x126, 0x127, 0x138, 0x13f,
-                                            0x140, 0x149, 0x166, 0x167};
-    constexpr char32_t signs[] = {0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201d, 0x2026,
-                                  0x20ac, 0x2103, 0x2122, 0x2190, 0x2191, 0x2192, 0x2193};
-    const auto is_among = [c](const auto& list) {
-        return std::find(std::begin(list), std::end(list), c) != std::end(list);
-    };
-    if (c < 0x7f) return true;
-    return c <= 0x17e ? c >= 0xa1 && !is_among(unknown_letters) : is_among(signs);
-}
-
-/// A character in text mode.
-std::string latex_character(char32_t c, std::string_view bytes) {
-    for (const Escape& escape : escapes) {
-        if (escape.character == c) return std::string(escape.latex);
-    }
-    if (c >= first_greek && c < first_greek + std::size(greek) && !greek[c - first_greek].empty()) {
-        return fmt::format("\\ensuremath{{\\{}}}", greek[c - first_greek]);
-    }
-    if (!is_known_to_latex(c)) return fmt::format("U+{:04X}", static_cast<std::uint32_t>(c));
-    return std::string(bytes);
-}
-
-/// Whether TeX makes one sign of two characters, as of `--`; an empty group between them prevents
-/// it.
-bool is_ligature(std::string_view first, std::string_view second) {
-    constexpr std::string_view doubled = "-,'`";
-    if (first.size() != 1 || second.size() != 1) return false;
-    return (first == second && doubled.find(first) != std::string_view::npos) ||
-           ((first == "!" || first == "?") && second == "`");
-}
-
 /// A run of characters, cut where it is too wide to stand in one line of a narrow column: behind
 /// words where there are some.
 std::vector<std::string> pieces_of(std::string_view run) {
@@ -100,7 +30,7 @@ std::vector<std::string> pieces_of(std::string_view run) {
         const std::uint32_t bytes = std::max(point.length, 1U);
         std::string character = latex_character(point.value, run.substr(at, bytes));
         width += printed_width(character);
-        if (!characters.empty() && is_ligature(characters.back(), character)) {
+        if (!characters.empty() && is_latex_ligature(characters.back(), character)) {
             characters.back() += "{}";
         }
         characters.push_back(std::move(character));
