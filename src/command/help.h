@@ -131,7 +131,7 @@ inline constexpr Message<> karnaugh{
     "étape"};
 inline constexpr Message<> whole_report{
     "LaTeX: a whole document for pdflatex, not a fragment to include in one",
-    "LaTeX : un document complet pour pdflatex, et non un fragment à inclure"};
+    "LaTeX : un document complet pour pdflatex, et non un fragment à inclure"};
 
 // run
 

@@ -34,6 +34,7 @@ inline constexpr Message<> transition_form_without_modes{
 
 /// The same in both languages.
 inline constexpr Message<> transitions{"Transitions", "Transitions"};
+/// The same in both languages.
 inline constexpr Message<> transition{"Transition", "Transition"};
 inline constexpr Message<> passage{"Steps", "Étapes"};
 inline constexpr Message<> transition_condition{"Transition condition", "Réceptivité"};
