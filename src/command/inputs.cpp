@@ -152,6 +152,13 @@ void TraceOutput::declare(const CommandLine& line) {
     line.add("--vcd", vcd, help::waveform());
 }
 
+/// A viewer would take a file by its name for what it is not.
+bool TraceOutput::is_refused() const {
+    if (!vcd.ends_with(".fst")) return false;
+    complain(say::no_fst(vcd.substr(0, vcd.size() - 4)));
+    return true;
+}
+
 void TraceOutput::declare_format(const CommandLine& line) {
     line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
 }

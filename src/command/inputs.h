@@ -86,6 +86,8 @@ struct TraceOutput {
     std::string format = "csv";
 
     void declare(const CommandLine& line);
+    /// Whether a waveform is asked for in a format that is not written (FST); shows it if so.
+    bool is_refused() const;
     /// Of commands whose trace belongs to a chart: also its format.
     void declare_format(const CommandLine& line);
     /// The trace in that format; CSV that goes to a terminal is a table. Empty, and shown, where

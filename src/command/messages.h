@@ -52,6 +52,12 @@ inline constexpr Message<std::string_view, std::string_view> unknown_format_near
 inline constexpr Message<std::string_view> no_period{
     "'{}' is no period: write a positive duration such as 10ms",
     "« {} » n'est pas une période : écrivez une durée positive, comme 10ms"};
+/// The name of the file without its ending.
+inline constexpr Message<std::string> no_fst{
+    "waveforms are written as VCD: write {0}.vcd, and 'vcd2fst {0}.vcd {0}.fst' of GTKWave makes "
+    "FST of it",
+    "les chronogrammes sont écrits en VCD : écrivez {0}.vcd, et « vcd2fst {0}.vcd {0}.fst » de "
+    "GTKWave en fait un fichier FST"};
 inline constexpr Message<std::string_view> no_moment{
     "'{}' is no moment of a run: write a duration such as 500ms, or 0",
     "« {} » n'est pas un instant : écrivez une durée, comme 500ms, ou 0"};

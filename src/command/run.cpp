@@ -67,7 +67,8 @@ ExitStatus run_typed(const Request& request, const Chart& chart, Language langua
 
 ExitStatus run(const Request& request, const CommandLine& line) {
     const bool is_typed = request.stimuli.empty();
-    if (refuse_idle_options(line, "run", is_typed ? fact::none : fact::stimuli)) {
+    if (refuse_idle_options(line, "run", is_typed ? fact::none : fact::stimuli) ||
+        request.output.is_refused()) {
         return ExitStatus::bad_request;
     }
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;

@@ -49,6 +49,7 @@ ExitStatus run_listing(const Request& request, Language language) {
         complain(say::grafcet_needs_io());
         return ExitStatus::bad_request;
     }
+    if (request.output.is_refused()) return ExitStatus::bad_request;
     // Read the listing, the table of assignment, and the stimuli.
     std::optional<LoadedAssignment> io;
     if (!request.io.empty()) {

@@ -77,7 +77,9 @@ ExplainedSimulation let_work(const Request& request, const Chart& chart, const N
 
 /// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
 ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
-    if (refuse_idle_options(line, "simulate", facts_of(request))) return ExitStatus::bad_request;
+    if (refuse_idle_options(line, "simulate", facts_of(request)) || request.output.is_refused()) {
+        return ExitStatus::bad_request;
+    }
     // Read the GRAFCET and the stimuli.
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
     const auto chart = load_chart(request.path);

@@ -24,8 +24,7 @@ class SimulationTeller {
   public:
     SimulationTeller(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                      const Stimuli& stimuli, bool by_scans)
-        : grafcet_(grafcet),
-          netlist_(netlist),
+        : netlist_(netlist),
           delays_(delays),
           player_(stimuli, grafcet.all_input_count()),
           by_scans_(by_scans),
@@ -99,7 +98,6 @@ class SimulationTeller {
     void note_end();
     void add_story();
 
-    const Grafcet& grafcet_;
     const Netlist& netlist_;
     const CellDelays& delays_;
     StimuliPlayer player_;

@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "support/csv.h"
 #include "support/run_program.h"
+#include "text/utf8.h"
 
 namespace grafwire::testing {
 
@@ -140,6 +143,18 @@ TEST_CASE("equations and info warn of what wiring may get wrong, in the form ask
     // The other commands have their own say.
     CHECK_FALSE(contains(grafwire_with({"plc", chart, "--to", "st"}).err, warning));
     CHECK(grafwire_with({"info", example("nine-steps.grafcet")}).err.empty());
+}
+
+TEST_CASE("the text fits a terminal of 80 columns on every example") {
+    for (const std::string& name : example_names()) {
+        const Ran ran = grafwire_with({"equations", example(name + ".grafcet"), "--karnaugh"});
+        CHECK(ran.status == 0);
+        std::istringstream lines(ran.out);
+        for (std::string line; std::getline(lines, line);) {
+            CAPTURE(line);
+            CHECK(std::count_if(line.begin(), line.end(), begins_character) <= 80);
+        }
+    }
 }
 
 }  // namespace grafwire::testing

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "command/charts.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
@@ -117,6 +118,22 @@ TEST_CASE("what GTKWave is to show stays as the user has left it") {
     CHECK_FALSE(std::filesystem::exists(folder.path("run.dump.gtkw")));
     CHECK(run_to(folder.path("new.vcd")) == 0);
     CHECK(contains(text_of(folder.path("new.gtkw")), "[dumpfile] \"new.vcd\"\n"));
+}
+
+TEST_CASE("a waveform in FST is refused, with the way to one") {
+    const ScratchFolder folder;
+    const std::string fst = folder.path("run.fst");
+    const std::string base = fst.substr(0, fst.size() - 4);
+    for (const std::vector<std::string>& request :
+         {std::vector<std::string>{"run"}, {"simulate", "--style", "nand"}}) {
+        std::vector<std::string> arguments = request;
+        arguments.insert(arguments.end(), {sequence_chart, sequence_stimuli, "--vcd", fst});
+        const Ran ran = grafwire_with(arguments);
+        CHECK(ran.status == 2);
+        CHECK(ran.out.empty());
+        CHECK(contains(ran.err, "'vcd2fst " + base + ".vcd " + fst + "'"));
+        CHECK(folder.names().empty());
+    }
 }
 
 }  // namespace grafwire::testing

@@ -10,6 +10,7 @@
 #include "equations/report/report_parts.h"
 #include "grafcet/write_grafcet.h"
 #include "text/utf8.h"
+#include "text/wrapped.h"
 
 namespace grafwire {
 
@@ -53,13 +54,17 @@ class PlainPage : public Page {
 /// Columns are aligned up to this width; a cell that is wider pushes its own row only, so that one
 /// long formula does not pad a million rows.
 constexpr std::size_t widest_aligned = 40;
+/// A terminal has 80 columns, and so has a printed page.
+constexpr std::size_t widest_line = 80;
+/// Where a row goes on that does not fit into its line.
+constexpr std::size_t continuation = 5;
 
 /// Plain text: aligned columns, a blank line between blocks.
 class TextPage : public PlainPage {
   public:
     TextPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
 
-    void title(std::string_view text) override { line(text); }
+    void title(std::string_view text) override { line(wrapped(text, widest_line)); }
     void heading(std::string_view text) override {
         text_ += '\n';
         line(text);
@@ -103,7 +108,7 @@ class TextPage : public PlainPage {
         after_block_ = true;
     }
     void equation(const std::string& left, const std::string& right) override {
-        line("  " + left + " = " + right);
+        line(wrapped("  " + left + " = " + right, widest_line));
     }
     void end_equations() override {}
 
@@ -120,17 +125,28 @@ class TextPage : public PlainPage {
         text_ += '\n';
     }
 
+    /// A cell that does not fit into the line goes on below, further in, and so does the rest of a
+    /// formula that is wider than a line.
     void add_row(const std::vector<Cell>& row, const std::vector<std::size_t>& widths) {
-        text_ += ' ';
+        std::string text = " ";
+        std::size_t column = 1;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            text_ += ' ';
-            text_ += row[i].text;
             const std::size_t width = count_code_points(row[i].text);
+            if (i > 0 && column + 1 + width > widest_line) {
+                line(wrapped(without_blanks_behind(text), widest_line));
+                text.assign(continuation, ' ');
+                column = continuation;
+            }
             const std::size_t padding = width < widths[i] ? widths[i] - width : 0;
-            if (i + 1 < row.size()) text_.append(padding + 1, ' ');
+            text += ' ' + row[i].text;
+            text.append(padding + 1, ' ');
+            column += 2 + width + padding;
         }
-        text_.erase(text_.find_last_not_of(' ') + 1);
-        text_ += '\n';
+        line(wrapped(without_blanks_behind(text), widest_line));
+    }
+    static std::string without_blanks_behind(std::string text) {
+        text.erase(text.find_last_not_of(' ') + 1);
+        return text;
     }
 
     std::string text_;
