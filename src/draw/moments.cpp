@@ -21,8 +21,8 @@ std::int64_t value_in(const Trace& trace, std::size_t row, std::size_t column) {
 std::vector<std::size_t> moments_of(const Trace& trace, const Trace* other) {
     std::vector<std::size_t> moments;
     for (std::size_t row = 0; row < trace.row_count(); ++row) {
-        const bool changes = row == 0 || changes_in(trace, row) ||
-                             (other != nullptr && changes_in(*other, row));
+        const bool changes =
+            row == 0 || changes_in(trace, row) || (other != nullptr && changes_in(*other, row));
         if (changes || row + 1 == trace.row_count()) moments.push_back(row);
     }
     return moments;
