@@ -311,13 +311,16 @@ TEST_CASE("every cell shows what an unknown input allows, and what its definitio
             Counts counts;
             // All of them, but for builds in which everything takes many times longer.
             const std::vector<Setting> settings = settings_of(row.type);
+            CHECK(settings.size() >= all_delays.size());
+            std::size_t tried = 0;
             for (std::size_t i = 0; i < settings.size(); i += is_slow_build ? 5 : 1) {
                 examine(settings[i], counts);
+                ++tried;
             }
             MESSAGE(row.name << ": " << counts.waveforms << " waveforms, " << counts.pairs
                              << " pairs, " << counts.known << " moments known, " << counts.needless
                              << " needlessly unknown");
-            CHECK(counts.waveforms >= all_delays.size());
+            CHECK(counts.waveforms >= tried);
             if (!row.has_timing && !row.is_clocked) CHECK(counts.needless == 0);
         }
     }
