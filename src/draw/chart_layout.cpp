@@ -70,20 +70,14 @@ Laid lay_branches(FlowSymbols& symbols, const std::vector<FlowSequence>& branche
     Laid all;
     double right = 0;
     double last_axis = 0;
-    std::vector<double> axes;
     for (const FlowSequence& branch : branches) {
         Laid laid = lay_sequence(symbols, branch, lead, from);
         const Bounds bounds = laid.extent();
-        if (!axes.empty()) {
-            const double axis =
-                std::max(last_axis + branch_pitch, right + branch_gap - bounds.left);
-            laid.shift(axis, 0);
-            last_axis = axis;
-            right = axis + bounds.right;
-        } else {
-            right = bounds.right;
-        }
-        axes.push_back(last_axis);
+        const bool is_first = all.heads.empty();
+        if (!is_first)
+            last_axis = std::max(last_axis + branch_pitch, right + branch_gap - bounds.left);
+        laid.shift(last_axis, 0);
+        right = last_axis + bounds.right;
         all.heads.insert(all.heads.end(), laid.heads.begin(), laid.heads.end());
         all.take(std::move(laid));
     }
@@ -159,7 +153,7 @@ class SequenceLayout {
         if (is_entered && at > y_) {
             Pen(laid_.shapes, symbols_.link("link", from_, node)).line({{0, y_}, {0, at}});
         }
-        add_shapes(symbols_.symbol(node).shapes, at);
+        add_shapes(std::move(symbols_.symbol(node).shapes), at);
         y_ = at;
         if (!symbols_.is_transition(node)) {
             y_ += step_height;
@@ -288,12 +282,14 @@ class SequenceLayout {
     void draw_divergence(double line, double left, double right) {
         const bool is_double = symbols_.is_transition(from_);
         Pen(laid_.shapes, symbols_.link("link", from_, none)).line({{0, y_}, {0, line}});
-        draw_line(symbols_.link(is_double ? "divergence and" : "divergence or", from_, none), line,
-                  std::min(left, 0.0), std::max(right, 0.0), is_double);
+        draw_line("divergence", from_, none, is_double, line, std::min(left, 0.0),
+                  std::max(right, 0.0));
     }
 
-    void draw_line(OwnerId owner, double y, double left, double right, bool is_double) {
-        Pen pen(laid_.shapes, owner);
+    /// The line below `from`, or above `to`, where branches begin or come together.
+    void draw_line(const std::string& kind, std::uint32_t from, std::uint32_t to, bool is_double,
+                   double y, double left, double right) {
+        Pen pen(laid_.shapes, symbols_.link(kind + (is_double ? " and" : " or"), from, to));
         if (!is_double) {
             pen.line({{left, y}, {right, y}});
             return;
@@ -342,8 +338,7 @@ class SequenceLayout {
             is_alone = false;
         }
         if (exits.size() + named.size() > 1 || left != right) {
-            draw_line(symbols_.link(is_double ? "convergence and" : "convergence or", none, to),
-                      line, left, right, is_double);
+            draw_line("convergence", none, to, is_double, line, left, right);
             if (is_double) line += double_gap;
         }
         y_ = line;
@@ -400,8 +395,7 @@ class SequenceLayout {
         for (const FlowSequence& branch : piece.after) {
             right = add_side_branch(branch, side, is_double, 1);
         }
-        draw_line(symbols_.link(is_double ? "divergence and" : "divergence or", piece.node, none),
-                  side.y, left, right, is_double);
+        draw_line("divergence", piece.node, none, is_double, side.y, left, right);
     }
 
     /// Returns the x of its outermost link.

@@ -13,7 +13,6 @@ namespace grafwire {
 struct LaidOutBlock {
     std::vector<Shape> shapes;
     Bounds bounds;
-    double first_axis = 0;  ///< of its first sequence, where its name stands
 };
 
 /// Lays out sequences of a flow side by side. What they show are owners of the scene.

@@ -105,10 +105,8 @@ class ChartSheets {
         if (const std::optional<Size> size = one_sheet()) {
             return sheets_with(places_of(parts_, *size), *size);
         }
-        const Size size = several_sheets();
+        const Size size = cut_for_sheets();
         // Once more, now that the sheets are known whose numbers stand at cut links.
-        const std::vector<Place> places = places_of(parts_, size);
-        for (std::size_t i = 0; i < places.size(); ++i) stretches_[i].sheet = places[i].sheet + 1;
         number_nodes();
         lay_out_all();
         return sheets_with(places_of(parts_, size), size);
@@ -208,45 +206,48 @@ class ChartSheets {
     }
 
     /// Cuts what is too long, in the size that needs the fewest sheets; where several do, the one
-    /// with the fewest cuts, and of those the first.
-    Size several_sheets() {
-        const std::vector<ChartFlow> flows = flows_;
-        const std::vector<Stretch> stretches = stretches_;
-        std::optional<Size> best;
+    /// with the fewest cuts, and of those the first. Enters the sheet of each stretch.
+    Size cut_for_sheets() {
+        struct Trial {
+            Size size;
+            std::vector<ChartFlow> flows;
+            std::vector<Stretch> stretches;
+        };
+        const Trial whole{{}, flows_, stretches_};
+        const std::vector<Part> whole_parts = parts_;
+        std::optional<Trial> best;
         std::pair<std::size_t, std::size_t> least;
-        std::vector<ChartFlow> best_flows;
-        std::vector<Stretch> best_stretches;
         for (const double unit : {units[0], units[std::size(units) - 1]}) {
             for (const bool lies : {false, true}) {
                 const Size size = size_of(how_.paper, unit, lies);
-                flows_ = flows;
-                stretches_ = stretches;
-                lay_out_all();
-                cut_long_blocks(size);
+                flows_ = whole.flows;
+                stretches_ = whole.stretches;
+                cut_long_blocks(whole_parts, size);
                 number_nodes();
                 lay_out_all();
-                const std::pair cost{places_of(parts_, size).back().sheet, stretches_.size()};
+                const std::vector<Place> places = places_of(parts_, size);
+                const std::pair cost{places.back().sheet, stretches_.size()};
                 if (best && cost >= least) continue;
-                best = size;
                 least = cost;
-                best_flows = flows_;
-                best_stretches = stretches_;
+                for (std::size_t i = 0; i < places.size(); ++i) {
+                    stretches_[i].sheet = places[i].sheet + 1;
+                }
+                best = {size, std::move(flows_), std::move(stretches_)};
             }
         }
-        flows_ = std::move(best_flows);
-        stretches_ = std::move(best_stretches);
-        number_nodes();
-        lay_out_all();
-        return *best;
+        flows_ = std::move(best->flows);
+        stretches_ = std::move(best->stretches);
+        return best->size;
     }
 
     // ---- Cutting
 
-    void cut_long_blocks(const Size& size) {
+    /// `parts`: the stretches as they are laid out.
+    void cut_long_blocks(const std::vector<Part>& parts, const Size& size) {
         std::vector<Stretch> stretches;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             Stretch& stretch = stretches_[i];
-            if (parts_[i].height <= size.height && parts_[i].width <= size.width) {
+            if (parts[i].height <= size.height && parts[i].width <= size.width) {
                 stretches.push_back(std::move(stretch));
                 continue;
             }

@@ -10,24 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include "grafcet/expression_rank.h"
+
 namespace grafwire {
 
 namespace {
-
-enum class Rank : std::uint8_t { sum, exclusive, product, unary };
-
-Rank rank_of(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::disjunction:
-            return Rank::sum;
-        case ExprKind::exclusive_or:
-            return Rank::exclusive;
-        case ExprKind::conjunction:
-            return Rank::product;
-        default:
-            return Rank::unary;
-    }
-}
 
 std::string_view sign_of(Relation relation) {
     switch (relation) {

@@ -7,28 +7,13 @@
 #include <fmt/format.h>
 
 #include "grafcet/expression.h"
+#include "grafcet/expression_rank.h"
 #include "grafcet/lexer.h"
 #include "grafcet/write_grafcet.h"
 
 namespace grafwire {
 
 namespace {
-
-/// How tightly an expression holds together, as in the grammar.
-enum class Rank { sum, exclusive, product, unary };
-
-Rank rank_of(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::disjunction:
-            return Rank::sum;
-        case ExprKind::exclusive_or:
-            return Rank::exclusive;
-        case ExprKind::conjunction:
-            return Rank::product;
-        default:
-            return Rank::unary;
-    }
-}
 
 /// Recursive: expressions are nested a few hundred levels deep at most.
 class ExpressionWriter {
