@@ -152,8 +152,9 @@ void TraceOutput::declare(const CommandLine& line) {
     line.add("--vcd", vcd, help::waveform());
 }
 
-/// A viewer would take a file by its name for what it is not.
+/// A viewer would take a waveform by its name for what it is not.
 bool TraceOutput::is_refused() const {
+    if (format_named(trace_formats(), format) == nullptr) return true;
     if (!vcd.ends_with(".fst")) return false;
     complain(say::no_fst(vcd.substr(0, vcd.size() - 4)));
     return true;
@@ -163,12 +164,9 @@ void TraceOutput::declare_format(const CommandLine& line) {
     line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
 }
 
-std::optional<std::string> TraceOutput::text_of(const Trace& trace, const Chart& chart,
-                                                Language language) const {
-    const TraceFormat* row = format_named(trace_formats(), format);
-    if (row == nullptr) return std::nullopt;
-    if (row->name == "csv") return trace_text(trace, chart.grafcet, csv, language);
-    return trace_in_format(trace, chart, *row, language);
+std::string TraceOutput::text_of(const Trace& trace, const Chart& chart, Language language) const {
+    if (format == "csv") return trace_text(trace, chart.grafcet, csv, language);
+    return trace_in_format(trace, chart, *row_named(trace_formats(), format), language);
 }
 
 void TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

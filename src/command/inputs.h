@@ -86,14 +86,13 @@ struct TraceOutput {
     std::string format = "csv";
 
     void declare(const CommandLine& line);
-    /// Whether a waveform is asked for in a format that is not written (FST); shows it if so.
+    /// Whether something is asked for in a format that is not written: a trace in one that is not
+    /// in the table, a waveform in FST. Shows it if so. To be asked before anything is run.
     bool is_refused() const;
     /// Of commands whose trace belongs to a chart: also its format.
     void declare_format(const CommandLine& line);
-    /// The trace in that format; CSV that goes to a terminal is a table. Empty, and shown, where
-    /// there is no such format.
-    std::optional<std::string> text_of(const Trace& trace, const Chart& chart,
-                                       Language language) const;
+    /// The trace in that format; CSV that goes to a terminal is a table.
+    std::string text_of(const Trace& trace, const Chart& chart, Language language) const;
     /// `explained`: standard output is taken by words, and the trace goes only where it was asked
     /// to.
     void add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

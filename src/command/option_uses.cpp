@@ -8,6 +8,7 @@
 
 #include "command/messages.h"
 #include "command/standard_error.h"
+#include "text/words.h"
 
 namespace grafwire {
 
@@ -73,22 +74,11 @@ constexpr OptionUse option_uses[] = {
     {"plc", "--pull-up", by_format},
 };
 
-/// Whether `--io` is among `--io --mnemonics`.
-bool heeds(const FormatOptions& format, std::string_view option) {
-    std::string_view rest = format.options;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find(' '), rest.size());
-        if (rest.substr(0, end) == option) return true;
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return false;
-}
-
 /// What the format chosen does not heed, and which formats do.
 Localized refusal(const ChosenFormat& format, std::string_view option) {
     std::vector<std::string_view> others;
     for (const FormatOptions& other : format.all) {
-        if (heeds(other, option)) others.push_back(other.name);
+        if (has_word(other.options, option)) others.push_back(other.name);
     }
     return say::format_has_no_option(format.chosen.name, option,
                                      fmt::format("{}", fmt::join(others, ", ")));
@@ -105,7 +95,7 @@ bool refuse_idle_options(const CommandLine& line, std::string_view command, unsi
             complain(say::has_no_effect(use.option, (*use.reason)()));
             return true;
         }
-        if (format == nullptr || heeds(format->chosen, use.option)) continue;
+        if (format == nullptr || has_word(format->chosen.options, use.option)) continue;
         complain(refusal(*format, use.option));
         return true;
     }

@@ -44,15 +44,13 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
             format_milliseconds(*result.unstable_at),
             fmt::format("{}", fmt::join(result.changing, ", "))));
     }
-    const auto trace = request.output.text_of(result.trace, chart, language);
-    if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) {
         files.add("-",
                   wrapped(explain_run(chart, *stimuli, period.value, language), width_of_output()));
     }
     request.output.add_files(
-        files, *trace,
+        files, request.output.text_of(result.trace, chart, language),
         request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
         request.explain);
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);

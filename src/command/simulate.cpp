@@ -102,11 +102,10 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
-    const auto trace = request.output.text_of(result.trace, *chart, line.language());
-    if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli, request.against});
     if (request.explain) files.add("-", wrapped(story, width_of_output()));
-    request.output.add_files(files, *trace, result.waveform, request.explain);
+    request.output.add_files(files, request.output.text_of(result.trace, *chart, line.language()),
+                             result.waveform, request.explain);
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 

@@ -17,18 +17,44 @@ std::string title_of(const Grafcet& grafcet) {
     return grafcet.title.empty() ? grafcet.name : grafcet.title;
 }
 
+/// A run, beside another if there is one.
+std::string timing_picture(const Trace& trace, const Trace* other, const std::string& title,
+                           Language language) {
+    TimingDrawing how;
+    how.title = title;
+    how.language = language;
+    how.other = other;
+    return write_svg_drawing(draw_timing(trace, how), title, how.paper, language);
+}
+
 constexpr TraceFormat trace_rows[] = {
-    {"csv", {"a row for each instant or scan", "une ligne par instant ou par scrutation"}},
-    {"svg", {"a timing diagram", "un chronogramme"}},
-    {"wavedrom", {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"}},
+    {"csv",
+     {"a row for each instant or scan", "une ligne par instant ou par scrutation"},
+     [](const Trace& trace, const std::string&, Language) { return write_csv(trace); }},
+    {"svg",
+     {"a timing diagram", "un chronogramme"},
+     [](const Trace& trace, const std::string& title, Language language) {
+         return timing_picture(trace, nullptr, title, language);
+     }},
+    {"wavedrom",
+     {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"},
+     [](const Trace& trace, const std::string& title, Language language) {
+         return write_wavedrom(trace, title, language);
+     }},
 };
 
 constexpr DrawingFormat formats[] = {
     {"svg",
      {"a picture for browsers and word processors",
       "une image pour navigateurs et traitements de texte"},
-     ""},
-    {"tikz", {"a TikZ picture for LaTeX", "une figure TikZ pour LaTeX"}, "--standalone"},
+     [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how, bool) {
+         return write_svg_drawing(sheets, title, how.paper, how.language);
+     }},
+    {"tikz",
+     {"a TikZ picture for LaTeX", "une figure TikZ pour LaTeX"},
+     [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how,
+        bool standalone) { return write_tikz_drawing(sheets, title, how.paper, standalone); },
+     "--standalone"},
 };
 
 }  // namespace
@@ -63,11 +89,7 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
 
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone) {
-    const Grafcet& grafcet = chart.grafcet;
-    const std::string title = title_of(grafcet);
-    const std::vector<Sheet> sheets = draw_chart(grafcet, how);
-    if (format.name == "tikz") return write_tikz_drawing(sheets, title, how.paper, standalone);
-    return write_svg_drawing(sheets, title, how.paper, how.language);
+    return format.write(draw_chart(chart.grafcet, how), title_of(chart.grafcet), how, standalone);
 }
 
 std::span<const TraceFormat> trace_formats() {
@@ -76,24 +98,12 @@ std::span<const TraceFormat> trace_formats() {
 
 std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
                             Language language) {
-    const std::string title = title_of(chart.grafcet);
-    if (format.name == "svg") {
-        TimingDrawing how;
-        how.title = title;
-        how.language = language;
-        return write_svg_drawing(draw_timing(trace, how), title, how.paper, language);
-    }
-    if (format.name == "wavedrom") return write_wavedrom(trace, title, language);
-    return write_csv(trace);
+    return format.write(trace, title_of(chart.grafcet), language);
 }
 
 std::string picture_of_runs(const Grafcet& grafcet, const Trace& expected, const Trace& found,
                             Language language) {
-    TimingDrawing how;
-    how.title = title_of(grafcet);
-    how.language = language;
-    how.other = &found;
-    return write_svg_drawing(draw_timing(expected, how), how.title, how.paper, language);
+    return timing_picture(expected, &found, title_of(grafcet), language);
 }
 
 }  // namespace grafwire

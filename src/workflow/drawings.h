@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "draw/draw_chart.h"
 #include "text/message.h"
@@ -18,7 +19,10 @@ namespace grafwire {
 struct DrawingFormat {
     std::string_view name;
     Message<> description;
-    std::string_view options;  ///< those that only some formats heed
+    /// `standalone` makes a whole document, in formats that heed it.
+    std::string (*write)(const std::vector<Sheet>& sheets, std::string_view title,
+                         const ChartDrawing& how, bool standalone);
+    std::string_view options = "";  ///< those that only some formats heed
 };
 std::span<const DrawingFormat> drawing_formats();
 
@@ -37,8 +41,7 @@ inline constexpr NotationRow notation_table[] = {
 std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& stimuli, Time at,
                                            Language language);
 
-/// The chart as IEC 60848 draws it, in a format of the table. `standalone` makes a whole document
-/// of it, in formats that heed it.
+/// The chart as IEC 60848 draws it, in a format of the table.
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone);
 
@@ -46,6 +49,7 @@ std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const Dra
 struct TraceFormat {
     std::string_view name;
     Message<> description;
+    std::string (*write)(const Trace& trace, const std::string& title, Language language);
 };
 std::span<const TraceFormat> trace_formats();
 

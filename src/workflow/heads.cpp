@@ -9,6 +9,7 @@
 
 #include "text/utf8.h"
 #include "text/version.h"
+#include "text/words.h"
 #include "workflow/messages.h"
 #include "workflow/programs.h"
 
@@ -65,8 +66,7 @@ std::string netlist_request(const Chart& chart, const NetlistOptions& options,
     std::string line = fmt::format(
         "grafwire netlist {} --style {} --cdx {} --modes {} --to {}", shell_word(chart.source.name),
         name_of(options.style), name_of(cdx_form(options)), on_or_off(options.modes), format.name);
-    const bool is_scanned =
-        options.style == Style::clocked && format.options.find("--scan") != std::string_view::npos;
+    const bool is_scanned = options.style == Style::clocked && has_word(format.options, "--scan");
     if (is_scanned) line += " --scan " + format_duration(request.scan_period);
     if (!request.stimuli.empty()) line += " --stim " + shell_word(request.stimuli);
     if (!request.bench_beside.empty()) {
@@ -92,9 +92,7 @@ std::string program_head(const Chart& chart, const PlcFormat& format, const PlcO
                          bool modes, std::string_view io) {
     std::string line = fmt::format("grafwire plc {} --to {} --modes {}",
                                    shell_word(chart.source.name), format.name, on_or_off(modes));
-    const auto heeds = [&](std::string_view option) {
-        return format.options.find(option) != std::string_view::npos;
-    };
+    const auto heeds = [&](std::string_view option) { return has_word(format.options, option); };
     if (heeds("--io") && !io.empty()) line += " --io " + shell_word(io);
     if (heeds("--mnemonics")) {
         const bool is_simatic = options.mnemonics == s7::Mnemonics::simatic;
