@@ -47,17 +47,6 @@ std::string bench_path(const std::string& output) {
         .string();
 }
 
-/// A netlist does not depend on the bench beside it; a deck holds its stimuli.
-NetlistHeads heads_of(const Request& request, const Chart& chart, const NetlistFormat& format,
-                      Time period) {
-    const NetlistOptions options = request.netlist.options();
-    if (!request.bench || format.write_bench == nullptr) {
-        return {netlist_head(chart, options, format, {period, request.stimuli}), {}};
-    }
-    return {netlist_head(chart, options, format, {period}),
-            netlist_head(chart, options, format, {period, request.stimuli, request.output})};
-}
-
 /// The netlist and, of formats that have one, its bench.
 ExitStatus write(const Request& request, const NetlistFormat& format, Time period) {
     // Read the GRAFCET and make the netlist.
@@ -71,9 +60,10 @@ ExitStatus write(const Request& request, const NetlistFormat& format, Time perio
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
-    WrittenNetlist written =
-        write_netlist(*chart, *netlist, format, stimuli ? &*stimuli : nullptr, period,
-                      request.netlist.delays(), heads_of(request, *chart, format, period));
+    WrittenNetlist written = write_netlist(
+        *chart, *netlist, format, stimuli ? &*stimuli : nullptr, period, request.netlist.delays(),
+        netlist_heads(*chart, request.netlist.options(), format,
+                      {period, request.stimuli, request.output}, request.bench));
     OutputFiles files({request.path, request.stimuli});
     files.add(request.output, std::move(written.text));
     if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));

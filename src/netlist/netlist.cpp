@@ -27,8 +27,9 @@ void NetNames::reserve(std::size_t names, std::size_t bytes) {
 
 std::string_view NetNames::operator[](NetId net) const {
     const std::size_t index = index_of(net);
-    const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
-    return std::string_view(text_).substr(begin, ends_[index] - begin);
+    const auto begin = static_cast<std::size_t>(index == 0 ? 0 : ends_[index - 1]);
+    const auto end = static_cast<std::size_t>(ends_[index]);
+    return std::string_view(text_).substr(begin, end - begin);
 }
 
 Table<NetId, CellId> drivers_of(const Netlist& netlist) {

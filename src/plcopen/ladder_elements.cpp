@@ -44,10 +44,10 @@ const ladder::BlockTypeRow* block_named(std::string_view block_type) {
 }
 
 std::optional<Relation> comparison_named(std::string_view block_type) {
-    const auto* found =
-        std::find(ladder::comparison_names.begin(), ladder::comparison_names.end(), block_type);
-    if (found == ladder::comparison_names.end()) return std::nullopt;
-    return static_cast<Relation>(found - ladder::comparison_names.begin());
+    for (std::size_t i = 0; i < ladder::comparison_names.size(); ++i) {
+        if (ladder::comparison_names[i] == block_type) return static_cast<Relation>(i);
+    }
+    return std::nullopt;
 }
 
 bool is_gate(std::string_view block_type) {

@@ -24,7 +24,7 @@ class EventWheel {
 
     /// `reach`: the longest delay in ticks that is worth a list of its own.
     explicit EventWheel(Tick reach) {
-        const auto wanted = static_cast<std::uint64_t>(std::clamp<Tick>(reach + 1, 64, most_lists));
+        const auto wanted = static_cast<std::size_t>(std::clamp<Tick>(reach + 1, 64, most_lists));
         lists_.resize(std::bit_ceil(wanted));
         occupied_.resize(lists_.size() / 64);
     }

@@ -212,4 +212,65 @@ Settling NetlistMachine::settle() {
     return delay_ends_.settle(simulator_, instant_);
 }
 
+Settling NetlistMachine::instant(Time at, const std::vector<Logic>& inputs) {
+    begin_instant(at, inputs);
+    if (at > 0) end_delays();
+    return netlist_.is_clocked() ? settle_by_cycles() : settle();
+}
+
+Settling NetlistMachine::scan(Time at, const std::vector<Logic>& inputs) {
+    begin_instant(at, inputs);
+    return simulator_.clock_cycle();
+}
+
+/// Cycles that come back to a state they have been in are found as oscillations of gates are, by
+/// Brent's scheme.
+Settling NetlistMachine::settle_by_cycles() {
+    Settling sum = simulator_.settle();
+    SimulatorState before = simulator_.save();
+    SimulatorState kept = before;
+    std::uint64_t cycles = 0;
+    std::uint64_t stretch = 1;
+    while (sum.settled) {
+        const Settling cycle = simulator_.clock_cycle();
+        sum.events += cycle.events;
+        sum.settled = cycle.settled;
+        sum.oscillating = cycle.oscillating;
+        if (!cycle.settled) break;
+        SimulatorState after = simulator_.save();
+        if (after == before) break;
+        ++cycles;
+        if (after == kept) {
+            sum.settled = false;
+            sum.oscillating = changing_in(cycles);
+            break;
+        }
+        if (cycles == stretch) {
+            kept = after;
+            cycles = 0;
+            stretch *= 2;
+        }
+        before = std::move(after);
+    }
+    return sum;
+}
+
+/// The nets whose values between the clock cycles differ during so many cycles.
+std::vector<NetId> NetlistMachine::changing_in(std::uint64_t cycles) {
+    const SimulatorState first = simulator_.save();
+    std::vector<bool> changes(first.values.size(), false);
+    for (; cycles > 1; --cycles) {
+        simulator_.clock_cycle();
+        const SimulatorState state = simulator_.save();
+        for (std::size_t net = 0; net < changes.size(); ++net) {
+            if (state.values[net] != first.values[net]) changes[net] = true;
+        }
+    }
+    std::vector<NetId> nets;
+    for (std::size_t net = 0; net < changes.size(); ++net) {
+        if (changes[net]) nets.push_back(static_cast<NetId>(net));
+    }
+    return nets;
+}
+
 }  // namespace grafwire

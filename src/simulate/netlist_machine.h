@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "grafcet/grafcet.h"
@@ -47,11 +48,20 @@ class NetlistMachine {
     /// Lets the netlist come to rest at the instant, with the delays that are found to end at it.
     Settling settle();
 
+    /// A whole instant, from its inputs to rest; of a clocked netlist as many cycles of the clock
+    /// as it takes until one changes nothing.
+    Settling instant(Time at, const std::vector<Logic>& inputs);
+    /// A scan of a clocked netlist: one cycle of the clock under these inputs.
+    Settling scan(Time at, const std::vector<Logic>& inputs);
+
     Simulator& simulator() { return simulator_; }
     const Simulator& simulator() const { return simulator_; }
     const PortMap& ports() const { return ports_; }
 
   private:
+    Settling settle_by_cycles();
+    std::vector<NetId> changing_in(std::uint64_t cycles);
+
     const Grafcet& grafcet_;
     const Netlist& netlist_;
     Simulator simulator_;

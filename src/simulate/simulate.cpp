@@ -4,8 +4,7 @@
 // side. Within an asynchronous netlist the gates race on by themselves until nothing moves. A
 // clocked netlist makes one scan of the method per clock cycle: either one cycle per period, or at
 // every instant as many as it takes until a cycle changes nothing. (The memory of an edge is a
-// flip-flop too, so a cycle in which an edge is 1 changes something.) Cycles that come back to a
-// state they have been in are found as oscillations of gates are, by Brent's scheme.
+// flip-flop too, so a cycle in which an edge is 1 changes something.)
 
 #include "simulate/simulate.h"
 
@@ -193,18 +192,16 @@ class Run {
     void begin_instant(Time at) {
         if (options_.instant) options_.instant(at, simulator());
         player_.advance(at);
-        machine_.begin_instant(at, known_inputs(player_.inputs()));
     }
 
     bool instant(Time at) {
         begin_instant(at);
-        if (at > 0) machine_.end_delays();
-        return note(at, netlist_.is_clocked() ? cycle_until_stable() : machine_.settle());
+        return note(at, machine_.instant(at, known_inputs(player_.inputs())));
     }
 
     bool scan(Time at) {
         begin_instant(at);
-        return note(at, simulator().clock_cycle());
+        return note(at, machine_.scan(at, known_inputs(player_.inputs())));
     }
 
     /// The instant after this one; `never` after the last.
@@ -212,9 +209,6 @@ class Run {
         if (at >= stimuli_.end) return never;
         return std::min({machine_.simulator().next_due(), stimuli_.end, player_.next_change()});
     }
-
-    Settling cycle_until_stable();
-    std::vector<NetId> changing_in(std::uint64_t cycles);
 
     const Netlist& netlist_;
     const Stimuli& stimuli_;
@@ -226,54 +220,6 @@ class Run {
     bool started_ = false;
     SimulateResult result_;
 };
-
-Settling Run::cycle_until_stable() {
-    Settling sum = simulator().settle();
-    SimulatorState before = simulator().save();
-    SimulatorState kept = before;
-    std::uint64_t cycles = 0;
-    std::uint64_t stretch = 1;
-    while (sum.settled) {
-        const Settling cycle = simulator().clock_cycle();
-        sum.events += cycle.events;
-        sum.settled = cycle.settled;
-        sum.oscillating = cycle.oscillating;
-        if (!cycle.settled) break;
-        SimulatorState after = simulator().save();
-        if (after == before) break;
-        ++cycles;
-        if (after == kept) {
-            sum.settled = false;
-            sum.oscillating = changing_in(cycles);
-            break;
-        }
-        if (cycles == stretch) {
-            kept = after;
-            cycles = 0;
-            stretch *= 2;
-        }
-        before = std::move(after);
-    }
-    return sum;
-}
-
-/// The nets whose values between the clock cycles differ during so many cycles.
-std::vector<NetId> Run::changing_in(std::uint64_t cycles) {
-    const SimulatorState first = simulator().save();
-    std::vector<bool> changes(first.values.size(), false);
-    for (; cycles > 1; --cycles) {
-        simulator().clock_cycle();
-        const SimulatorState state = simulator().save();
-        for (std::size_t net = 0; net < changes.size(); ++net) {
-            if (state.values[net] != first.values[net]) changes[net] = true;
-        }
-    }
-    std::vector<NetId> nets;
-    for (std::size_t net = 0; net < changes.size(); ++net) {
-        if (changes[net]) nets.push_back(static_cast<NetId>(net));
-    }
-    return nets;
-}
 
 }  // namespace
 

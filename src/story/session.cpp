@@ -1,6 +1,3 @@
-// Every line that has an effect leaves the moment before it behind, whole, so that `back` cannot go
-// wrong. What was applied is kept as stimuli: a run over them goes through the same instants.
-//
 // Lines that change inputs are read by the reader of `.stim` texts, as the second line of a text
 // whose first one says what time it is. So a session and a file take the same notation, and the
 // same things are refused in the same words.
@@ -25,8 +22,6 @@ namespace {
 
 namespace words = messages::story;
 
-/// Of one line; a longer way is gone in several.
-constexpr std::size_t most_instants = 100'000;
 constexpr Time until_next_change = millisecond;
 
 /// Cuts off the first word of a line.
@@ -61,9 +56,7 @@ SessionReply said(std::string text) {
 }  // namespace
 
 Session::Session(const Grafcet& grafcet, std::optional<Time> period, Language language)
-    : grafcet_(grafcet), evolution_(grafcet), period_(period), language_(language) {
-    moment_.inputs.assign(grafcet.all_input_count(), 0);
-}
+    : grafcet_(grafcet), language_(language), run_(grafcet, period) {}
 
 std::string Session::greeting() const {
     std::vector<std::string_view> inputs;
@@ -72,7 +65,7 @@ std::string Session::greeting() const {
 }
 
 std::string Session::prompt() const {
-    return fmt::format("{} ms> ", format_milliseconds(moment_.now));
+    return fmt::format("{} ms> ", format_milliseconds(run_.now()));
 }
 
 std::vector<std::string> Session::beginnings() const {
@@ -121,7 +114,8 @@ SessionReply Session::obey(Word word, std::string_view rest) {
         case Word::save:
             return save(rest);
         case Word::help:
-            return said((period_ ? words::session_help_scans : words::session_help).in(language_));
+            return said(
+                (run_.period() ? words::session_help_scans : words::session_help).in(language_));
         case Word::quit:
             break;
     }
@@ -131,39 +125,23 @@ SessionReply Session::obey(Word word, std::string_view rest) {
 }
 
 SessionReply Session::scan() {
-    if (period_) return advance(next_scan(), {}, true);
-    if (!moment_.run.state) return advance(0, {}, true);
-    const Time next = moment_.run.next_delay_end();
-    if (next == never && !is_stuck()) return refused(words::no_delay_runs.in(language_));
+    const Time next = run_.next_instant();
+    if (run_.period() || !run_.has_begun()) return advance(next, {}, true);
+    if (next == never && !run_.is_stuck()) return refused(words::no_delay_runs.in(language_));
     return advance(next, {}, false);
 }
 
 SessionReply Session::back() {
-    if (past_.empty()) return refused(words::nothing_to_take_back.in(language_));
-    moment_ = std::move(past_.back());
-    past_.pop_back();
-    changes_.resize(moment_.change_count);
+    if (!run_.can_go_back()) return refused(words::nothing_to_take_back.in(language_));
+    run_.go_back();
     return said(shown());
 }
 
-/// By scans, inputs that no scan has read yet are left to the next one.
 SessionReply Session::save(std::string_view path) const {
     if (path.empty()) return refused(words::save_needs_path.in(language_));
-    Stimuli stimuli{changes_, moment_.now};
-    if (period_ && moment_.inputs != moment_.run.inputs) {
-        const InputValues all_0(moment_.inputs.size(), 0);
-        const InputValues& before = moment_.run.state ? moment_.run.inputs : all_0;
-        Stimuli::Change change{next_scan(), {}};
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            if (before[i] == moment_.inputs[i]) continue;
-            change.assignments.push_back({static_cast<std::uint32_t>(i), moment_.inputs[i] != 0});
-        }
-        stimuli.end = change.at;
-        if (!change.assignments.empty()) stimuli.changes.push_back(std::move(change));
-    }
     SessionReply reply;
     reply.save_path = path;
-    reply.save_stimuli = write_stimuli(stimuli, grafcet_);
+    reply.save_stimuli = write_stimuli(run_.stimuli(), grafcet_);
     return reply;
 }
 
@@ -172,13 +150,13 @@ SessionReply Session::change(std::string_view line) {
     if (!has_time && line.find('=') == std::string_view::npos) {
         return refused(words::unknown_line.in(language_, visible(shortened(line))));
     }
-    const bool is_first = !moment_.run.state;
-    std::string text = fmt::format("{} :\n", format_duration(moment_.now));
+    const bool is_first = !run_.has_begun();
+    std::string text = fmt::format("{} :\n", format_duration(run_.now()));
     if (has_time) {
         text += with_colon(line);
     } else {
-        text += fmt::format("+{} : {}",
-                            format_duration(is_first || period_ ? 0 : until_next_change), line);
+        text += fmt::format(
+            "+{} : {}", format_duration(is_first || run_.period() ? 0 : until_next_change), line);
     }
     Diagnostics diagnostics;
     const auto read = parse_stimuli({"", text}, grafcet_, diagnostics);
@@ -189,82 +167,52 @@ SessionReply Session::change(std::string_view line) {
     const Stimuli::Change& last = read->changes.back();  // an `end` changes no input
     const auto assignments =
         last.at == read->end ? last.assignments : std::vector<Stimuli::Assignment>();
-    const bool is_same_time = read->end == moment_.now;
-    if (is_same_time && !is_first && !period_) {
-        return refused(words::instant_is_over.in(language_, format_milliseconds(moment_.now)));
+    const bool is_same_time = read->end == run_.now();
+    if (is_same_time && !is_first && !run_.period()) {
+        return refused(words::instant_is_over.in(language_, format_milliseconds(run_.now())));
     }
-    return advance(read->end, assignments, !period_);
+    return advance(read->end, assignments, !run_.period());
 }
 
-/// `has_instant`: at the end of the way there is one in any case.
 SessionReply Session::advance(Time to, const std::vector<Stimuli::Assignment>& assignments,
                               bool has_instant) {
-    if (is_stuck()) return refused(words::no_way_on.in(language_));
-    Moment before = moment_;
+    if (run_.is_stuck()) return refused(words::no_way_on.in(language_));
+    const bool has_new_inputs = !assignments.empty() || run_.step_count() == 0;
     std::vector<InstantStory> stories;
-    std::size_t count = 0;
-    const auto next = [&] {
-        if (period_) return next_scan();
-        return moment_.run.state ? moment_.run.next_delay_end() : Time{0};
-    };
-    while (next() < to && !is_stuck() && count++ < most_instants) {
-        do_instant(next(), !moment_.run.state, stories);
-    }
-    std::string remark;
-    if (count > most_instants) {
-        remark = words::long_way.in(language_, format_milliseconds(moment_.now));
-    } else if (!is_stuck()) {
-        for (const Stimuli::Assignment& set : assignments) moment_.inputs[set.input] = set.value;
-        const bool is_scan = period_ && next() == to && (has_instant || to != before.now);
-        if (is_scan || !period_) do_instant(to, has_instant, stories);
-        moment_.now = to;
-    }
-    past_.push_back(std::move(before));
-    if (period_ && moment_.inputs != moment_.run.inputs && remark.empty() && !is_stuck()) {
-        remark = words::read_by_next_scan.in(language_, format_milliseconds(next_scan()));
-    }
-    const bool has_new_inputs = !assignments.empty() || past_.size() == 1;
+    const bool is_done = run_.advance(to, assignments, has_instant, [&](InstantStory story) {
+        add_story(stories, std::move(story));
+    });
     std::string text = write_stories(grafcet_, stories, language_);
     if (has_new_inputs) text += broken_assumptions();
-    return said(text + remark);
-}
-
-/// `is_asked`: the user has named the instant, so it is one of the stimuli even where no input
-/// changes; those at which delays end come by themselves.
-void Session::do_instant(Time at, bool is_asked, std::vector<InstantStory>& stories) {
-    InstantStory story =
-        tell_instant(evolution_, moment_.run, moment_.inputs, at, period_.has_value());
-    if (!story.inputs.empty() || (is_asked && !period_)) {
-        changes_.push_back({at, story.inputs});
+    if (!is_done) {
+        text += words::long_way.in(language_, format_milliseconds(run_.now()));
+    } else if (run_.period() && run_.has_unread_inputs() && !run_.is_stuck()) {
+        text += words::read_by_next_scan.in(language_, format_milliseconds(run_.next_scan()));
     }
-    moment_.change_count = changes_.size();
-    moment_.now = at;
-    moment_.last = story;
-    add_story(stories, std::move(story));
+    return said(text);
 }
 
 /// A line for each that the inputs break, as they are now.
 std::string Session::broken_assumptions() const {
     std::string text;
-    for (std::size_t i = 0; i < grafcet_.assumptions.size(); ++i) {
-        if (assumption_holds(grafcet_, i, moment_.inputs)) continue;
+    for (const std::size_t broken : run_.broken_assumptions()) {
         text += words::breaks_assumption.in(
-            language_,
-            write_expression(grafcet_, grafcet_.expressions, grafcet_.assumptions[i].expression));
+            language_, write_expression(grafcet_, grafcet_.expressions,
+                                        grafcet_.assumptions[broken].expression));
     }
     return text;
 }
 
 std::string Session::shown() const {
-    if (!moment_.last) return words::not_begun.in(language_);
+    if (!run_.last()) return words::not_begun.in(language_);
     std::vector<std::string_view> inputs;
-    for (std::size_t i = 0; i < moment_.inputs.size(); ++i) {
-        if (moment_.inputs[i] != 0) inputs.push_back(input_name(grafcet_, i));
+    for (std::size_t i = 0; i < run_.inputs().size(); ++i) {
+        if (run_.inputs()[i] != 0) inputs.push_back(input_name(grafcet_, i));
     }
     const std::string list = inputs.empty() ? words::no_output.in(language_)
                                             : fmt::format("{}", fmt::join(inputs, ", "));
-    return words::shown_at.in(language_, format_milliseconds(moment_.now), list) +
-           write_end(grafcet_, *moment_.last, language_);
+    return words::shown_at.in(language_, format_milliseconds(run_.now()), list) +
+           write_end(grafcet_, *run_.last(), language_);
 }
 
 }  // namespace grafwire

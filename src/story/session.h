@@ -1,14 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
-#include "story/instant_story.h"
+#include "story/stepped_run.h"
 #include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
@@ -54,14 +52,6 @@ class Session {
     SessionReply answer(std::string_view line);
 
   private:
-    /// Where the session stands; what `back` comes back to.
-    struct Moment {
-        EvolutionUnderWay run;
-        InputValues inputs;            ///< as they are now; by scans, for the next scan to read
-        Time now = 0;                  ///< not before the last instant
-        std::size_t change_count = 0;  ///< of changes_
-        std::optional<InstantStory> last;
-    };
     enum class Word { scan, back, show, save, help, quit };
 
     std::optional<Word> command_of(std::string_view line, std::string_view& rest) const;
@@ -70,22 +60,15 @@ class Session {
     SessionReply back();
     SessionReply save(std::string_view path) const;
     SessionReply change(std::string_view line);
-    /// Goes on to a moment, with the inputs changed at its end.
+    /// Goes on to a moment, with the inputs changed at its end (SteppedRun::advance).
     SessionReply advance(Time to, const std::vector<Stimuli::Assignment>& assignments,
                          bool has_instant);
-    bool is_stuck() const { return moment_.last && !moment_.last->is_stable; }
-    Time next_scan() const { return moment_.run.state ? moment_.run.now + *period_ : 0; }
-    void do_instant(Time at, bool is_asked, std::vector<InstantStory>& stories);
     std::string broken_assumptions() const;
     std::string shown() const;
 
     const Grafcet& grafcet_;
-    Evolution evolution_;
-    std::optional<Time> period_;
     Language language_;
-    Moment moment_;
-    std::vector<Moment> past_;
-    std::vector<Stimuli::Change> changes_;  ///< all that has been applied, in the order of time
+    SteppedRun run_;
 };
 
 }  // namespace grafwire

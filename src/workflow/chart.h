@@ -53,16 +53,17 @@ std::string_view name_of(CdxForm form);
 /// The forms of a report on equations by the names users write.
 struct EquationFormatRow {
     std::string_view name;
+    std::string_view extension;  ///< of its files, with the dot
     EquationFormat format;
     /// The options that it uses, as they are called on the command line.
     std::string_view options;
 };
 inline constexpr EquationFormatRow equation_format_table[] = {
-    {"text", EquationFormat::text, "--karnaugh"},
-    {"markdown", EquationFormat::markdown, "--karnaugh"},
-    {"latex", EquationFormat::latex, "--karnaugh --standalone"},
-    {"csv", EquationFormat::csv, ""},
-    {"json", EquationFormat::json, "--karnaugh"},
+    {"text", ".txt", EquationFormat::text, "--karnaugh"},
+    {"markdown", ".md", EquationFormat::markdown, "--karnaugh"},
+    {"latex", ".tex", EquationFormat::latex, "--karnaugh --standalone"},
+    {"csv", ".csv", EquationFormat::csv, ""},
+    {"json", ".json", EquationFormat::json, "--karnaugh"},
 };
 
 /// Derives the equations of a chart and writes them down.

@@ -296,7 +296,8 @@ std::string junit(const Judgement& judgement, const Chart& chart, double seconds
                              judgement.explained, seconds);
 }
 
-constexpr ReportRow table[] = {{"text", text}, {"json", json}, {"junit", junit}};
+constexpr ReportRow table[] = {
+    {"text", ".txt", text}, {"json", ".json", json}, {"junit", ".xml", junit}};
 
 }  // namespace
 

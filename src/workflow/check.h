@@ -59,6 +59,7 @@ struct Judgement {
 /// The form of a report by the name users write.
 struct ReportRow {
     std::string_view name;
+    std::string_view extension;  ///< of its files, with the dot
     std::string (*write)(const Judgement& judgement, const Chart& chart, double seconds,
                          Language language);
 };

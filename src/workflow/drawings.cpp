@@ -29,14 +29,17 @@ std::string timing_picture(const Trace& trace, const Trace* other, const std::st
 
 constexpr TraceFormat trace_rows[] = {
     {"csv",
+     ".csv",
      {"a row for each instant or scan", "une ligne par instant ou par scrutation"},
      [](const Trace& trace, const std::string&, Language) { return write_csv(trace); }},
     {"svg",
+     ".svg",
      {"a timing diagram", "un chronogramme"},
      [](const Trace& trace, const std::string& title, Language language) {
          return timing_picture(trace, nullptr, title, language);
      }},
     {"wavedrom",
+     ".json",
      {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"},
      [](const Trace& trace, const std::string& title, Language language) {
          return write_wavedrom(trace, title, language);
@@ -45,12 +48,14 @@ constexpr TraceFormat trace_rows[] = {
 
 constexpr DrawingFormat formats[] = {
     {"svg",
+     ".svg",
      {"a picture for browsers and word processors",
       "une image pour navigateurs et traitements de texte"},
      [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how, bool) {
          return write_svg_drawing(sheets, title, how.paper, how.language);
      }},
     {"tikz",
+     ".tex",
      {"a TikZ picture for LaTeX", "une figure TikZ pour LaTeX"},
      [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how,
         bool standalone) { return write_tikz_drawing(sheets, title, how.paper, standalone); },

@@ -18,6 +18,7 @@ namespace grafwire {
 /// A format of drawings, by the name users write.
 struct DrawingFormat {
     std::string_view name;
+    std::string_view extension;  ///< of its files, with the dot
     Message<> description;
     /// `standalone` makes a whole document, in formats that heed it.
     std::string (*write)(const std::vector<Sheet>& sheets, std::string_view title,
@@ -48,6 +49,7 @@ std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const Dra
 /// A format of traces, by the name users write.
 struct TraceFormat {
     std::string_view name;
+    std::string_view extension;
     Message<> description;
     std::string (*write)(const Trace& trace, const std::string& title, Language language);
 };

@@ -88,6 +88,17 @@ std::vector<std::string> netlist_head(const Chart& chart, const NetlistOptions& 
             "  " + netlist_request(chart, options, format, request)};
 }
 
+NetlistHeads netlist_heads(const Chart& chart, const NetlistOptions& options,
+                           const NetlistFormat& format, const NetlistFileRequest& request,
+                           bool with_bench) {
+    const Time period = request.scan_period;
+    if (!with_bench || format.write_bench == nullptr) {
+        return {netlist_head(chart, options, format, {period, request.stimuli}), {}};
+    }
+    return {netlist_head(chart, options, format, {period}),
+            netlist_head(chart, options, format, request)};
+}
+
 std::string program_head(const Chart& chart, const PlcFormat& format, const PlcOptions& options,
                          bool modes, std::string_view io) {
     std::string line = fmt::format("grafwire plc {} --to {} --modes {}",

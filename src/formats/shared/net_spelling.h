@@ -26,7 +26,9 @@ class NetSpelling {
 
     std::string_view operator[](NetId net) const {
         const std::size_t index = index_of(net);
-        return std::string_view(text_).substr(begins_[index], begins_[index + 1] - begins_[index]);
+        const auto begin = static_cast<std::size_t>(begins_[index]);
+        const auto end = static_cast<std::size_t>(begins_[index + 1]);
+        return std::string_view(text_).substr(begin, end - begin);
     }
 
     /// Of all nets together, in bytes.
