@@ -46,12 +46,15 @@ clang-format         /usr/bin/clang-format
 clang-tidy           /usr/bin/clang-tidy
 libclang-rt-14-dev   /usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.fuzzer-x86_64.a
 '
-# For the page in a browser: a compiler to WebAssembly, and the libraries of C and C++ for it.
+# For the page in a browser: a compiler to WebAssembly, the libraries of C and C++ for it, and what the
+# compiler calls to make the module smaller.
 packages_for_playground='
+binaryen                  /usr/bin/wasm-opt
 clang-22                  /usr/bin/clang++-22
 libc++-22-dev-wasm32      /usr/lib/llvm-22/lib/wasm32-wasi/libc++.a
 libclang-rt-22-dev-wasm32 /usr/lib/llvm-22/lib/clang/22/lib/wasi/libclang_rt.builtins-wasm32.a
 lld-22                    /usr/bin/wasm-ld-22
+nodejs                    /usr/bin/node
 python3                   /usr/bin/python3
 wasi-libc                 /usr/lib/wasm32-wasi/libc.a
 '

@@ -75,8 +75,6 @@ std::string netlist_request(const Chart& chart, const NetlistOptions& options,
     return line;
 }
 
-}  // namespace
-
 std::vector<std::string> netlist_head(const Chart& chart, const NetlistOptions& options,
                                       const NetlistFormat& format,
                                       const NetlistFileRequest& request) {
@@ -87,6 +85,8 @@ std::vector<std::string> netlist_head(const Chart& chart, const NetlistOptions& 
             fmt::format("Written by grafwire {}:", version()),
             "  " + netlist_request(chart, options, format, request)};
 }
+
+}  // namespace
 
 NetlistHeads netlist_heads(const Chart& chart, const NetlistOptions& options,
                            const NetlistFormat& format, const NetlistFileRequest& request,

@@ -23,17 +23,13 @@ struct NetlistFileRequest {
     std::string_view bench_beside{};  ///< of a bench: the file of its netlist
 };
 
-/// The heads of a netlist file and, `with_bench`, of the bench beside it, of formats that have one:
-/// the netlist does not depend on that bench; a deck holds its stimuli itself.
+/// The head of a netlist file (WriteOptions::head) and, `with_bench`, of the bench beside it, of
+/// formats that have one: the chart and its title, style, form of CDX and modes, the version of the
+/// program, and the request. The netlist does not depend on the bench; a deck holds its stimuli
+/// itself. In English, as netlist files are.
 NetlistHeads netlist_heads(const Chart& chart, const NetlistOptions& options,
                            const NetlistFormat& format, const NetlistFileRequest& request,
                            bool with_bench);
-
-/// The head of a netlist file (WriteOptions::head): the chart and its title, style, form of CDX and
-/// modes, the version of the program, and the request. In English, as netlist files are.
-std::vector<std::string> netlist_head(const Chart& chart, const NetlistOptions& options,
-                                      const NetlistFormat& format,
-                                      const NetlistFileRequest& request);
 
 /// What a program says at its head of how it was made (PlcOptions::made_by), in the language of its
 /// comments. `io`: the path of the assignment.

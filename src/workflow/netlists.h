@@ -60,7 +60,7 @@ struct WrittenNetlist {
     std::string bench;
 };
 
-/// What each of them says of how it was made (netlist_head).
+/// What each of them says of how it was made (netlist_heads).
 struct NetlistHeads {
     std::vector<std::string> netlist{};
     std::vector<std::string> bench{};

@@ -10,7 +10,7 @@ namespace grafwire::testing {
 namespace {
 
 /// A run of the page that goes through a witness; its last state.
-Json replayed(playground::Core& core, Json args, const Json& witness) {
+Json replayed(AskedCore& core, Json args, const Json& witness) {
     if (witness.contains("period")) args["period"] = witness.at("period");
     Json state = ask(core, "run.open", args);
     for (const Json& instant : witness.at("instants")) {
@@ -44,7 +44,7 @@ TEST_CASE("a check reports as the command line does") {
 }
 
 TEST_CASE("a witness comes back in a run of the page") {
-    playground::Core core;
+    AskedCore core;
     const Json args{{"text", chart_text("rule-5")}, {"style", "nor"}};
     const Json answer = ask(core, "check", args);
     CHECK(answer.at("verdict") == "different");
@@ -58,7 +58,7 @@ TEST_CASE("a witness comes back in a run of the page") {
 }
 
 TEST_CASE("a check shows how far it is, and ends where it is told to") {
-    playground::Core core;
+    AskedCore core;
     int calls = 0;
     const Json answer = ask(core, "check", {{"text", chart_text("nine-steps")}},
                             [&](const Coverage&) { return ++calls < 3; });

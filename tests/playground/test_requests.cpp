@@ -18,7 +18,7 @@ constexpr const char* requests[] = {
 }  // namespace
 
 TEST_CASE("what is no request is answered with an error") {
-    playground::Core core;
+    AskedCore core;
     for (const std::string text : {"", "{", "[]", "7", "null", "{}", R"({"name":3})",
                                    R"({"name":"chart","args":[]})", "{\"name\":\"\xff\"}"}) {
         CAPTURE(text);
@@ -29,7 +29,7 @@ TEST_CASE("what is no request is answered with an error") {
 }
 
 TEST_CASE("every request survives arguments that are missing, and of other types") {
-    playground::Core core;
+    AskedCore core;
     const Json wrong[] = {nullptr,
                           true,
                           -1,

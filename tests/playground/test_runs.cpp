@@ -23,7 +23,7 @@ Json row_of(const Json& state) {
 
 /// A run of an example over its stimuli; `visit` sees every state.
 template <typename Visit>
-Json play(playground::Core& core, const std::string& name, Json args, const Visit& visit) {
+Json play(AskedCore& core, const std::string& name, Json args, const Visit& visit) {
     args["text"] = chart_text(name);
     args["stimuli"] = example_text(name + ".stim");
     const Json script = ask(core, "script", args);
@@ -47,7 +47,7 @@ TEST_CASE("gates beside the reference agree with it wherever the wiring is sound
             if (style == "nand" && name == "press") continue;  // counters are for clocked ones
             CAPTURE(style);
             CAPTURE(name);
-            playground::Core core;
+            AskedCore core;
             play(core, name, {{"style", style}},
                  [](const Json& state) { CHECK(state.at("gates").at("agrees") == true); });
         }
@@ -55,7 +55,7 @@ TEST_CASE("gates beside the reference agree with it wherever the wiring is sound
 }
 
 TEST_CASE("what was done is the run that its stimuli make") {
-    playground::Core core;
+    AskedCore core;
     const Json state = play(core, "press", Json::object(), [](const Json&) {});
     const Json stimuli = ask(core, "run.stimuli", {{"run", state.at("run")}});
     const ScratchFolder folder;
@@ -71,7 +71,7 @@ TEST_CASE("what was done is the run that its stimuli make") {
 }
 
 TEST_CASE("an instant tells what was cleared, by which rules, and what the gates did") {
-    playground::Core core;
+    AskedCore core;
     const Json open =
         ask(core, "run.open", {{"text", chart_text("nine-steps")}, {"style", "nand"}});
     const Json run = open.at("run");
@@ -110,7 +110,7 @@ TEST_CASE("delays end as time goes on, in the reference and in the gates") {
     const std::string chart =
         "input a\noutput K\ngraph G {\n  initial 0\n  step 1 : K\n  0 -> 1 : a\n"
         "  1 -> 0 : 2s/X1\n}\n";
-    playground::Core core;
+    AskedCore core;
     const Json run = ask(core, "run.open", {{"text", chart}, {"style", "nand"}}).at("run");
     ask(core, "run.do", {{"run", run}});
     Json state = ask(core, "run.do", {{"run", run}, {"set", {{"a", 1}}}, {"advance_ms", 500}});
@@ -133,7 +133,7 @@ TEST_CASE("delays end as time goes on, in the reference and in the gates") {
 }
 
 TEST_CASE("scan by scan, inputs are read by the next scan") {
-    playground::Core core;
+    AskedCore core;
     const Json run =
         ask(core, "run.open",
             {{"text", chart_text("nine-steps")}, {"style", "clocked"}, {"period", "10ms"}})

@@ -22,7 +22,7 @@ Json error_answer(const Localized& why, Language language);
 
 std::unique_ptr<Runs> make_runs();
 
-// Each answers one request; tools/playground/README.md says what goes in and out.
+// Each answers one request; README.md says what goes in and out.
 
 Json answer_version(const Arguments& arguments, const Asked& asked);
 Json answer_words(const Arguments& arguments, const Asked& asked);
