@@ -256,26 +256,20 @@ Faults wrong_bars(const Grafcet& grafcet, const Picture& picture) {
 }
 
 Faults uneven_branches(const Grafcet& grafcet, const Picture& picture) {
+    std::map<std::string, int> entered;  // how many links lead to a node
+    for (const ChartLink& link : links_of(grafcet)) ++entered[link.to];
     std::map<std::string, std::set<int>> bars_below;
     std::map<std::string, std::set<int>> steps_below;
     for (const PictureGroup* line : picture.all("divergence")) {
         const std::string from = line->fact("from");
         for (const PictureGroup* link : picture.all("link")) {
-            if (link->is("up") || link->fact("from") != from || link->fact("to").empty()) continue;
             const std::string to = link->fact("to");
+            // Where several come together may stand further down.
+            if (link->is("up") || link->fact("from") != from || entered[to] != 1) continue;
             if (const PictureGroup* bar = picture.only("transition", "transition", to)) {
-                // A join may stand further down.
-                std::size_t before = 0;
-                for (const ChartLink& other : links_of(grafcet)) before += other.to == to ? 1 : 0;
-                if (before == 1)
-                    bars_below[from].insert(static_cast<int>(std::lround(bar_of(*bar).y1)));
+                bars_below[from].insert(static_cast<int>(std::lround(bar_of(*bar).y1)));
             } else if (const PictureGroup* step = step_named(picture, to)) {
-                std::size_t before = 0;
-                for (const ChartLink& other : links_of(grafcet)) before += other.to == to ? 1 : 0;
-                if (before == 1) {
-                    steps_below[from].insert(
-                        static_cast<int>(std::lround(step->boxes.front().top)));
-                }
+                steps_below[from].insert(static_cast<int>(std::lround(step->boxes.front().top)));
             }
         }
     }
