@@ -4,6 +4,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 
+# What ccache asks for where headers are precompiled.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # One line per package: its name, then a file that is there once it is installed. Looking at files
 # takes no time; asking dpkg would.
 packages_to_build='
@@ -19,6 +22,8 @@ libpugixml-dev       /usr/include/pugixml.hpp
 libutf8proc-dev      /usr/include/utf8proc.h
 ninja-build          /usr/bin/ninja
 nlohmann-json3-dev   /usr/include/nlohmann/json.hpp
+verilator            /usr/share/verilator/include/gtkwave/fstapi.c
+zlib1g-dev           /usr/include/zlib.h
 '
 packages_to_test='
 doctest-dev          /usr/include/doctest/doctest.h
@@ -198,9 +203,11 @@ configured() {
 }
 
 # How build/release is set up by whoever comes first: for speed of building. The product is compiled
-# some files at a time, so that what they include is read once for all of them, as its tests always
-# are; .ci/run compiles each file of the product by itself as well, with clang++.
-fast_settings=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+# some files at a time, as its tests always are, so that what they include is read once for all of
+# them; common headers are read once for all; and only what runs long is optimised fully. .ci/run
+# compiles each file of the product by itself as well, with clang++.
+fast_settings=(-DCMAKE_BUILD_TYPE=Release '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG' -DPRECOMPILE=ON
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
 
 # is_new FOLDER: whether build/FOLDER has not been set up yet.
 is_new() {

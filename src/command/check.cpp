@@ -24,7 +24,7 @@ namespace say = messages::command;
 namespace help = messages::help;
 
 /// What may be written after `grafwire check`.
-struct Request {
+struct CheckArguments {
     std::string path;
     NetlistRequest netlist;
     std::string against;
@@ -45,7 +45,7 @@ struct Request {
 
 /// All that a check works with besides what is compared.
 struct Session {
-    const Request& request;
+    const CheckArguments& request;
     const CommandLine& line;
     const Chart& chart;
     Language language;
@@ -67,7 +67,7 @@ ExitStatus exit_status(Verdict verdict) {
 }
 
 /// What is known of the request before anything is read.
-unsigned facts_of(const Request& request) {
+unsigned facts_of(const CheckArguments& request) {
     if (request.against.empty()) {
         return fact::generated |
                (request.netlist.options().style == Style::clocked ? fact::clocked
@@ -88,7 +88,7 @@ unsigned facts_of(const Chart& chart, const Netlist& netlist) {
 }
 
 /// What the reports say of a request before anything has been read.
-CheckSubject subject_of(const Request& request) {
+CheckSubject subject_of(const CheckArguments& request) {
     CheckSubject subject;
     subject.file = request.path;
     subject.against = request.against;
@@ -107,7 +107,7 @@ CheckSubject subject_of(const Request& request) {
 /// Runs a check within its bounds, and shows what it has to say.
 template <typename Check>
 std::optional<Judgement> within_bounds(const Session& session, const Check& check) {
-    const Request& request = session.request;
+    const CheckArguments& request = session.request;
     CheckRequest asked;
     asked.subject = subject_of(request);
     asked.changes = request.changes == "many" ? Changes::many : Changes::one;
@@ -129,7 +129,7 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
 
 /// A netlist from elsewhere, if its ports allow a comparison.
 std::optional<Netlist> load_fitting_netlist(const Session& session) {
-    const Request& request = session.request;
+    const CheckArguments& request = session.request;
     auto netlist = load_netlist(request.against);
     if (!netlist) return std::nullopt;
     const PortComparison ports =
@@ -158,7 +158,7 @@ std::optional<Judgement> judge_netlist(const Session& session) {
 
 /// An S7-200 listing. Its addresses say nothing by themselves, so a table of assignment is needed.
 std::optional<Judgement> judge_listing(const Session& session) {
-    const Request& request = session.request;
+    const CheckArguments& request = session.request;
     if (request.io.empty()) {
         complain(say::listing_needs_io(request.against));
         return std::nullopt;
@@ -179,7 +179,7 @@ std::optional<Judgement> judge_listing(const Session& session) {
 
 /// A ladder diagram, whose variables have the names of the GRAFCET.
 std::optional<Judgement> judge_ladder(const Session& session) {
-    const Request& request = session.request;
+    const CheckArguments& request = session.request;
     Diagnostics diagnostics;
     const SourceFile source = read_source(request.against, diagnostics);
     std::optional<ladder::Ladder> ladder;
@@ -201,7 +201,7 @@ std::optional<Judgement> judge(const Session& session) {
 }
 
 /// The GRAFCET, with all that the plant never does.
-std::optional<Chart> load_plant(const Request& request) {
+std::optional<Chart> load_plant(const CheckArguments& request) {
     auto chart = load_chart(request.path);
     if (!chart) return std::nullopt;
     bool is_good = true;
@@ -237,8 +237,8 @@ std::vector<std::string> add_witness(OutputFiles& files, const std::string& fold
 
 /// Writes the report, and the files of the witness into the folder asked for, if one is, where
 /// those of an earlier witness go. `seconds`: what the check took.
-ExitStatus report(const Request& request, const Chart& chart, Judgement& judgement, double seconds,
-                  Language language) {
+ExitStatus report(const CheckArguments& request, const Chart& chart, Judgement& judgement,
+                  double seconds, Language language) {
     OutputFiles files({request.path, request.against, request.io});
     if (!request.witness.empty()) {
         judgement.subject.witness_files =
@@ -251,7 +251,8 @@ ExitStatus report(const Request& request, const Chart& chart, Judgement& judgeme
 
 /// Where no check could be made for the reasons that the messages say: a JUnit report, if one is
 /// asked for, has them too: the reader of these reports may see nothing else.
-ExitStatus report_refused(const Request& request, const std::string& messages, double seconds) {
+ExitStatus report_refused(const CheckArguments& request, const std::string& messages,
+                          double seconds) {
     if (request.format != "junit") return ExitStatus::bad_request;
     OutputFiles files({request.path, request.against, request.io});
     files.add(request.output, write_refused_junit(subject_of(request), messages, seconds));
@@ -259,7 +260,7 @@ ExitStatus report_refused(const Request& request, const std::string& messages, d
 }
 
 /// Whatever goes wrong before the verdict ends in `refused`, so that CI sees a report of it.
-ExitStatus check(const Request& request, const CommandLine& line) {
+ExitStatus check(const CheckArguments& request, const CommandLine& line) {
     const auto began = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -286,7 +287,7 @@ ExitStatus check(const Request& request, const CommandLine& line) {
 }
 
 /// What is compared, and under which conditions.
-void declare_subject(const CommandLine& line, Request& request) {
+void declare_subject(const CommandLine& line, CheckArguments& request) {
     line.add_argument(help::file_name, request.path, help::file());
     request.netlist.declare(line, false);
     request.netlist.declare_delay(line);
@@ -300,7 +301,7 @@ void declare_subject(const CommandLine& line, Request& request) {
 }
 
 /// What is written, and when the check gives up.
-void declare_report(const CommandLine& line, Request& request) {
+void declare_report(const CommandLine& line, CheckArguments& request) {
     line.add("--to", request.format, help::check_to()).one_of_names(report_forms()).shows_default();
     line.add("-o", request.output, help::check_output());
     line.add("--witness", request.witness, help::witness());
@@ -313,7 +314,7 @@ void declare_report(const CommandLine& line, Request& request) {
 }  // namespace
 
 Task declare_check(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CheckArguments>();
     declare_subject(line, *request);
     declare_report(line, *request);
     return [request, line] { return check(*request, line); };

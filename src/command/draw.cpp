@@ -14,7 +14,7 @@ namespace {
 namespace say = messages::command;
 namespace help = messages::help;
 
-struct Request {
+struct DrawArguments {
     std::string path;
     std::string stimuli;
     std::string at;
@@ -26,7 +26,7 @@ struct Request {
 };
 
 /// What `--at` says; shown where it is no time.
-std::optional<Time> moment_of(const Request& request) {
+std::optional<Time> moment_of(const DrawArguments& request) {
     if (request.at == "0") return 0;
     const std::optional<Time> at = parse_duration(request.at);
     if (!at) complain(say::no_moment(request.at));
@@ -34,7 +34,7 @@ std::optional<Time> moment_of(const Request& request) {
 }
 
 /// The situation at the moment asked for; empty, and shown, where there is none.
-std::optional<ShownSituation> situation_of(const Request& request, const Chart& chart,
+std::optional<ShownSituation> situation_of(const DrawArguments& request, const Chart& chart,
                                            Language language) {
     const std::optional<Time> at = moment_of(request);
     if (!at) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<ShownSituation> situation_of(const Request& request, const Chart& 
     return situation;
 }
 
-ExitStatus draw(const Request& request, const CommandLine& line) {
+ExitStatus draw(const DrawArguments& request, const CommandLine& line) {
     const DrawingFormat* format = format_named(drawing_formats(), request.format);
     if (format == nullptr) return ExitStatus::bad_request;
     const ChosenFormat chosen = chosen_format(drawing_formats(), *format);
@@ -75,7 +75,7 @@ ExitStatus draw(const Request& request, const CommandLine& line) {
 }  // namespace
 
 Task declare_draw(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<DrawArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     line.add_optional_argument(help::stim_name, request->stimuli, help::draw_stim());
     line.add("--at", request->at, help::draw_at());

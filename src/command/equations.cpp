@@ -13,7 +13,7 @@ namespace {
 
 namespace help = messages::help;
 
-struct Request {
+struct EquationsArguments {
     std::string path;
     std::string cdx = "successor";
     std::string modes = "on";
@@ -26,7 +26,7 @@ struct Request {
 }  // namespace
 
 Task declare_equations(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<EquationsArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     line.add("--cdx", request->cdx, help::cdx()).one_of_names(cdx_table).shows_default();
     line.add("--modes", request->modes, help::modes()).one_of({"on", "off"}).shows_default();

@@ -16,7 +16,7 @@ namespace say = messages::command;
 namespace help = messages::help;
 
 /// What may be written after `grafwire fmt`.
-struct Request {
+struct FmtArguments {
     std::vector<std::string> paths;
     bool in_place = false;
     bool check = false;
@@ -24,7 +24,7 @@ struct Request {
     std::optional<Localized> conflict() const;
 };
 
-std::optional<Localized> Request::conflict() const {
+std::optional<Localized> FmtArguments::conflict() const {
     if (in_place && check) return say::replace_or_check();
     if (in_place && std::find(paths.begin(), paths.end(), "-") != paths.end()) {
         return say::standard_input_in_place();
@@ -55,7 +55,7 @@ std::optional<Formatted> format_file(const std::string& path, Language language)
 
 /// Each file by itself: one that is wrong or cannot be replaced does not stop the others, and the
 /// status is the worst.
-ExitStatus format_files(const Request& request, Language language) {
+ExitStatus format_files(const FmtArguments& request, Language language) {
     ExitStatus status = ExitStatus::done;
     std::string otherwise;
     for (const std::string& path : request.paths) {
@@ -84,7 +84,7 @@ ExitStatus format_files(const Request& request, Language language) {
 }  // namespace
 
 Task declare_fmt(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<FmtArguments>();
     line.add_arguments(help::file_name, request->paths, help::fmt_files());
     line.add_flag("-i", request->in_place, help::in_place());
     line.add_flag("--check", request->check, help::fmt_check());

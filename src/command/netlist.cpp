@@ -16,7 +16,7 @@ namespace {
 namespace help = messages::help;
 
 /// What may be written after `grafwire netlist`.
-struct Request {
+struct NetlistArguments {
     std::string path;
     NetlistRequest netlist;
     std::string format;
@@ -27,7 +27,7 @@ struct Request {
 };
 
 /// What is known of the request before anything is read.
-unsigned facts_of(const Request& request, const NetlistFormat& format) {
+unsigned facts_of(const NetlistArguments& request, const NetlistFormat& format) {
     unsigned facts =
         request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous;
     if (!request.stimuli.empty()) facts |= fact::stimuli;
@@ -48,7 +48,7 @@ std::string bench_path(const std::string& output) {
 }
 
 /// The netlist and, of formats that have one, its bench.
-ExitStatus write(const Request& request, const NetlistFormat& format, Time period) {
+ExitStatus write(const NetlistArguments& request, const NetlistFormat& format, Time period) {
     // Read the GRAFCET and make the netlist.
     const auto chart = load_chart(request.path);
     if (!chart) return ExitStatus::bad_request;
@@ -73,7 +73,7 @@ ExitStatus write(const Request& request, const NetlistFormat& format, Time perio
 }  // namespace
 
 Task declare_netlist(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<NetlistArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     request->netlist.declare(line, true);
     line.add("--to", request->format, with_rows(help::netlist_to(), netlist_formats())).required();

@@ -14,7 +14,7 @@ namespace {
 namespace help = messages::help;
 
 /// What may be written after `grafwire plc`.
-struct Request {
+struct PlcArguments {
     std::string path;
     std::string format;
     std::string modes = "on";
@@ -30,7 +30,7 @@ struct Request {
 
 /// The options by the values that users write; those that the format does not heed have been
 /// refused.
-PlcOptions options_from(const Request& request) {
+PlcOptions options_from(const PlcArguments& request) {
     PlcOptions options;
     options.mnemonics =
         request.mnemonics == "simatic" ? s7::Mnemonics::simatic : s7::Mnemonics::international;
@@ -57,7 +57,7 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
 }
 
 /// The program, and the table of its addresses if it is asked for.
-ExitStatus write(const Request& request, const PlcFormat& format, Language language) {
+ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language language) {
     // Read the GRAFCET and the addresses.
     if (request.path == "-" && request.io == "-") {
         complain(messages::command::assignment_shares_standard_input());
@@ -89,7 +89,7 @@ ExitStatus write(const Request& request, const PlcFormat& format, Language langu
 }  // namespace
 
 Task declare_plc(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<PlcArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     line.add("--to", request->format, with_rows(help::plc_to(), plc_formats())).required();
     line.add("--modes", request->modes, help::plc_modes()).one_of({"on", "off"}).shows_default();
