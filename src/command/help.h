@@ -101,8 +101,10 @@ inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
 inline constexpr Message<> trace_to{"format of the trace", "format de l'évolution relevée"};
 inline constexpr Message<> waveform{
-    "the waveform as VCD for GTKWave; beside OUT.vcd goes OUT.gtkw, which says what to show",
-    "le chronogramme en VCD pour GTKWave ; à côté de OUT.vcd, OUT.gtkw dit quoi montrer"};
+    "the waveform for GTKWave, as FST where the file is called OUT.fst, else as VCD; beside it "
+    "goes OUT.gtkw, which says what to show",
+    "le chronogramme pour GTKWave, en FST si le fichier s'appelle OUT.fst, sinon en VCD ; à côté, "
+    "OUT.gtkw dit quoi montrer"};
 
 // draw
 

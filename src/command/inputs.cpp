@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "command/fst_file.h"
 #include "command/help.h"
 #include "command/messages.h"
 #include "command/terminal.h"
@@ -152,10 +153,18 @@ void TraceOutput::declare(const CommandLine& line) {
     line.add("--vcd", vcd, help::waveform());
 }
 
+namespace {
+
+bool is_fst(std::string_view path) {
+    return path.ends_with(".fst");
+}
+
+}  // namespace
+
 /// A viewer would take a waveform by its name for what it is not.
 bool TraceOutput::is_refused() const {
     if (format_named(trace_formats(), format) == nullptr) return true;
-    if (!vcd.ends_with(".fst")) return false;
+    if (!is_fst(vcd) || can_write_fst()) return false;
     complain(say::no_fst(vcd.substr(0, vcd.size() - 4)));
     return true;
 }
@@ -169,15 +178,26 @@ std::string TraceOutput::text_of(const Trace& trace, const Chart& chart, Languag
     return trace_in_format(trace, chart, *row_named(trace_formats(), format), language);
 }
 
-void TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
+bool TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
                             bool explained) const {
     if (!explained || !csv.empty()) files.add(csv, std::move(trace));
-    if (vcd.empty()) return;
-    files.add(vcd, waveform.vcd);
-    if (!vcd.ends_with(".vcd")) return;  // a device, a pipe, standard output
+    if (vcd.empty()) return true;
+    if (is_fst(vcd)) {
+        std::string fst;
+        if (const auto problem = make_fst(waveform.vcd, fst)) {
+            complain(say::cannot_write(shown_place(vcd), *problem));
+            return false;
+        }
+        files.add(vcd, std::move(fst));
+    } else {
+        files.add(vcd, waveform.vcd);
+    }
+    // A device, a pipe, standard output have nothing beside them.
+    if (!is_fst(vcd) && !vcd.ends_with(".vcd")) return true;
     const std::string base = vcd.substr(0, vcd.size() - 4);
     const std::string name = std::filesystem::path(vcd).filename().string();
     files.add_unless_there(base + ".gtkw", write_gtkw(waveform, name));
+    return true;
 }
 
 }  // namespace grafwire

@@ -78,8 +78,9 @@ struct NetlistRequest {
 /// The generated netlist.
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request);
 
-/// Where the trace and the waveform of a run go. Beside a waveform `OUT.vcd` goes what GTKWave
-/// shows of it, `OUT.gtkw`, unless there is one already: the user may have changed it.
+/// Where the trace and the waveform of a run go. A waveform is in VCD, or in FST where its file is
+/// called so. Beside a waveform `OUT.vcd` or `OUT.fst` goes what GTKWave shows of it, `OUT.gtkw`,
+/// unless there is one already: the user may have changed it.
 struct TraceOutput {
     std::string csv;
     std::string vcd;
@@ -87,16 +88,17 @@ struct TraceOutput {
 
     void declare(const CommandLine& line);
     /// Whether something is asked for in a format that is not written: a trace in one that is not
-    /// in the table, a waveform in FST. Shows it if so. To be asked before anything is run.
+    /// in the table, a waveform in FST where this program cannot. Shows it if so. To be asked
+    /// before anything is run.
     bool is_refused() const;
     /// Of commands whose trace belongs to a chart: also its format.
     void declare_format(const CommandLine& line);
     /// The trace in that format; CSV that goes to a terminal is a table.
     std::string text_of(const Trace& trace, const Chart& chart, Language language) const;
     /// `explained`: standard output is taken by words, and the trace goes only where it was asked
-    /// to.
-    void add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
-                   bool explained = false) const;
+    /// to. False, after having said why, where the waveform cannot be made.
+    [[nodiscard]] bool add_files(OutputFiles& files, std::string trace, const Waveform& waveform,
+                                 bool explained = false) const;
 };
 
 // Implementation.

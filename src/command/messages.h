@@ -54,9 +54,9 @@ inline constexpr Message<std::string_view> no_period{
     "« {} » n'est pas une période : écrivez une durée positive, comme 10ms"};
 /// The name of the file without its ending.
 inline constexpr Message<std::string> no_fst{
-    "waveforms are written as VCD: write {0}.vcd, and 'vcd2fst {0}.vcd {0}.fst' of GTKWave makes "
-    "FST of it",
-    "les chronogrammes sont écrits en VCD : écrivez {0}.vcd, et « vcd2fst {0}.vcd {0}.fst » de "
+    "this grafwire was built without FST: write {0}.vcd, and 'vcd2fst {0}.vcd {0}.fst' of GTKWave "
+    "makes FST of it",
+    "ce grafwire a été construit sans FST : écrivez {0}.vcd, et « vcd2fst {0}.vcd {0}.fst » de "
     "GTKWave en fait un fichier FST"};
 inline constexpr Message<std::string_view> no_moment{
     "'{}' is no moment of a run: write a duration such as 500ms, or 0",

@@ -19,7 +19,7 @@ namespace {
 namespace help = messages::help;
 
 /// What may be written after `grafwire run`.
-struct Request {
+struct RunArguments {
     std::string path;
     std::string stimuli;
     std::string scan;
@@ -28,7 +28,7 @@ struct Request {
 };
 
 /// The reference under stimuli from a file, in a trace or in words.
-ExitStatus run_stimuli(const Request& request, const Chart& chart, Language language) {
+ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language language) {
     const auto stimuli = load_stimuli(request.stimuli, chart.grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     const Period period = parse_period(request.scan);
@@ -49,21 +49,23 @@ ExitStatus run_stimuli(const Request& request, const Chart& chart, Language lang
         files.add("-",
                   wrapped(explain_run(chart, *stimuli, period.value, language), width_of_output()));
     }
-    request.output.add_files(
-        files, request.output.text_of(result.trace, chart, language),
-        request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
-        request.explain);
+    if (!request.output.add_files(
+            files, request.output.text_of(result.trace, chart, language),
+            request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
+            request.explain)) {
+        return ExitStatus::bad_request;
+    }
     return finish(files, result.unstable_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
 /// The reference under what is typed.
-ExitStatus run_typed(const Request& request, const Chart& chart, Language language) {
+ExitStatus run_typed(const RunArguments& request, const Chart& chart, Language language) {
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     return step_by_step(request.path, chart, period.value, language);
 }
 
-ExitStatus run(const Request& request, const CommandLine& line) {
+ExitStatus run(const RunArguments& request, const CommandLine& line) {
     const bool is_typed = request.stimuli.empty();
     if (refuse_idle_options(line, "run", is_typed ? fact::none : fact::stimuli) ||
         request.output.is_refused()) {
@@ -83,7 +85,7 @@ ExitStatus run(const Request& request, const CommandLine& line) {
 }  // namespace
 
 Task declare_run(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<RunArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     line.add_optional_argument(help::stim_name, request->stimuli, help::run_stim());
     line.add("--scan", request->scan, help::run_scan());

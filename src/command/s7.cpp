@@ -17,7 +17,7 @@ namespace say = messages::command;
 namespace help = messages::help;
 
 /// What may be written after `grafwire s7 run`.
-struct Request {
+struct S7Arguments {
     std::string listing;
     std::string stimuli;
     std::string scan;
@@ -28,7 +28,7 @@ struct Request {
 };
 
 /// The names of the columns, with messages shown.
-std::optional<ListingColumns> load_columns(const Request& request, const s7::Listing& listing,
+std::optional<ListingColumns> load_columns(const S7Arguments& request, const s7::Listing& listing,
                                            const std::optional<LoadedAssignment>& io) {
     std::optional<Chart> chart;
     if (!request.grafcet.empty()) {
@@ -44,7 +44,7 @@ std::optional<ListingColumns> load_columns(const Request& request, const s7::Lis
 
 /// A listing that fails (a stack too deep, a timer of no such number) fails at a place and a
 /// moment, and both are shown.
-ExitStatus run_listing(const Request& request, Language language) {
+ExitStatus run_listing(const S7Arguments& request, Language language) {
     if (!request.grafcet.empty() && request.io.empty()) {
         complain(say::grafcet_needs_io());
         return ExitStatus::bad_request;
@@ -79,16 +79,18 @@ ExitStatus run_listing(const Request& request, Language language) {
         return ExitStatus::bad_request;
     }
     OutputFiles files({request.listing, request.stimuli, request.io, request.grafcet});
-    request.output.add_files(files,
-                             trace_text(run.trace, columns->grafcet, request.output.csv, language),
-                             waveform_of(run.trace, "listing"));
+    if (!request.output.add_files(
+            files, trace_text(run.trace, columns->grafcet, request.output.csv, language),
+            waveform_of(run.trace, "listing"))) {
+        return ExitStatus::bad_request;
+    }
     return finish(files, ExitStatus::done);
 }
 
 }  // namespace
 
 Task declare_s7(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<S7Arguments>();
     const CommandLine run = line.add_command(
         "run", help::s7_run(),
         "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim "

@@ -19,7 +19,7 @@ namespace say = messages::command;
 namespace help = messages::help;
 
 /// What may be written after `grafwire simulate`.
-struct Request {
+struct SimulateArguments {
     std::string path;
     std::string stimuli;
     NetlistRequest netlist;
@@ -31,7 +31,7 @@ struct Request {
 };
 
 /// What is known of the request before anything is read.
-unsigned facts_of(const Request& request) {
+unsigned facts_of(const SimulateArguments& request) {
     if (!request.against.empty()) {
         return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
     }
@@ -40,7 +40,7 @@ unsigned facts_of(const Request& request) {
 }
 
 /// What is known once the netlist is there.
-unsigned facts_of(const Request& request, const Chart& chart, const Netlist& netlist) {
+unsigned facts_of(const SimulateArguments& request, const Chart& chart, const Netlist& netlist) {
     unsigned facts = request.against.empty() ? fact::generated : fact::elsewhere;
     facts |= netlist.is_clocked() ? fact::clocked : fact::asynchronous;
     if (!request.against.empty() && power_up_of(chart, netlist, true) != PowerUp::init) {
@@ -50,7 +50,7 @@ unsigned facts_of(const Request& request, const Chart& chart, const Netlist& net
 }
 
 /// The netlist, made or read; one from elsewhere is made to fit.
-std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
+std::optional<Netlist> netlist_for(const SimulateArguments& request, const Chart& chart,
                                    const CommandLine& line) {
     if (request.against.empty()) return make_netlist(chart, request.netlist);
     auto netlist = load_netlist(request.against);
@@ -64,9 +64,9 @@ std::optional<Netlist> netlist_for(const Request& request, const Chart& chart,
 }
 
 /// The simulation, told in words if asked for.
-ExplainedSimulation let_work(const Request& request, const Chart& chart, const Netlist& netlist,
-                             const Stimuli& stimuli, std::optional<Time> period,
-                             Language language) {
+ExplainedSimulation let_work(const SimulateArguments& request, const Chart& chart,
+                             const Netlist& netlist, const Stimuli& stimuli,
+                             std::optional<Time> period, Language language) {
     const bool with_waveform = !request.output.vcd.empty();
     const DelayModel delays = request.netlist.delays();
     if (request.explain) {
@@ -76,7 +76,7 @@ ExplainedSimulation let_work(const Request& request, const Chart& chart, const N
 }
 
 /// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
-ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
+ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine& line) {
     if (refuse_idle_options(line, "simulate", facts_of(request)) || request.output.is_refused()) {
         return ExitStatus::bad_request;
     }
@@ -104,15 +104,18 @@ ExitStatus simulate_netlist(const Request& request, const CommandLine& line) {
     }
     OutputFiles files({request.path, request.stimuli, request.against});
     if (request.explain) files.add("-", wrapped(story, width_of_output()));
-    request.output.add_files(files, request.output.text_of(result.trace, *chart, line.language()),
-                             result.waveform, request.explain);
+    if (!request.output.add_files(files,
+                                  request.output.text_of(result.trace, *chart, line.language()),
+                                  result.waveform, request.explain)) {
+        return ExitStatus::bad_request;
+    }
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
 }
 
 }  // namespace
 
 Task declare_simulate(const CommandLine& line) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<SimulateArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     line.add_argument(help::stim_name, request->stimuli, help::stim());
     request->netlist.declare(line, false);

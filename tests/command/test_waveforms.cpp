@@ -53,6 +53,12 @@ std::vector<std::string> shown_in(const std::string& gtkw) {
     return names;
 }
 
+/// The part of a VCD text that holds the changes.
+std::string changes_in(const std::string& vcd) {
+    const std::size_t end = vcd.find("$enddefinitions");
+    return end == std::string::npos ? "" : vcd.substr(end);
+}
+
 /// The signals that GTKWave finds in a waveform, on a screen that nobody sees.
 std::string found_by_gtkwave(const ScratchFolder& folder, const std::string& vcd) {
     const std::string script = folder.file("facs.tcl", R"(
@@ -120,20 +126,48 @@ TEST_CASE("what GTKWave is to show stays as the user has left it") {
     CHECK(contains(text_of(folder.path("new.gtkw")), "[dumpfile] \"new.vcd\"\n"));
 }
 
-TEST_CASE("a waveform in FST is refused, with the way to one") {
+TEST_CASE("a waveform in FST says what the one in VCD says, and has the same bytes each time") {
     const ScratchFolder folder;
-    const std::string fst = folder.path("run.fst");
-    const std::string base = fst.substr(0, fst.size() - 4);
+    const std::string chart = folder.file("c.grafcet", chart_text);
+    const std::string stim = folder.file("c.stim", stimuli_text);
     for (const std::vector<std::string>& request :
-         {std::vector<std::string>{"run"}, {"simulate", "--style", "nand"}}) {
-        std::vector<std::string> arguments = request;
-        arguments.insert(arguments.end(), {sequence_chart, sequence_stimuli, "--vcd", fst});
-        const Ran ran = grafwire_with(arguments);
-        CHECK(ran.status == 2);
-        CHECK(ran.out.empty());
-        CHECK(contains(ran.err, "'vcd2fst " + base + ".vcd " + fst + "'"));
-        CHECK(folder.names().empty());
+         {std::vector<std::string>{"run"}, {"simulate", "--style", "clocked"}}) {
+        INFO("command: " << request[0]);
+        const auto write_to = [&](const std::string& waveform) {
+            std::vector<std::string> arguments = request;
+            arguments.insert(arguments.end(), {chart, stim, "-o", folder.path("out.csv"), "--vcd",
+                                               folder.path(waveform)});
+            REQUIRE(grafwire_with(arguments).status == 0);
+            return text_of(folder.path(waveform));
+        };
+        write_to("w.vcd");
+        const std::string fst = write_to("w.fst");
+        CHECK(write_to("again.fst") == fst);
+        CHECK(contains(text_of(folder.path("again.gtkw")), "[dumpfile] \"again.fst\"\n"));
+        // GTKWave's own converters make the same of both.
+        REQUIRE(run_program({"vcd2fst", folder.path("w.vcd"), folder.path("theirs.fst")}).status ==
+                0);
+        const Ran ours = run_program({"fst2vcd", folder.path("w.fst")});
+        const Ran theirs = run_program({"fst2vcd", folder.path("theirs.fst")});
+        CHECK(ours.status == 0);
+        CHECK(changes_in(ours.out) == changes_in(theirs.out));
+        CHECK(words_after(ours.out, "$var", 4) == words_after(theirs.out, "$var", 4));
+        const std::string found = found_by_gtkwave(folder, folder.path("again.fst"));
+        for (const std::string& name : shown_in(text_of(folder.path("again.gtkw")))) {
+            CHECK_MESSAGE(contains(found, "fac " + name + "\n"), found);
+        }
     }
+}
+
+TEST_CASE("a waveform in FST that cannot be made leaves nothing behind") {
+    const ScratchFolder folder;
+    const Ran ran =
+        grafwire_with({"run", sequence_chart, sequence_stimuli, "--vcd", folder.path("run.fst")},
+                      {}, {"TMPDIR=" + folder.path("missing")});
+    CHECK(ran.status == 2);
+    CHECK(ran.out.empty());
+    CHECK(contains(ran.err, "cannot write " + folder.path("run.fst")));
+    CHECK(folder.names().empty());
 }
 
 }  // namespace grafwire::testing
