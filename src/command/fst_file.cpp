@@ -31,7 +31,12 @@ class TemporaryFolder {
     /// Has no path, with errno set, where it cannot be made.
     TemporaryFolder() {
         std::error_code error;
-        path_ = (std::filesystem::temp_directory_path(error) / "grafwire-XXXXXX").string();
+        const std::filesystem::path all = std::filesystem::temp_directory_path(error);
+        if (error) {
+            errno = error.value();
+            return;
+        }
+        path_ = (all / "grafwire-XXXXXX").string();
         if (mkdtemp(path_.data()) == nullptr) path_.clear();
     }
     ~TemporaryFolder() {

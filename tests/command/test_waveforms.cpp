@@ -103,7 +103,7 @@ TEST_CASE("waveforms with any names are read by GTKWave's programs") {
         CHECK(shown.size() == (command[0] == "run" ? 15 : 14));  // counters are no nets
         CHECK(shown.front() == "Manege_n_deg_1.dcy");
         for (const std::string& name : shown) {
-            CHECK_MESSAGE(contains(found, "fac " + name + "\n"), found);
+            CHECK_MESSAGE(contains(found, "fac " + name + "\n"), name << " in " << found);
         }
     }
 }
@@ -142,8 +142,10 @@ TEST_CASE("a waveform in FST says what the one in VCD says, and has the same byt
         };
         write_to("w.vcd");
         const std::string fst = write_to("w.fst");
-        CHECK(write_to("again.fst") == fst);
-        CHECK(contains(text_of(folder.path("again.gtkw")), "[dumpfile] \"again.fst\"\n"));
+        const std::string again = request[0] + "-again";
+        CHECK(write_to(again + ".fst") == fst);
+        const std::string view = text_of(folder.path(again + ".gtkw"));
+        CHECK(contains(view, "[dumpfile] \"" + again + ".fst\"\n"));
         // GTKWave's own converters make the same of both.
         REQUIRE(run_program({"vcd2fst", folder.path("w.vcd"), folder.path("theirs.fst")}).status ==
                 0);
@@ -152,9 +154,9 @@ TEST_CASE("a waveform in FST says what the one in VCD says, and has the same byt
         CHECK(ours.status == 0);
         CHECK(changes_in(ours.out) == changes_in(theirs.out));
         CHECK(words_after(ours.out, "$var", 4) == words_after(theirs.out, "$var", 4));
-        const std::string found = found_by_gtkwave(folder, folder.path("again.fst"));
-        for (const std::string& name : shown_in(text_of(folder.path("again.gtkw")))) {
-            CHECK_MESSAGE(contains(found, "fac " + name + "\n"), found);
+        const std::string found = found_by_gtkwave(folder, folder.path("w.fst"));
+        for (const std::string& name : shown_in(view)) {
+            CHECK_MESSAGE(contains(found, "fac " + name + "\n"), name << " in " << found);
         }
     }
 }
