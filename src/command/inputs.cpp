@@ -12,7 +12,6 @@
 #include "command/messages.h"
 #include "command/terminal.h"
 #include "text/nearest_name.h"
-#include "workflow/drawings.h"
 
 namespace grafwire {
 
@@ -173,9 +172,13 @@ void TraceOutput::declare_format(const CommandLine& line) {
     line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
 }
 
-std::string TraceOutput::text_of(const Trace& trace, const Chart& chart, Language language) const {
-    if (format == "csv") return trace_text(trace, chart.grafcet, csv, language);
-    return trace_in_format(trace, chart, *row_named(trace_formats(), format), language);
+bool TraceOutput::is_picture() const {
+    return row_named(trace_formats(), format)->is_picture;
+}
+
+std::string TraceOutput::text_of(const ShownRun& run, const Chart& chart, Language language) const {
+    if (format == "csv") return trace_text(run.trace, chart.grafcet, csv, language);
+    return row_named(trace_formats(), format)->write(run, language);
 }
 
 bool TraceOutput::add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

@@ -12,6 +12,7 @@
 #include "trace/stimuli.h"
 #include "trace/waveform.h"
 #include "workflow/chart.h"
+#include "workflow/drawings.h"
 #include "workflow/netlists.h"
 #include "workflow/programs.h"
 
@@ -93,8 +94,10 @@ struct TraceOutput {
     bool is_refused() const;
     /// Of commands whose trace belongs to a chart: also its format.
     void declare_format(const CommandLine& line);
+    /// Whether the format is a picture, which shows causes as well.
+    bool is_picture() const;
     /// The trace in that format; CSV that goes to a terminal is a table.
-    std::string text_of(const Trace& trace, const Chart& chart, Language language) const;
+    std::string text_of(const ShownRun& run, const Chart& chart, Language language) const;
     /// `explained`: standard output is taken by words, and the trace goes only where it was asked
     /// to. False, after having said why, where the waveform cannot be made.
     [[nodiscard]] bool add_files(OutputFiles& files, std::string trace, const Waveform& waveform,

@@ -49,8 +49,12 @@ ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language
         files.add("-",
                   wrapped(explain_run(chart, *stimuli, period.value, language), width_of_output()));
     }
+    ShownRun shown{result.trace, title_of(chart.grafcet)};
+    if (request.output.is_picture()) {
+        shown.causes = causes_of(result.trace, chart.grafcet, *stimuli, period.value);
+    }
     if (!request.output.add_files(
-            files, request.output.text_of(result.trace, chart, language),
+            files, request.output.text_of(shown, chart, language),
             request.output.vcd.empty() ? Waveform() : waveform_of(result.trace, chart.grafcet.name),
             request.explain)) {
         return ExitStatus::bad_request;

@@ -104,8 +104,11 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     }
     OutputFiles files({request.path, request.stimuli, request.against});
     if (request.explain) files.add("-", wrapped(story, width_of_output()));
-    if (!request.output.add_files(files,
-                                  request.output.text_of(result.trace, *chart, line.language()),
+    ShownRun shown{result.trace, title_of(chart->grafcet)};
+    if (request.output.is_picture()) {
+        shown.causes = causes_of(result.trace, chart->grafcet, *stimuli, period.value);
+    }
+    if (!request.output.add_files(files, request.output.text_of(shown, *chart, line.language()),
                                   result.waveform, request.explain)) {
         return ExitStatus::bad_request;
     }

@@ -129,6 +129,10 @@ void Pen::rectangle(const Bounds& bounds, bool filled) {
     add(Rectangle{bounds, filled});
 }
 
+void Pen::grey_rectangle(const Bounds& bounds) {
+    add(Rectangle{bounds, true, true});
+}
+
 void Pen::patch(std::vector<Point> points) {
     add(Patch{std::move(points)});
 }

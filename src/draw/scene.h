@@ -33,16 +33,18 @@ struct Bounds {
     bool overlaps(const Bounds& other) const;
 };
 
-/// A line from point to point; aids to the eye are dashed.
+/// A line from point to point; aids to the eye are dashed, from a cause to its effects dotted.
 struct Line {
     std::vector<Point> points;
-    enum class Weight : std::uint8_t { link, frame, thin, aid } weight = Weight::link;
+    enum class Weight : std::uint8_t { link, frame, thin, aid, dotted } weight = Weight::link;
 };
 
-/// A rectangle in outline, on a ground that hides what is below it where it is `filled`.
+/// A rectangle in outline, on a ground that hides what is below it where it is `filled`; a grey one
+/// says that nothing is known there.
 struct Rectangle {
     Bounds bounds;
     bool filled = true;
+    bool grey = false;
 };
 
 /// A filled polygon: the head of an arrow, a flag.
@@ -133,6 +135,8 @@ class Pen {
 
     void line(std::vector<Point> points, Line::Weight weight = Line::Weight::link);
     void rectangle(const Bounds& bounds, bool filled = true);
+    /// One on a grey ground.
+    void grey_rectangle(const Bounds& bounds);
     void patch(std::vector<Point> points);
     void dot(Point centre, double radius);
     void label(Text text, Point at, Label::Anchor anchor, Label::Role role = Label::Role::plain);

@@ -25,6 +25,7 @@ constexpr double pitch = 0.85;      ///< of the lines
 constexpr double level = 0.5;       ///< between 0 and 1
 constexpr double group_gap = 0.35;  ///< above inputs, steps, outputs, …
 constexpr double times_room = 0.7;  ///< above the lines, for the times
+constexpr double ends_room = 0.4;   ///< more of it, for the delays that end
 constexpr double strip_gap = 0.9;
 constexpr double least_step = 1.3;  ///< between two moments
 constexpr double tail = 1.3;        ///< behind the last moment
@@ -37,6 +38,7 @@ struct SignalRow {
     bool is_boxed = false;  ///< numbers and situations
     bool begins_group = false;
     bool is_other = false;  ///< of the other run
+    double low = 0;         ///< where its 0 is, below the top of a strip
 };
 
 /// The moments from number `first` up to `last`, excluded, side by side.
@@ -44,6 +46,22 @@ struct Strip {
     std::size_t first = 0;
     std::size_t last = 0;
 };
+
+/// A cause that has a place in the diagram.
+struct ShownCause {
+    std::size_t moment = 0;
+    std::size_t number = 0;  ///< among the causes of its moment
+    std::vector<std::size_t> rows;
+    std::string ended;  ///< delays
+    struct Effect {
+        std::size_t row = 0;
+        std::size_t moment = 0;
+    };
+    std::vector<Effect> effects;
+};
+
+/// A dotted line stands beside that of the cause before it, of one moment.
+constexpr double cause_pitch = 0.12;
 
 class TimingDiagram {
   public:
@@ -53,8 +71,12 @@ class TimingDiagram {
         for (const SignalRow& row : rows_) {
             names_width_ = std::max(names_width_, width_of(plain_text(row.name)));
         }
-        height_ = times_room + 0.2;
-        for (const SignalRow& row : rows_) height_ += pitch + (row.begins_group ? group_gap : 0);
+        find_causes();
+        height_ = head_room_ + 0.2;
+        for (SignalRow& row : rows_) {
+            height_ += pitch + (row.begins_group ? group_gap : 0);
+            row.low = height_ - 0.2 - (pitch - level) / 2;
+        }
     }
 
     std::vector<Sheet> make() {
@@ -143,6 +165,45 @@ class TimingDiagram {
         return shown == Trace::unknown ? "x" : fmt::format("{}", shown);
     }
 
+    /// Causes without an effect that is shown have no place.
+    void find_causes() {
+        const auto moment_at = [&](Time at) {
+            const auto found = std::find_if(moments_.begin(), moments_.end(), [&](std::size_t row) {
+                return trace_.times[row] == at;
+            });
+            return static_cast<std::size_t>(found - moments_.begin());
+        };
+        const auto row_of = [&](std::size_t column) {
+            const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const SignalRow& row) {
+                return row.column == column;
+            });
+            return static_cast<std::size_t>(found - rows_.begin());
+        };
+        for (const TimingCause& cause : how_.causes) {
+            ShownCause shown;
+            shown.moment = moment_at(cause.at);
+            shown.ended = fmt::format("{}", fmt::join(cause.ended, ", "));
+            for (const std::size_t column : cause.columns) {
+                const std::size_t row = row_of(column);
+                if (row < rows_.size()) shown.rows.push_back(row);
+            }
+            for (const TimingCause::Effect& effect : cause.effects) {
+                const ShownCause::Effect at{row_of(effect.column), moment_at(effect.at)};
+                if (at.row == rows_.size() || at.moment == moments_.size()) continue;
+                shown.effects.push_back(at);
+            }
+            const bool has_beginning = !shown.rows.empty() || !shown.ended.empty();
+            if (shown.moment == moments_.size() || !has_beginning || shown.effects.empty()) {
+                continue;
+            }
+            if (!shown.ended.empty()) head_room_ = times_room + ends_room;
+            shown.number = static_cast<std::size_t>(std::count_if(
+                causes_.begin(), causes_.end(),
+                [&](const ShownCause& other) { return other.moment == shown.moment; }));
+            causes_.push_back(std::move(shown));
+        }
+    }
+
     // -- Where moments stand
 
     Time time_of(std::size_t moment) const { return trace_.times[moments_[moment]]; }
@@ -150,11 +211,20 @@ class TimingDiagram {
         return shown_duration(time_of(moment)).in(how_.language);
     }
 
+    /// The delays that end then and have an effect.
+    std::string ended_at(std::size_t moment) const {
+        for (const ShownCause& cause : causes_) {
+            if (cause.moment == moment && !cause.ended.empty()) return cause.ended;
+        }
+        return {};
+    }
+
     /// `room`: how wide the lines may be.
     void space_moments(double room) {
         double step = least_step;
         for (std::size_t i = 0; i < moments_.size(); ++i) {
             step = std::max(step, width_of(plain_text(time_text(i))) + 0.3);
+            step = std::max(step, width_of(plain_text(ended_at(i))) + 0.3);
             for (const SignalRow& row : rows_) {
                 if (row.is_boxed && row.column) {
                     step = std::max(step, width_of(plain_text(text_at(row, i))) + 0.3);
@@ -202,22 +272,18 @@ class TimingDiagram {
     void draw(const Strip& strip, double top) {
         const double left = sheet_margin + names_width_ + 0.3;
         const double end = left + x_[strip.last - 1] + tail;
-        const double bottom = top + height_;
-        for (std::size_t i = strip.first; i < strip.last; ++i) {
-            const double x = left + x_[i];
-            Pen pen(scene_->shapes, scene_->owners.add({"moment", {{"time", time_text(i)}}, {}}));
-            pen.line({{x, top + 0.45}, {x, bottom}}, Line::Weight::aid);
-            pen.label(plain_text(time_text(i)), {x, top + 0.2}, Label::Anchor::middle,
-                      Label::Role::remark);
+        for (std::size_t i = strip.first; i < strip.last; ++i) draw_moment(i, left + x_[i], top);
+        for (const ShownCause& cause : causes_) {
+            if (cause.moment >= strip.first && cause.moment < strip.last) {
+                draw_cause(cause, strip, left, end, top);
+            }
         }
-        double y = top + times_room;
         for (const SignalRow& row : rows_) {
-            y += row.begins_group ? group_gap : 0;
+            const double low = top + row.low;
             Pen pen(scene_->shapes,
                     scene_->owners.add(
                         {row.is_other ? "signal other" : "signal", {{"signal", row.name}}, {}}));
-            pen.label(plain_text(row.name), {left - 0.3, y + pitch / 2}, Label::Anchor::end);
-            const double low = y + (pitch + level) / 2;
+            pen.label(plain_text(row.name), {left - 0.3, low - level / 2}, Label::Anchor::end);
             if (row.is_boxed) {
                 draw_boxes(pen, row, strip, left, end, low);
             } else {
@@ -225,7 +291,82 @@ class TimingDiagram {
                 draw_levels(pen, row, strip, left, end, low);
             }
             if (row.is_other) draw_marks(pen, *row.column, strip, left, low);
-            y += pitch;
+        }
+    }
+
+    /// Its time, and a line through all rows but where that of a cause is.
+    void draw_moment(std::size_t moment, double x, double top) {
+        Pen pen(scene_->shapes, scene_->owners.add({"moment", {{"time", time_text(moment)}}, {}}));
+        const double begin = top + head_room_ - times_room + 0.45;
+        const double bottom = top + height_;
+        const auto cause = std::find_if(
+            causes_.begin(), causes_.end(),
+            [&](const ShownCause& item) { return item.moment == moment && item.number == 0; });
+        if (cause == causes_.end()) {
+            pen.line({{x, begin}, {x, bottom}}, Line::Weight::aid);
+        } else {
+            const auto [from, to] = reach_of(*cause, top);
+            if (from > begin) pen.line({{x, begin}, {x, from}}, Line::Weight::aid);
+            pen.line({{x, to}, {x, bottom}}, Line::Weight::aid);
+        }
+        pen.label(plain_text(time_text(moment)), {x, top + 0.2}, Label::Anchor::middle,
+                  Label::Role::remark);
+        const std::string ended = ended_at(moment);
+        if (ended.empty()) return;
+        pen.label(plain_text(ended), {x, top + 0.2 + ends_room}, Label::Anchor::middle,
+                  Label::Role::remark);
+    }
+
+    /// Where the upright line of a cause begins and ends: at the times where a delay has ended.
+    std::pair<double, double> reach_of(const ShownCause& cause, double top) const {
+        double from = top + height_;
+        double to = top;
+        const auto include = [&](std::size_t row, double above, double below) {
+            from = std::min(from, top + rows_[row].low - above);
+            to = std::max(to, top + rows_[row].low - below);
+        };
+        for (const std::size_t row : cause.rows) include(row, level / 2, level / 2);
+        for (const ShownCause::Effect& effect : cause.effects) {
+            if (effect.moment == cause.moment) {
+                include(effect.row, 0, level);
+            } else {
+                include(effect.row, level / 2, level / 2);
+            }
+        }
+        if (!cause.ended.empty()) from = top + head_room_ - times_room + 0.45;
+        return {from, to};
+    }
+
+    /// A dot where it begins; the head of an arrow at each effect, beside its row where that
+    /// follows at once, else at the later moment.
+    void draw_cause(const ShownCause& cause, const Strip& strip, double left, double end,
+                    double top) {
+        Pen pen(scene_->shapes,
+                scene_->owners.add({"cause", {{"time", time_text(cause.moment)}}, {}}));
+        const double x = left + x_[cause.moment] + static_cast<double>(cause.number) * cause_pitch;
+        const auto [from, to] = reach_of(cause, top);
+        pen.line({{x, from}, {x, to}}, Line::Weight::dotted);
+        for (const std::size_t row : cause.rows)
+            pen.dot({x, top + rows_[row].low - level / 2}, 0.07);
+        constexpr double length = 0.2;
+        constexpr double half = 0.085;
+        for (const ShownCause::Effect& effect : cause.effects) {
+            const double low = top + rows_[effect.row].low;
+            if (effect.moment == cause.moment) {
+                const bool is_below = cause.rows.empty() || cause.rows.front() < effect.row;
+                const double tip = is_below ? low - level : low;
+                const double back = is_below ? tip - length : tip + length;
+                pen.patch({{x, tip}, {x - half, back}, {x + half, back}});
+                continue;
+            }
+            const double y = low - level / 2;
+            if (effect.moment >= strip.last) {
+                pen.line({{x, y}, {end, y}}, Line::Weight::dotted);
+                continue;
+            }
+            const double tip = left + x_[effect.moment];
+            pen.line({{x, y}, {tip - length, y}}, Line::Weight::dotted);
+            pen.patch({{tip, y}, {tip - length, y - half}, {tip - length, y + half}});
         }
     }
 
@@ -255,7 +396,7 @@ class TimingDiagram {
             const std::int64_t shown = value(i, *row.column, row.is_other);
             if (shown == Trace::unknown) {
                 put();
-                pen.rectangle({from, low - level, to, low});
+                pen.grey_rectangle({from, low - level, to, low});
                 pen.label(plain_text("x"), {(from + to) / 2, low - level / 2},
                           Label::Anchor::middle, Label::Role::remark);
                 continue;
@@ -320,6 +461,8 @@ class TimingDiagram {
     std::vector<Strip> strips_;
     bool is_to_scale_ = false;
     double names_width_ = 0;
+    std::vector<ShownCause> causes_;
+    double head_room_ = times_room;
     double height_ = 0;  ///< of a strip
     Scene* scene_ = nullptr;
 };

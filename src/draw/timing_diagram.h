@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "draw/scene.h"
+#include "draw/timing_cause.h"
 #include "text/message.h"
 #include "trace/trace.h"
 
@@ -17,6 +18,9 @@ struct TimingDrawing {
     /// Another run in the same columns, such as that of a netlist: a signal that is not the same in
     /// both has a second line with its values there, `!` where they differ.
     const Trace* other = nullptr;
+    /// Drawn as dotted lines from what changed to what followed; delays that ended stand below the
+    /// time.
+    std::vector<TimingCause> causes{};
 };
 
 /// A run as teachers draw it: a line for each input, step, output and var, the values of counters

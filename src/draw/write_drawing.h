@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/scene.h"
+#include "draw/timing_cause.h"
 #include "text/message.h"
 #include "trace/trace.h"
 
@@ -23,7 +24,9 @@ std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_vie
                                const Paper& paper, bool standalone);
 
 /// A run as JSON for WaveDrom (WaveJSON): a period for each moment at which something changes, with
-/// the times in the first line; inputs, steps, outputs and the rest in groups.
-std::string write_wavedrom(const Trace& trace, std::string_view title, Language language);
+/// the times in the first line; inputs, steps, outputs and the rest in groups. Arrows lead from
+/// causes to their effects, up to as many as WaveDrom has names for their ends.
+std::string write_wavedrom(const Trace& trace, std::string_view title, Language language,
+                           const std::vector<TimingCause>& causes = {});
 
 }  // namespace grafwire

@@ -10,6 +10,11 @@ namespace {
 /// Pixels to a unit inside the picture; its size on paper is told in mm.
 constexpr double scale = 40;
 
+/// What few pictures need is no part of their style sheet.
+constexpr std::string_view dotted =
+    " class=\"dotted\" stroke-width=\"1.4\" stroke-dasharray=\"0.1 3.9\" stroke-linecap=\"round\"";
+constexpr std::string_view grey = "unknown\" fill=\"#808080\" fill-opacity=\"0.3";
+
 constexpr std::string_view style = R"(<style>
 .paper { fill: #ffffff; }
 g { stroke: #1b1b1b; fill: none; stroke-width: 1.6; }
@@ -92,7 +97,7 @@ class SvgWriter {
 
     void write(const Line& line) {
         constexpr std::string_view classes[] = {"", " class=\"frame\"", " class=\"thin\"",
-                                                " class=\"aid\""};
+                                                " class=\"aid\"", dotted};
         out_ += fmt::format("<polyline{} points=\"{}\"/>\n",
                             classes[static_cast<std::size_t>(line.weight)], points(line.points));
     }
@@ -100,8 +105,11 @@ class SvgWriter {
         const Bounds& bounds = rectangle.bounds;
         out_ += fmt::format(
             "<rect class=\"{}\" x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\"/>\n",
-            rectangle.filled ? "ground" : "frame", at(bounds.left), y_at(bounds.top),
-            at(bounds.right - bounds.left), at(bounds.bottom - bounds.top));
+            rectangle.grey     ? "ground grey"
+            : rectangle.filled ? "ground"
+                               : "frame",
+            at(bounds.left), y_at(bounds.top), at(bounds.right - bounds.left),
+            at(bounds.bottom - bounds.top));
     }
     void write(const Patch& patch) {
         out_ += fmt::format("<polygon class=\"mark\" points=\"{}\"/>\n", points(patch.points));

@@ -79,7 +79,7 @@ class TikzWriter {
     }
 
     void write(const Line& line) {
-        constexpr std::string_view weights[] = {"", "[frame]", "[thin]", "[aid]"};
+        constexpr std::string_view weights[] = {"", "[frame]", "[thin]", "[aid]", "[dotted]"};
         out_ += fmt::format("\\draw{} {};\n", weights[static_cast<std::size_t>(line.weight)],
                             path(line.points));
     }
@@ -87,9 +87,9 @@ class TikzWriter {
         const Bounds& bounds = rectangle.bounds;
         const bool is_active = owner_->kind.ends_with(" active");
         out_ += fmt::format("\\draw[frame{}] {} rectangle {};\n",
-                            !rectangle.filled ? ""
-                            : is_active       ? ", fill=black!15"
-                                              : ", fill=white",
+                            !rectangle.filled             ? ""
+                            : rectangle.grey || is_active ? ", fill=black!15"
+                                                          : ", fill=white",
                             at({bounds.left, bounds.top}), at({bounds.right, bounds.bottom}));
     }
     void write(const Patch& patch) {

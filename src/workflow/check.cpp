@@ -71,12 +71,16 @@ struct Recorded {
 };
 
 /// The files that show a witness, in the order of witness_file_names.
-std::vector<NamedText> witness_files(const Grafcet& grafcet, const Stimuli& stimuli,
+std::vector<NamedText> witness_files(const Grafcet& grafcet, const Witness& witness,
                                      const std::string& explanation, const Recorded& expected,
                                      const Recorded& got, Language language) {
-    return {{"witness.stim", write_stimuli(stimuli, grafcet)},
+    const auto period =
+        witness.scan_period == 0 ? std::nullopt : std::optional<Time>(witness.scan_period);
+    const ShownRun shown{expected.trace, title_of(grafcet),
+                         causes_of(expected.trace, grafcet, witness.stimuli, period)};
+    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
             {"witness.txt", explanation},
-            {"witness.svg", picture_of_runs(grafcet, expected.trace, got.trace, language)},
+            {"witness.svg", picture_of_runs(shown, got.trace, language)},
             {"expected.csv", write_csv(expected.trace)},
             {"expected.vcd", expected.waveform.vcd},
             {"expected.gtkw", write_gtkw(expected.waveform, "expected.vcd")},
@@ -97,7 +101,7 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
     options.waveform = true;
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    return witness_files(grafcet, stimuli, explanation,
+    return witness_files(grafcet, witness, explanation,
                          {run.trace, waveform_of(run.trace, grafcet.name)},
                          {simulated.trace, simulated.waveform}, language);
 }
@@ -170,7 +174,7 @@ std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevic
                                       Language language) {
     const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
-    return witness_files(grafcet, witness.stimuli, explanation,
+    return witness_files(grafcet, witness, explanation,
                          {expected.trace, waveform_of(expected.trace, grafcet.name)},
                          {got, waveform_of(got, grafcet.name)}, language);
 }

@@ -1,7 +1,12 @@
 #include "workflow/drawings.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "draw/moments.h"
 #include "draw/timing_diagram.h"
 #include "draw/write_drawing.h"
+#include "story/instant_causes.h"
 #include "story/instant_story.h"
 #include "text/shown_duration.h"
 #include "workflow/messages.h"
@@ -12,38 +17,33 @@ namespace say = messages::workflow;
 
 namespace {
 
-/// What a picture of the chart is called.
-std::string title_of(const Grafcet& grafcet) {
-    return grafcet.title.empty() ? grafcet.name : grafcet.title;
-}
-
 /// A run, beside another if there is one.
-std::string timing_picture(const Trace& trace, const Trace* other, const std::string& title,
-                           Language language) {
+std::string timing_picture(const ShownRun& run, const Trace* other, Language language) {
     TimingDrawing how;
-    how.title = title;
+    how.title = run.title;
     how.language = language;
     how.other = other;
-    return write_svg_drawing(draw_timing(trace, how), title, how.paper, language);
+    how.causes = run.causes;
+    return write_svg_drawing(draw_timing(run.trace, how), run.title, how.paper, language);
 }
 
 constexpr TraceFormat trace_rows[] = {
     {"csv",
      ".csv",
      {"a row for each instant or scan", "une ligne par instant ou par scrutation"},
-     [](const Trace& trace, const std::string&, Language) { return write_csv(trace); }},
+     [](const ShownRun& run, Language) { return write_csv(run.trace); }},
     {"svg",
      ".svg",
      {"a timing diagram", "un chronogramme"},
-     [](const Trace& trace, const std::string& title, Language language) {
-         return timing_picture(trace, nullptr, title, language);
-     }},
+     [](const ShownRun& run, Language language) { return timing_picture(run, nullptr, language); },
+     true},
     {"wavedrom",
      ".json",
      {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"},
-     [](const Trace& trace, const std::string& title, Language language) {
-         return write_wavedrom(trace, title, language);
-     }},
+     [](const ShownRun& run, Language language) {
+         return write_wavedrom(run.trace, run.title, language, run.causes);
+     },
+     true},
 };
 
 constexpr DrawingFormat formats[] = {
@@ -101,14 +101,35 @@ std::span<const TraceFormat> trace_formats() {
     return trace_rows;
 }
 
-std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
-                            Language language) {
-    return format.write(trace, title_of(chart.grafcet), language);
+std::string title_of(const Grafcet& grafcet) {
+    return grafcet.title.empty() ? grafcet.name : grafcet.title;
 }
 
-std::string picture_of_runs(const Grafcet& grafcet, const Trace& expected, const Trace& found,
-                            Language language) {
-    return timing_picture(expected, &found, title_of(grafcet), language);
+std::vector<TimingCause> causes_of(const Trace& trace, const Grafcet& grafcet,
+                                   const Stimuli& stimuli, std::optional<Time> period) {
+    std::vector<TimingCause> all;
+    for (InstantCauses& found : causes_in(grafcet, tell_run(grafcet, stimuli, period))) {
+        const auto at = std::lower_bound(trace.times.begin(), trace.times.end(), found.at);
+        if (at == trace.times.begin() || at == trace.times.end() || *at != found.at) continue;
+        const auto row = static_cast<std::size_t>(at - trace.times.begin());
+        TimingCause cause{found.at, std::move(found.inputs), std::move(found.ended), {}};
+        for (std::size_t column = 0; column < trace.columns.size(); ++column) {
+            if (trace.columns[column].kind == Trace::Column::Kind::input) continue;
+            if (value_in(trace, row, column) == value_in(trace, row - 1, column)) continue;
+            cause.effects.push_back({column, found.at});
+        }
+        all.push_back(std::move(cause));
+    }
+    return all;
+}
+
+std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
+                            Language language, std::vector<TimingCause> causes) {
+    return format.write({trace, title_of(chart.grafcet), std::move(causes)}, language);
+}
+
+std::string picture_of_runs(const ShownRun& expected, const Trace& found, Language language) {
+    return timing_picture(expected, &found, language);
 }
 
 }  // namespace grafwire

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draw/draw_chart.h"
+#include "draw/timing_cause.h"
 #include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
@@ -46,21 +47,37 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone);
 
+/// A run to be shown, and what pictures of it are called.
+struct ShownRun {
+    const Trace& trace;
+    std::string title;
+    std::vector<TimingCause> causes{};  ///< for pictures alone
+};
+
 /// A format of traces, by the name users write.
 struct TraceFormat {
     std::string_view name;
     std::string_view extension;
     Message<> description;
-    std::string (*write)(const Trace& trace, const std::string& title, Language language);
+    std::string (*write)(const ShownRun& run, Language language);
+    bool is_picture = false;
 };
 std::span<const TraceFormat> trace_formats();
 
+/// What pictures of a chart are called.
+std::string title_of(const Grafcet& grafcet);
+
+/// What began the changes that a run shows, by the account of the reference under the same stimuli:
+/// scan by scan with that period, or until stable (none).
+std::vector<TimingCause> causes_of(const Trace& trace, const Grafcet& grafcet,
+                                   const Stimuli& stimuli, std::optional<Time> period);
+
 /// A run of the chart in a format of the table.
 std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
-                            Language language);
+                            Language language, std::vector<TimingCause> causes = {});
 
-/// Two runs of a chart as one timing diagram: what the reference does, and what was found.
-std::string picture_of_runs(const Grafcet& grafcet, const Trace& expected, const Trace& found,
-                            Language language);
+/// Two runs as one timing diagram: what the reference does, with its causes, and what
+/// was found.
+std::string picture_of_runs(const ShownRun& expected, const Trace& found, Language language);
 
 }  // namespace grafwire

@@ -169,6 +169,77 @@ TEST_CASE(
     CHECK(empty.all("title").size() == 1);
 }
 
+TEST_CASE("timing: causes are dotted lines, from what changed to what followed") {
+    TimingDrawing how;
+    how.title = "run";
+    // a begins X1, X2, été and c at 100 ms; a delay X1 and the same again at 300 ms.
+    how.causes = {{100 * millisecond,
+                   {0},
+                   {},
+                   {{3, 100 * millisecond}, {4, 100 * millisecond}, {5, 100 * millisecond}}},
+                  {300 * millisecond, {}, {"200ms/X2"}, {{3, 300 * millisecond}}},
+                  // Neither of these has a place: no effect, no such moment.
+                  {400 * millisecond, {1}, {}, {}},
+                  {170 * millisecond, {1}, {}, {{3, 170 * millisecond}}}};
+    const Picture picture =
+        read_picture(write_svg_drawing(draw_timing(short_run(), how), how.title, how.paper, {}));
+    const auto causes = picture.all("cause");
+    REQUIRE(causes.size() == 2);
+    const auto moments = picture.all("moment");
+    CHECK(moments[2]->words == std::vector<std::string>{"300ms", "200ms/X2"});
+    const PictureGroup& by_input = *causes[0];
+    CHECK(by_input.fact("time") == "100ms");
+    REQUIRE(by_input.strokes.size() == 1);
+    CHECK(by_input.strokes[0].is_upright());
+    CHECK(by_input.strokes[0].x1 == moments[1]->strokes[0].x1);
+    CHECK(by_input.marks.size() == 4);  // a dot and three heads of arrows
+    const PictureGroup& a = *picture.only("signal", "signal", "a");
+    const PictureGroup& output = *picture.only("signal", "signal", "été");
+    const double begin = by_input.strokes[0].area().top;
+    const double end = by_input.strokes[0].area().bottom;
+    CHECK((begin > a.texts[0].top && begin < a.texts[0].bottom));
+    CHECK((end > a.texts[0].bottom && end < output.strokes[0].area().bottom));
+    // The dashed line of the moment leaves room for it.
+    for (const Stroke& aid : moments[1]->strokes) {
+        CHECK((aid.area().bottom <= begin || aid.area().top >= end));
+    }
+    CHECK(causes[1]->marks.size() == 1);
+    CHECK(faults_of(picture).empty());
+}
+
+TEST_CASE("timing: an effect that comes later is at the end of a level line") {
+    TimingDrawing how;
+    how.title = "run";
+    how.causes = {{100 * millisecond, {0}, {}, {{3, 300 * millisecond}}},
+                  {100 * millisecond, {4}, {}, {{3, 300 * millisecond}}}};
+    const Picture picture =
+        read_picture(write_svg_drawing(draw_timing(short_run(), how), how.title, how.paper, {}));
+    const auto causes = picture.all("cause");
+    REQUIRE(causes.size() == 2);
+    const double later = picture.all("moment")[2]->strokes[0].x1;
+    for (const PictureGroup* cause : causes) {
+        REQUIRE(cause->strokes.size() == 2);
+        CHECK(cause->strokes[0].is_upright());
+        CHECK(cause->strokes[1].is_level());
+        CHECK(cause->marks.back().right == doctest::Approx(later));
+    }
+    // Side by side.
+    CHECK(causes[0]->strokes[0].x1 < causes[1]->strokes[0].x1);
+}
+
+TEST_CASE("WaveDrom: arrows lead from causes to effects") {
+    const std::vector<TimingCause> causes = {
+        {100 * millisecond, {0}, {}, {{3, 100 * millisecond}, {5, 300 * millisecond}}},
+        {300 * millisecond, {}, {"2s/a"}, {{3, 300 * millisecond}}}};
+    const auto json = nlohmann::ordered_json::parse(
+        write_wavedrom(short_run(), "run", Language::english, causes));
+    CHECK(json["edge"] == nlohmann::ordered_json{"A->B", "A|->C", "D->E 2s/a"});
+    CHECK(json["signal"][0]["node"] == "..D.");
+    CHECK(json["signal"][1][1]["node"] == ".A..");
+    CHECK(json["signal"][2][1]["node"] == ".BE.");
+    CHECK(json["signal"][3][1]["node"] == "..C.");
+}
+
 TEST_CASE("WaveDrom: a period for each moment, groups, and the texts of boxes") {
     const auto json =
         nlohmann::ordered_json::parse(write_wavedrom(short_run(), "run", Language::english));

@@ -4,6 +4,7 @@
 
 #include "grafcet/shown_transition.h"
 #include "random/read_text.h"
+#include "story/instant_causes.h"
 #include "story/instant_story.h"
 #include "story/write_story.h"
 
@@ -297,6 +298,36 @@ graph G {
   counters: n=1000
   enabled: (0) 0 -> 1, waits for [n < 1000] (n=1000)
 )");
+}
+
+TEST_CASE("causes: what was read by what happened, and nothing else that changed") {
+    const auto grafcet = read_grafcet(R"(
+input a, b, c, d
+output L, M
+graph G {
+  initial 0 : M if d
+  step 1 : L
+  0 -> 1 : a + /b
+  1 -> 0 : 2s/X1.c
+})");
+    REQUIRE(grafcet);
+    const auto stimuli = read_stimuli(
+        "0ms : b=1 c=1\n100ms : a=1 d=1\n200ms : a=0 c=0\n2200ms : c=1\n2300ms : d=0\n"
+        "2400ms : Init=1 d=1 b=0\n3s : end\n",
+        *grafcet);
+    REQUIRE(stimuli);
+    std::string found;
+    for (const InstantCauses& causes :
+         causes_in(*grafcet, tell_run(*grafcet, *stimuli, std::nullopt))) {
+        found += format_milliseconds(causes.at) + ":";
+        for (const std::size_t input : causes.inputs) {
+            found += ' ' + std::string(input_name(*grafcet, input));
+        }
+        for (const std::string& ended : causes.ended) found += ' ' + ended;
+        found += '\n';
+    }
+    // At 2100 ms a delay ends without effect: c is 0.
+    CHECK(found == "100: a\n2200: c\n2300: d\n2400: d\n");
 }
 
 }  // namespace grafwire::testing

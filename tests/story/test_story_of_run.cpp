@@ -7,6 +7,7 @@
 #include "evolution/run.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "story/instant_causes.h"
 #include "story/instant_story.h"
 
 namespace grafwire::testing {
@@ -80,7 +81,41 @@ std::string fault_of(const RandomCase& random_case, std::optional<Time> period) 
     return row == run.trace.row_count() ? "" : "too few instants";
 }
 
+/// What comes after a stable situation has a cause, and causes are among what has changed.
+std::string fault_of_causes(const RandomCase& random_case) {
+    const auto chart = read_grafcet(random_case.chart);
+    const auto given = chart ? read_stimuli(random_case.stimuli, *chart) : std::nullopt;
+    if (!given) return "it cannot be read";
+    const std::vector<InstantStory> stories = tell_run(*chart, *given, std::nullopt);
+    const std::vector<InstantCauses> all = causes_in(*chart, stories);
+    for (std::size_t i = 1; i < stories.size() && stories[i].is_stable; ++i) {
+        const InstantStory& story = stories[i];
+        const InstantStory& before = stories[i - 1];
+        const auto found = std::find_if(all.begin(), all.end(), [&](const InstantCauses& causes) {
+            return causes.at == story.at;
+        });
+        const bool has_changed =
+            story.situation != before.situation || story.outputs != before.outputs;
+        if (found == all.end()) {
+            if (has_changed && story.untold == 0) return "no cause";
+            continue;
+        }
+        if (found->ended.size() > story.ended.size()) return "a delay that has not ended";
+        for (const std::size_t input : found->inputs) {
+            if (std::none_of(story.inputs.begin(), story.inputs.end(),
+                             [&](const auto& set) { return set.input == input; })) {
+                return "an input that has not changed";
+            }
+        }
+    }
+    return "";
+}
+
 }  // namespace
+
+TEST_CASE("a change has a cause") {
+    check_property(fault_of_causes, {}, 63'000, 300);
+}
 
 TEST_CASE("a run until stable is told as it is") {
     check_property([](const RandomCase& random) { return fault_of(random, std::nullopt); }, {},
