@@ -1,0 +1,18 @@
+// The chart, and what is active, enabled and clearable in it.
+import { makePicturePane } from "./pane.js";
+
+export function createChartView(panes) {
+  const { picture, remark } = makePicturePane(panes, "chart", "view_chart");
+  return {
+    picture,
+    show: (svg) => picture.show([svg]),
+    remark: (text) => { remark.textContent = text; },
+    // The situation of a run; without one nothing is marked.
+    mark({ situation = [], enabled = [], clearable = [], differing = [] } = {}) {
+      picture.mark("step", "active", situation);
+      picture.mark("transition", "enabled", enabled.filter((name) => !clearable.includes(name)));
+      picture.mark("transition", "clearable", clearable);
+      picture.mark("step", "wrong", differing);
+    },
+  };
+}

@@ -1,0 +1,46 @@
+// The schematic, with the value of every net: 0, 1 or unknown. In slow motion the values are those
+// in the middle of a wave of changes. Without a schematic the nets are a list of lamps.
+import { element } from "./dom.js";
+import { makePicturePane } from "./pane.js";
+
+const classes = { 1: "one", 0: "zero", x: "unknown" };
+
+export function createSchematicView(panes) {
+  const { picture, remark, pane, body } = makePicturePane(panes, "wiring", "view_wiring");
+  const list = element("div", { class: "nets", hidden: true });
+  pane.append(list);
+  let values = {};
+  let changing = [];
+
+  function markPicture() {
+    for (const [value, name] of Object.entries(classes))
+      picture.mark("net", name, Object.keys(values).filter((net) => values[net] === value));
+    picture.mark("net", "changing", changing);
+    if (changing.length) picture.reveal("net", changing[0]);
+  }
+
+  const lampOf = (net) =>
+    element("span", { class: `lamp ${{ 1: "on", x: "x" }[values[net]] ?? ""}${changing.includes(net) ? " changing" : ""}` },
+      `${net} ${values[net]}`);
+
+  function apply() {
+    body.hidden = picture.isEmpty;
+    list.hidden = !picture.isEmpty;
+    if (picture.isEmpty) list.replaceChildren(...Object.keys(values).map(lampOf));
+    else markPicture();
+  }
+
+  return {
+    picture,
+    show(svgs) {
+      picture.show(svgs);
+      apply();
+    },
+    remark: (text) => { remark.textContent = text; },
+    mark(newValues = {}, newChanging = []) {
+      values = newValues;
+      changing = newChanging;
+      apply();
+    },
+  };
+}
