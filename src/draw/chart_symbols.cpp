@@ -5,6 +5,7 @@
 #include "draw/chart_symbols.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "draw/messages.h"
 #include "grafcet/write_grafcet.h"
@@ -46,6 +47,11 @@ bool SymbolMaker::is_linked(StepId step) const {
                        });
 }
 
+/// What draws a mark that a page shows or hides.
+Pen SymbolMaker::token_pen(Symbol& symbol, std::pair<std::string, std::string> fact) {
+    return {symbol.shapes, scene_.owners.add({"token", {std::move(fact)}, {}})};
+}
+
 Symbol SymbolMaker::step(StepId id) {
     const Step& step = grafcet_.steps[id];
     const std::vector<bool>& active = how_.situation.active;
@@ -79,8 +85,10 @@ Symbol SymbolMaker::step(StepId id) {
         corner(inner.left, cut, inner.bottom, -cut);
         corner(inner.right, -cut, inner.bottom, -cut);
     }
-    pen.label(name, {0, is_active ? 0.4 : 0.5}, Label::Anchor::middle, Label::Role::name);
+    const bool has_dot = is_active || how_.animated;
+    pen.label(name, {0, has_dot ? 0.4 : 0.5}, Label::Anchor::middle, Label::Role::name);
     if (is_active) pen.dot({0, 0.74}, 0.09);
+    if (how_.animated) token_pen(symbol, {"step", step.name}).dot({0, 0.74}, 0.09);
     if (is_linked(id)) {
         pen.label(plain_text("*"), {-half - 0.3, 0.5}, Label::Anchor::middle, Label::Role::title);
     }
@@ -107,8 +115,10 @@ Symbol SymbolMaker::macro(MacroId id) {
     for (const double y : {inset, step_height - inset}) {
         pen.line({{-half, y}, {half, y}}, Line::Weight::frame);
     }
-    pen.label(name, {0, is_active ? 0.42 : 0.5}, Label::Anchor::middle, Label::Role::name);
+    const bool has_dot = is_active || how_.animated;
+    pen.label(name, {0, has_dot ? 0.42 : 0.5}, Label::Anchor::middle, Label::Role::name);
     if (is_active) pen.dot({0, 0.73}, 0.08);
+    if (how_.animated) token_pen(symbol, {"macro", macro.name}).dot({0, 0.73}, 0.08);
     return symbol;
 }
 
@@ -252,15 +262,18 @@ Symbol SymbolMaker::transition(TransitionId id) {
     owner.title = write_expression(grafcet_, grafcet_.expressions, transition.condition);
     Pen pen(symbol.shapes, scene_.owners.add(std::move(owner)));
     pen.line({{-0.25, 0}, {0.25, 0}}, Line::Weight::frame);
-    double name_at = -0.4;
+    const std::vector<Point> arrow{{-0.58, -0.14}, {-0.58, 0.14}, {-0.34, 0}};
     if (is_clearable) {
-        pen.patch({{-0.58, -0.14}, {-0.58, 0.14}, {-0.34, 0}});
+        pen.patch(arrow);
     } else if (is_enabled) {
-        pen.line({{-0.58, -0.14}, {-0.58, 0.14}, {-0.34, 0}, {-0.58, -0.14}}, Line::Weight::thin);
+        pen.line({arrow[0], arrow[1], arrow[2], arrow[0]}, Line::Weight::thin);
     }
-    if (is_enabled || is_clearable) name_at = -0.7;
-    pen.label(plain_text('(' + transition.name + ')'), {name_at, 0}, Label::Anchor::end,
-              Label::Role::remark);
+    if (how_.animated) {
+        token_pen(symbol, {"transition", '(' + transition.name + ')'}).patch(arrow);
+    }
+    const bool has_arrow = is_enabled || is_clearable || how_.animated;
+    pen.label(plain_text('(' + transition.name + ')'), {has_arrow ? -0.7 : -0.4, 0},
+              Label::Anchor::end, Label::Role::remark);
     const std::vector<Text> lines =
         condition_on_paper(grafcet_, transition.condition, how_.sign, widest_condition);
     const double half = line_pitch * static_cast<double>(lines.size()) / 2;

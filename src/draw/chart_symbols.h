@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draw/draw_chart.h"
@@ -48,6 +49,7 @@ class SymbolMaker {
     void add_column(Symbol& symbol, const std::vector<ActionBox>& boxes, double left);
     void add_clearing_actions(Symbol& symbol, const Transition& transition, double text_bottom);
     bool is_linked(StepId step) const;
+    Pen token_pen(Symbol& symbol, std::pair<std::string, std::string> fact);
 
     const Grafcet& grafcet_;
     const ChartDrawing& how_;

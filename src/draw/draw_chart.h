@@ -27,6 +27,9 @@ struct ChartDrawing {
     Paper paper = papers[0];
     Language language = Language::english;
     ShownSituation situation;
+    /// For a page that shows one situation after the other: what marks active steps and enabled
+    /// transitions is there for each of them, as a group `token` of its own, to be shown or hidden.
+    bool animated = false;
 };
 
 /// The chart as IEC 60848 draws it. Upright if it fits, else lying, else in smaller letters, else

@@ -94,4 +94,20 @@ TEST_CASE("sheets: a situation shows active steps by a dot, transitions by an ar
     CHECK(picture.all("title").at(0)->words.at(0) == "grafcet – now");
 }
 
+TEST_CASE("sheets: for a page, every step has its dot and every transition its arrow") {
+    const Grafcet grafcet = sequence(3);
+    ChartDrawing how;
+    how.animated = true;
+    const Picture picture = read_picture(svg_of(grafcet, how));
+    for (const Step& step : grafcet.steps) {
+        CHECK(picture.only("token", "step", step.name)->marks.size() == 1);
+        CHECK(picture.only("step", "step", step.name)->marks.empty());
+    }
+    for (const Transition& transition : grafcet.transitions) {
+        const std::string name = '(' + transition.name + ')';
+        CHECK(picture.only("token", "transition", name)->marks.size() == 1);
+        CHECK(!picture.only("transition", "transition", name)->is("enabled"));
+    }
+}
+
 }  // namespace grafwire::testing

@@ -32,6 +32,7 @@ for (const [name, run] of Object.entries(cases)) {
     if (complaints.length) throw new Error(complaints.join("\n"));
   } catch (error) {
     trouble = error.stack;
+    if (process.env.PICTURES) await person.page.screenshot({ path: `${process.env.PICTURES}/${name}.png` });
   }
   await context.close();
   const seconds = ((performance.now() - began) / 1000).toFixed(1);
@@ -40,6 +41,6 @@ for (const [name, run] of Object.entries(cases)) {
   trouble ? failed++ : passed++;
 }
 await browser.close();
-server.close();
+await server.close();
 console.log(`${passed} passed, ${failed} failed`);
 process.exit(failed || !passed ? 1 : 0);

@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-const patience = 8000;
+const patience = 15000;
 
 export class Person {
   figure = "";  // a measured value, shown beside the name of the case
@@ -18,6 +18,7 @@ export class Person {
     person.downloads = mkdtempSync(join(tmpdir(), "grafwire-page-"));
     person.#listen();
     await person.page.setViewport({ width: 1440, height: 900 });
+    await person.page.bringToFront();
     const session = await person.page.createCDPSession();
     await session.send("Browser.setDownloadBehavior", {
       behavior: "allow", downloadPath: person.downloads, browserContextId: context.id,
@@ -100,7 +101,7 @@ export class Person {
 
   // Writes a text in the place of the whole one, as from the clipboard.
   async writeAll(text) {
-    await this.page.click(".cm-content");
+    await this.page.click("#editor", { offset: { x: 150, y: 30 } });
     await this.chord("Control", "a");
     await this.page.keyboard.press("Delete");
     const session = await this.page.createCDPSession();
@@ -114,6 +115,14 @@ export class Person {
 
   choose(selector, value) {
     return this.page.select(selector, value);
+  }
+
+  // Without a network, until `connect`.
+  disconnect() {
+    return this.server.pause();
+  }
+  connect() {
+    return this.server.resume();
   }
 
   async openExample(file) {

@@ -22,7 +22,7 @@ export function createDesk({ core, store, stage, views, editor, onFindings, onAc
     stage.chart.remark(answer.chart ? "" : say("last_valid"));
     store.set({ isAccepted: answer.chart !== undefined });
     if (!answer.chart) return;
-    stage.setSteps(answer.chart.steps);
+    stage.setChart(answer.chart);
     store.set({ chart: answer.chart, names: answer.chart.names, acceptedText: text });
     await draw();
     performance.measure("re-draw", { start: began, end: performance.now() });

@@ -1,4 +1,5 @@
-// The examples that come with grafwire, fetched when one is opened.
+// What can be opened: the examples that come with grafwire, fetched when one is chosen, a file of
+// this machine, and a chart to begin with.
 import { element } from "./dom.js";
 import { say } from "./words.js";
 
@@ -23,11 +24,20 @@ export function createExamples(select, { language, open, notify }) {
     select.replaceChildren(
       element("option", { value: "" }, say("choose_example")),
       element("option", { value: "new" }, say("new_chart")),
+      element("option", { value: "file" }, say("open_file")),
       ...list.map(({ file, title, name }) => element("option", { value: file }, title || name)));
     select.value = "";
   }
 
+  const picker = element("input", { type: "file", accept: ".grafcet,.txt,text/plain" });
+  picker.addEventListener("change", async () => {
+    const [chosen] = picker.files;
+    if (chosen) await open(await chosen.text(), chosen.name);
+    picker.value = "";
+  });
+
   async function choose(file) {
+    if (file === "file") return picker.click();
     if (file === "new") return open(blank[language()], "machine.grafcet");
     try {
       await open(await (await fetched(file)).text(), file);

@@ -20,8 +20,8 @@ svg { display: block; flex: none; height: auto; }
 .paper { fill: transparent; }
 .ground { fill: var(--pane); }
 [data-step] .ground { transition: fill 0.15s; }
-.token { display: none; }
-.active > .token { display: inline; }
+.token:not(.active, .enabled, .clearable) { display: none; }
+.token.enabled .mark { fill: var(--pane); stroke: var(--accent); stroke-width: 1.5; }
 .active .ground { fill: var(--active); stroke: var(--active-line); stroke-width: 3.2; }
 .enabled { stroke: var(--accent); }
 .enabled text { fill: var(--accent); }
@@ -42,8 +42,7 @@ svg { display: block; flex: none; height: auto; }
 @media (prefers-reduced-motion: reduce) { [data-step] .ground { transition: none; } }
 `);
 
-// Zoom goes in these steps; 0 is "fit".
-const factor = 1.25;
+const zoomStep = 1.25;
 
 const units = { us: 0.001, ms: 1, s: 1000, min: 60000, h: 3600000 };
 
@@ -57,9 +56,10 @@ export class Picture {
   #root;
   #sheets;
   #isWide;
-  #zoom = 0;
+  #scale = null;       // null: fitted
   #sources = [];
-  #groups = new Map();
+  #groups = new Map();  // by fact and name
+  #marks = new Map();   // by fact and class: the names that have it
 
   // `isWide`: it is fitted to the width, however high it gets.
   constructor(host, isWide = false) {
@@ -87,30 +87,43 @@ export class Picture {
   #apply() {
     const answer = isDark() ? "@media screen" : "@media not all";
     const parser = new DOMParser();
-    const marks = [...this.#groups.entries()];
     this.#sheets.replaceChildren(...this.#sources.map((source) =>
       document.importNode(
         parser.parseFromString(source.replace(darkQuestion, answer), "image/svg+xml").documentElement,
         true)));
-    // The states come after what the drawings say of themselves.
     this.#size();
-    this.#groups = new Map();
-    for (const [classes, { facts, names }] of marks) this.mark(facts, classes, names);
+    this.#findGroups();
+    const marks = [...this.#marks.values()];
+    this.#marks.clear();
+    for (const { fact, className, names } of marks) this.mark(fact, className, names);
   }
 
-  // The groups whose fact `step`, `net`, … is that name. A fact may hold several names, by blanks.
+  #findGroups() {
+    this.#groups.clear();
+    for (const group of this.#sheets.querySelectorAll("g"))
+      for (const [fact, name] of Object.entries(group.dataset)) {
+        const key = `${fact} ${name}`;
+        if (!this.#groups.has(key)) this.#groups.set(key, []);
+        this.#groups.get(key).push(group);
+      }
+  }
+
+  // The groups whose fact `step`, `net`, … is that name.
   groups(fact, name) {
-    const value = CSS.escape(name);
-    return this.#root.querySelectorAll(`[data-${fact}="${value}"]`);
+    return this.#groups.get(`${fact} ${name}`) ?? [];
   }
 
   // Lets exactly the groups with these names have the class.
   mark(fact, className, names) {
-    this.#groups.set(className, { facts: fact, names });
-    for (const group of this.#root.querySelectorAll(`.${className}[data-${fact}]`))
-      group.classList.remove(className);
-    for (const name of names)
-      for (const group of this.groups(fact, name)) group.classList.add(className);
+    const key = `${fact} ${className}`;
+    const toggle = (name, isSet) => {
+      for (const group of this.groups(fact, name)) group.classList.toggle(className, isSet);
+    };
+    const before = this.#marks.get(key)?.names ?? [];
+    const now = new Set(names);
+    for (const name of before) if (!now.has(name)) toggle(name, false);
+    for (const name of now) toggle(name, true);
+    this.#marks.set(key, { fact, className, names });
   }
 
   // The group of that name, scrolled into sight.
@@ -124,19 +137,21 @@ export class Picture {
       moment.classList.toggle("here", Math.abs(millisecondsOf(moment.dataset.time) - ms) < 1e-6);
   }
 
+  // Larger or smaller by so many steps; 0: fitted again.
   zoom(by) {
-    this.#zoom = by === 0 ? 0 : this.#zoom + by;
+    const svg = this.#sheets.firstElementChild;
+    if (!svg) return;
+    const now = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+    this.#scale = by === 0 ? null : now * zoomStep ** by;
     this.#size();
   }
 
   #size() {
-    this.#sheets.className = `sheets${this.#zoom === 0 ? " fit" : ""}`;
+    this.#sheets.className = this.#scale === null ? "sheets fit" : "sheets";
     this.#sheets.classList.toggle("single", this.#sources.length === 1);
     this.#sheets.classList.toggle("wide", this.#isWide);
     for (const svg of this.#sheets.children) {
-      const width = svg.viewBox.baseVal.width;
-      const scale = this.#zoom === 0 ? 1 : factor ** this.#zoom;
-      svg.setAttribute("width", `${width * scale}`);
+      svg.setAttribute("width", `${svg.viewBox.baseVal.width * (this.#scale ?? 1)}`);
       svg.removeAttribute("height");
     }
   }

@@ -35,12 +35,12 @@ export function createRunPanel(root, { run, wave, store }) {
   const trouble = element("p", { class: "summary bad", role: "alert" });
 
   root.replaceChildren(
-    element("section", { class: "bar settings" }, field("evolve", mode), period, field("style", style), field("power_up", powerUp)),
+    element("section", { class: "group bar settings" }, field("evolve", mode), period, field("style", style), field("power_up", powerUp)),
     trouble,
     element("section", { class: "group" },
-      element("h2", { class: "with-clock" }, element("span", { dataset: { word: "time_group" } }), time),
+      element("h2", { class: "with-clock" }, element("span", { dataset: { word: "time_group" } }), time, field("speed", speed)),
       element("div", { class: "bar" }, play, step, scan, back,
-        wordButton("restart", () => run.open(), { id: "restart" }), field("speed", speed))),
+        wordButton("restart", () => run.open(), { id: "restart" }))),
     group("inputs_group", switches.inputs, switches.controls),
     group("now_group", facts),
     group("rules_group", story),

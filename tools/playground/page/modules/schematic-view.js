@@ -2,6 +2,7 @@
 // in the middle of a wave of changes. Without a schematic the nets are a list of lamps.
 import { element } from "./dom.js";
 import { makePicturePane } from "./pane.js";
+import { say } from "./words.js";
 
 const classes = { 1: "one", 0: "zero", x: "unknown" };
 
@@ -26,8 +27,9 @@ export function createSchematicView(panes) {
   function apply() {
     body.hidden = picture.isEmpty;
     list.hidden = !picture.isEmpty;
-    if (picture.isEmpty) list.replaceChildren(...Object.keys(values).map(lampOf));
-    else markPicture();
+    const nets = Object.keys(values);
+    if (!picture.isEmpty) markPicture();
+    else list.replaceChildren(...(nets.length ? nets.map(lampOf) : [element("p", { class: "hint" }, say("no_wiring"))]));
   }
 
   return {

@@ -10,12 +10,13 @@ export function createStage(panes) {
   const equations = createEquationsView(panes);
   const wiring = createSchematicView(panes);
   const timing = createTimingView(panes);
-  let variables = new Map();
+  let variables = new Map();  // of each step, as equations and nets call it
 
   return {
     chart, equations, wiring, timing,
-    // The variable of each step, as equations and nets call it.
-    setSteps(steps) {
+    // The chart that the pictures show.
+    setChart({ steps, macros = [] }) {
+      chart.setMacros(macros);
       variables = new Map(steps.map(({ name, variable }) => [name, variable]));
     },
     stepOf(variable) {

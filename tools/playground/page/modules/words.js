@@ -34,6 +34,7 @@ const catalogue = {
   loading: ["The core is loading …", "Chargement du noyau…"],
   core_failed: ["The core could not be loaded: {why}", "Le noyau n'a pas pu être chargé : {why}"],
   new_chart: ["New chart", "Nouveau grafcet"],
+  open_file: ["Open a file…", "Ouvrir un fichier…"],
 
   // text
   editor_label: ["The chart as text", "Le grafcet sous forme de texte"],
@@ -84,8 +85,7 @@ const catalogue = {
   eq_output: ["Output", "Sortie"],
 
   // run
-  start: ["Start", "Démarrer"],
-  restart: ["From the start", "Recommencer"],
+  restart: ["Restart", "Recommencer"],
   evolve: ["Evolution", "Évolution"],
   until_stable: ["until stable", "jusqu'à stabilité"],
   by_scans: ["scan by scan", "cycle par cycle"],
@@ -176,11 +176,8 @@ const catalogue = {
   export_run: ["Run", "Exécution"],
   export_check: ["Proof", "Preuve"],
   chart_text: ["the chart as it is written", "le grafcet tel qu'il est écrit"],
-  chart_en: ["canonical layout, keywords in English", "forme canonique, mots-clés anglais"],
-  chart_fr: ["canonical layout, keywords in French", "forme canonique, mots-clés français"],
   run_stim: ["the stimuli of this run", "les stimuli de cette exécution"],
   run_needed: ["Run the chart first to export its run.", "Exécutez d'abord le grafcet pour exporter l'exécution."],
-  check_needed: ["Check the wiring first to export the reports.", "Vérifiez d'abord le câblage pour exporter les rapports."],
   downloaded: ["{name} is downloaded.", "{name} est téléchargé."],
   export_refused: ["{name}: {why}", "{name} : {why}"],
 
