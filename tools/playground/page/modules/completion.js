@@ -18,11 +18,15 @@ function nameOptions(names) {
   }));
 }
 
+const bare = (text) => text.normalize("NFD").replace(/\p{M}/gu, "");
+
+// A word with accents is found without them too.
 function keywordOptions(keywords) {
   return keywords.flatMap(({ en, fr }) => [
     { label: en, type: "keyword", detail: fr },
     { label: fr, type: "keyword", detail: en },
-  ]);
+    { label: bare(fr), displayLabel: fr, apply: fr, type: "keyword", detail: en },
+  ]).filter(({ label, displayLabel }) => label !== displayLabel);
 }
 
 function operatorOptions(operators) {

@@ -17,7 +17,7 @@ export function createRun(core, store, { onMoment }) {
       text: store.get("acceptedText"),
       lang: store.get("language"),
       period: store.get("period") ?? undefined,
-      ...(style ? { style, cdx: store.get("cdx") || undefined, delay: store.get("delay"), power_up: store.get("powerUp") } : {}),
+      ...(style ? { style, cdx: store.get("cdx") || undefined, delay: store.get("delay") } : {}),
     };
   }
 
@@ -47,12 +47,9 @@ export function createRun(core, store, { onMoment }) {
     }
     handle = opened.run;
     store.set({ runRefusal: refusal });
-    const begun = store.get("period") ? opened : await core.ask("run.do", { run: handle, at_ms: 0 });
-    if (mine !== opening) return;
-    const powerUp = opened.gates?.power_up;
-    const unknown = Object.fromEntries(Object.keys(opened.gates?.values ?? {}).map((net) => [net, "x"]));
-    const instants = powerUp ? [{ at_ms: 0, text: "", gates: powerUp }, ...begun.instants] : begun.instants;
-    take({ ...(begun.error ? opened : begun), instants: instants ?? [] }, powerUp ? unknown : opened.gates?.values);
+    take(opened, opened.gates?.values);
+    // Before its first instant every net is unknown; who wants to see that begins it himself.
+    if (store.get("powerUp") !== "unknown") await command({ at_ms: 0 });
   }
 
   async function command(args) {
@@ -61,8 +58,10 @@ export function createRun(core, store, { onMoment }) {
     const before = state?.gates?.values;
     const answer = await core.ask(args.back ? "run.back" : "run.do", { run: handle, ...args, back: undefined });
     if (mine !== opening) return;
-    if (answer.error) store.set({ runError: answer.error });
-    else take(answer, before);
+    if (answer.error) return store.set({ runError: answer.error });
+    const powerUp = answer.gates?.power_up;
+    if (powerUp) answer.instants.unshift({ at_ms: answer.now_ms, gates: powerUp });
+    take(answer, before);
   }
 
   const isPlaying = () => timer !== 0;

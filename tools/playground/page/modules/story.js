@@ -14,6 +14,7 @@ export function storyNodes(text) {
   return nodes;
 }
 
+// Instants of the gates alone tell nothing.
 export function storyOf(instants) {
-  return instants.map(({ text }) => text.trimEnd()).join("\n");
+  return instants.filter(({ text }) => text).map(({ text }) => text.trimEnd()).join("\n");
 }
