@@ -60,8 +60,15 @@ libc++-22-dev-wasm32      /usr/lib/llvm-22/lib/wasm32-wasi/libc++.a
 libclang-rt-22-dev-wasm32 /usr/lib/llvm-22/lib/clang/22/lib/wasi/libclang_rt.builtins-wasm32.a
 lld-22                    /usr/bin/wasm-ld-22
 nodejs                    /usr/bin/node
+npm                       /usr/bin/npm
 python3                   /usr/bin/python3
 wasi-libc                 /usr/lib/wasm32-wasi/libc.a
+'
+packages_to_drive_playground='
+chromium             /usr/bin/chromium
+fonts-dejavu-core    /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+nodejs               /usr/bin/node
+npm                  /usr/bin/npm
 '
 
 # The exit status where the product could not even be built: none of grafwire's own.

@@ -66,7 +66,7 @@ const run = createRun(core, store, {
 function showRunMoment(before, changes) {
   const state = runMoment?.state;
   stage.showMoment(state);
-  if (state?.gates) runWave.start(before ?? state.gates.values, changes);
+  if (state?.gates) runWave.start(before ?? state.gates.values, changes, state.gates.values);
 }
 
 async function showTiming() {
@@ -82,7 +82,7 @@ function showWitnessMoment(moment) {
   const { state, before } = moment;
   const differing = (state.gates?.differs ?? []).map(stage.stepOf).filter(Boolean);
   stage.showMoment(state, differing);
-  if (state.gates) checkWave.start(before ?? state.gates.values, changesOf(state.instants));
+  if (state.gates) checkWave.start(before ?? state.gates.values, changesOf(state.instants), state.gates.values);
   stage.timing.markTime(state.now_ms);
 }
 

@@ -16,7 +16,7 @@ svg { display: block; flex: none; height: auto; }
 .sheets.fit svg { max-width: 100%; }
 .sheets.fit.single svg { max-height: 100%; width: auto; }
 .sheets.fit.wide { height: auto; }
-.sheets.fit.wide svg { width: 100%; max-height: none; }
+.sheets.fit.wide svg { max-height: none; }
 .paper { fill: transparent; }
 .ground { fill: var(--pane); }
 [data-step] .ground { transition: fill 0.15s; }

@@ -1,5 +1,5 @@
 // Slow motion: the changes of nets at an instant, one after the other. A wave knows the values
-// before it; its place is how many changes have happened.
+// before and after it; its place is how many changes have happened.
 import { element, wordButton } from "./dom.js";
 import { relabel, say } from "./words.js";
 
@@ -14,6 +14,7 @@ export function changesOf(instants) {
 // `show(values, changing)` is told what the nets have at the place.
 export function createWave(show) {
   let before = {};
+  let after = {};
   let changes = [];
   let place = 0;
   let timer = 0;
@@ -41,8 +42,8 @@ export function createWave(show) {
     slider.value = String(place);
     slider.disabled = changes.length === 0;
     now.textContent = tell();
-    const values = { ...before };
-    for (const { net, value } of changes.slice(0, place)) values[net] = value;
+    const done = changes.slice(0, place).map(({ net, value }) => [net, value]);
+    const values = place < changes.length ? { ...before, ...Object.fromEntries(done) } : after;
     show(values, place > 0 && place < changes.length ? [changes[place - 1].net] : []);
   }
 
@@ -83,8 +84,9 @@ export function createWave(show) {
       now.textContent = tell();
     },
     // A new wave: in slow motion from its beginning, else at its end.
-    start(newBefore, newChanges) {
+    start(newBefore, newChanges, newAfter) {
       before = newBefore;
+      after = newAfter;
       changes = newChanges;
       if (slow.checked) begin();
       else end();
