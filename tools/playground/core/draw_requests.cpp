@@ -9,6 +9,9 @@ namespace grafwire::playground {
 
 namespace {
 
+/// A page can be scrolled: nothing has to be cut or made smaller.
+constexpr Paper screen{"screen", 4000, 4000};
+
 /// Which of the parts stand in a list of names; `name_of` is how the page calls a part.
 template <typename Parts, typename NameOf>
 std::vector<bool> marked(const Parts& parts, const std::vector<std::string>& names,
@@ -62,6 +65,8 @@ std::optional<ChartDrawing> asked_drawing(const Arguments& arguments, const Char
     const Paper* paper = asked_row(arguments, "paper", papers, answer);
     if (paper == nullptr) return std::nullopt;
     how.paper = *paper;
+    how.animated = arguments.flag("animated", false);
+    if (how.animated) how.paper = screen;
     if (arguments.has("situation")) {
         how.situation = situation_from(Arguments(arguments.object("situation")), chart.grafcet);
     } else if (arguments.has("at") && !add_moment(arguments, chart, how, answer)) {
