@@ -75,6 +75,7 @@ export function createCheckPanel(root, { core, replay, wave, store, onMoment }) 
     start.disabled = true;
     stop.disabled = false;
     said.textContent = say("checking_starts");
+    verdict.replaceChildren();
     progress.hidden = false;
     for (const part of [verdict, witness, wave.root, reportGroup]) part.hidden = true;
     store.set({ checked: null });

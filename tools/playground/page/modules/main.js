@@ -130,7 +130,10 @@ function setMode(mode) {
   if (mode !== "run") run.pause();
   store.set({ mode });
   if (mode === "text") stage.showMoment(null);
-  if (mode === "check") checkPanel.showAgain();
+  if (mode === "check") {
+    checker.ask("version");  // loads its core meanwhile
+    checkPanel.showAgain();
+  }
   if (mode === "run") enterRun();
 }
 
