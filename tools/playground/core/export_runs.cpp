@@ -4,6 +4,8 @@
 #include "core/asked_check.h"
 #include "core/export_files.h"
 #include "core/messages.h"
+#include "text/wrapped.h"
+#include "trace/trace_table.h"
 #include "workflow/drawings.h"
 #include "workflow/runs.h"
 
@@ -45,12 +47,16 @@ std::optional<ExplainedSimulation> asked_simulation(const Arguments& arguments, 
                                {}};
 }
 
-Json trace_answer(const Arguments& arguments, const Trace& trace, const Chart& chart) {
+Json trace_answer(const Arguments& arguments, const Trace& trace, const AskedRun& run) {
     Json answer;
     const TraceFormat* format = asked_row(arguments, "format", trace_formats(), answer);
     if (format == nullptr) return answer;
+    std::vector<TimingCause> causes;
+    if (format->is_picture) {
+        causes = causes_of(trace, run.chart.grafcet, run.stimuli, run.period);
+    }
     return file_answer(arguments, format->extension,
-                       trace_in_format(trace, chart, *format, arguments.language()));
+                       trace_in_format(trace, run.chart, *format, arguments.language(), causes));
 }
 
 }  // namespace
@@ -60,7 +66,7 @@ Json export_trace(const Arguments& arguments) {
     const auto run = asked_run(arguments, answer);
     if (!run) return answer;
     const RunResult result = run_reference(run->chart, run->stimuli, run->period);
-    return trace_answer(arguments, result.trace, run->chart);
+    return trace_answer(arguments, result.trace, *run);
 }
 
 Json export_gates(const Arguments& arguments) {
@@ -69,7 +75,7 @@ Json export_gates(const Arguments& arguments) {
     if (!run) return answer;
     const auto simulation = asked_simulation(arguments, *run, false, false, answer);
     if (!simulation) return answer;
-    return trace_answer(arguments, simulation->result.trace, run->chart);
+    return trace_answer(arguments, simulation->result.trace, *run);
 }
 
 Json export_waveform(const Arguments& arguments) {
@@ -93,8 +99,9 @@ Json export_story(const Arguments& arguments) {
     Json answer;
     const auto run = asked_run(arguments, answer);
     if (!run) return answer;
-    return file_answer(arguments, ".txt",
-                       explain_run(run->chart, run->stimuli, run->period, arguments.language()));
+    const std::string text =
+        explain_run(run->chart, run->stimuli, run->period, arguments.language());
+    return file_answer(arguments, ".txt", wrapped(text, TableLook().width));
 }
 
 Json export_gate_story(const Arguments& arguments) {
@@ -103,7 +110,7 @@ Json export_gate_story(const Arguments& arguments) {
     if (!run) return answer;
     auto simulation = asked_simulation(arguments, *run, false, true, answer);
     if (!simulation) return answer;
-    return file_answer(arguments, ".txt", std::move(simulation->text));
+    return file_answer(arguments, ".txt", wrapped(simulation->text, TableLook().width));
 }
 
 Json export_report(const Arguments& arguments) {
