@@ -6,9 +6,7 @@ set(CMAKE_CXX_COMPILER clang++-22)
 set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR ar)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-# Boost 1.74 uses what C++17 took out of the library.
-set(CMAKE_CXX_FLAGS_INIT "-fno-exceptions -fno-stack-protector -Wno-deprecated \
--D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION")
+set(CMAKE_CXX_FLAGS_INIT "-fno-exceptions -fno-stack-protector -Wno-deprecated")
 set(CMAKE_EXECUTABLE_SUFFIX_CXX .wasm)
 # Headers and libraries of this machine are for another one.
 set(CMAKE_FIND_ROOT_PATH /usr/lib/wasm32-wasi)
