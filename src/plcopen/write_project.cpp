@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
+#include <cstddef>
+#include <string>
+#include <utility>
 
 #include "grafcet/grafcet.h"
 #include "grafcet/write_grafcet.h"
@@ -19,6 +21,15 @@ namespace grafwire::plcopen {
 namespace {
 
 namespace say = messages::plcopen;
+
+/// Collects what pugixml writes; a stream would bring all of the C++ locales into a page.
+class TextWriter final : public pugi::xml_writer {
+  public:
+    void write(const void* data, std::size_t size) override {
+        text.append(static_cast<const char*>(data), size);
+    }
+    std::string text;
+};
 
 pugi::xml_node add(pugi::xml_node parent, const char* name) {
     return parent.append_child(name);
@@ -316,9 +327,9 @@ std::string write_project(const Grafcet& grafcet, const ladder::Ladder& ladder, 
     write_sfc_body(plan, sfc_name_list, language, add(add(sfc, "body"), "SFC"));
 
     add_instance(project, program);
-    std::ostringstream text;
-    document.save(text, "  ", pugi::format_default, pugi::encoding_utf8);
-    return text.str();
+    TextWriter writer;
+    document.save(writer, "  ", pugi::format_default, pugi::encoding_utf8);
+    return std::move(writer.text);
 }
 
 }  // namespace grafwire::plcopen
