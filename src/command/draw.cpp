@@ -25,18 +25,10 @@ struct DrawArguments {
     bool standalone = false;
 };
 
-/// What `--at` says; shown where it is no time.
-std::optional<Time> moment_of(const DrawArguments& request) {
-    if (request.at == "0") return 0;
-    const std::optional<Time> at = parse_duration(request.at);
-    if (!at) complain(say::no_moment(request.at));
-    return at;
-}
-
 /// The situation at the moment asked for; empty, and shown, where there is none.
 std::optional<ShownSituation> situation_of(const DrawArguments& request, const Chart& chart,
                                            Language language) {
-    const std::optional<Time> at = moment_of(request);
+    const std::optional<Time> at = parse_moment(request.at);
     if (!at) return std::nullopt;
     const auto stimuli = load_stimuli(request.stimuli, chart.grafcet);
     if (!stimuli) return std::nullopt;

@@ -159,9 +159,20 @@ inline constexpr Message<> simulate_explain{
 
 inline constexpr Message<> netlist_to{"output format", "format de sortie"};
 inline constexpr Message<> netlist_stim{
-    "stimuli to drive the netlist with: in a SPICE deck, or in a test bench (--bench)",
-    "stimuli à appliquer au câblage : dans une description SPICE, ou dans un banc d'essai "
-    "(--bench)"};
+    "stimuli to drive the netlist with: in a SPICE deck, in a test bench (--bench), or up to the "
+    "moment of a schematic (--at)",
+    "stimuli à appliquer au câblage : dans une description SPICE, dans un banc d'essai (--bench), "
+    "ou jusqu'à l'instant d'un schéma (--at)"};
+inline constexpr Message<> netlist_at{
+    "schematics: show the values of all nets at this moment, such as 500ms: 1 by a heavy line, 0 "
+    "by a thin one, unknown by a dashed one",
+    "schémas : montrer les valeurs de toutes les liaisons à cet instant, comme 500ms : 1 en trait "
+    "fort, 0 en trait fin, inconnu en tirets"};
+inline constexpr Message<> symbols{
+    "schematics: rectangles of IEC 60617-12, or the distinctive shapes of IEEE 91",
+    "schémas : rectangles de la CEI 60617-12, ou formes distinctives de l'IEEE 91"};
+inline constexpr Message<> netlist_paper{"schematics: what a sheet may hold",
+                                         "schémas : taille des folios"};
 inline constexpr Message<> bench{
     "with the test bench that applies the stimuli; Verilog: OUT_bench.v beside OUT.v",
     "avec le banc d'essai qui applique les stimuli ; Verilog : SORTIE_bench.v à côté de SORTIE.v"};

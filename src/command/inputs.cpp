@@ -85,6 +85,13 @@ std::optional<s7::Listing> load_listing(const std::string& path, s7::Cpu cpu,
 }
 
 /// No text is no period, which is right where a period may be left out.
+std::optional<Time> parse_moment(const std::string& text) {
+    if (text == "0") return 0;
+    const std::optional<Time> at = parse_duration(text);
+    if (!at) complain(say::no_moment(text));
+    return at;
+}
+
 Period parse_period(const std::string& text) {
     if (text.empty()) return {};
     const auto period = parse_duration(text);

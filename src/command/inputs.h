@@ -51,6 +51,9 @@ struct Period {
 };
 Period parse_period(const std::string& text);
 
+/// A moment of a run: a duration, or 0. Empty, and shown, where it is neither.
+std::optional<Time> parse_moment(const std::string& text);
+
 /// The row of that name in a table; nullptr where there is none.
 template <typename Rows>
 auto row_named(const Rows& rows, std::string_view name) -> decltype(&*std::begin(rows)) {

@@ -64,6 +64,10 @@ inline constexpr Message<std::string_view> no_moment{
 inline constexpr Message<> moment_needed{
     "stimuli without --at change nothing: say which moment of the run is to be drawn",
     "sans --at, les stimuli ne changent rien : dites quel instant est à dessiner"};
+inline constexpr Message<std::string_view> no_values_at{
+    "the gates do not settle up to {}: 'grafwire simulate' shows how far the run goes",
+    "les portes ne se stabilisent pas jusqu'à {} : « grafwire simulate » montre jusqu'où va "
+    "l'évolution"};
 inline constexpr Message<std::string_view> no_situation_at{
     "there is no stable situation at {}: 'grafwire run' shows how far the run goes",
     "il n'y a pas de situation stable à {} : « grafwire run » montre jusqu'où va "
@@ -118,6 +122,11 @@ inline constexpr Message<> only_clocked{
 inline constexpr Message<> stimuli_by_bench{
     "this format takes stimuli with --bench, as a test bench",
     "ce format prend les stimuli avec --bench, comme banc d'essai"};
+inline constexpr Message<> stimuli_by_moment{
+    "this format takes stimuli with --at, the moment whose values are drawn",
+    "ce format prend les stimuli avec --at, l'instant dont les valeurs sont dessinées"};
+inline constexpr Message<> values_need_stimuli{"it needs --stim, the stimuli of the run",
+                                               "il faut --stim, les stimuli de l'évolution"};
 inline constexpr Message<> bench_needs_stimuli{"it needs --stim, what the bench applies",
                                                "il faut --stim, que le banc d'essai applique"};
 inline constexpr Message<> bench_needs_output{

@@ -1,18 +1,21 @@
 // grafwire netlist: the netlist of a GRAFCET in one of the formats, with a bench if one is asked
-// for.
+// for; or its schematic, with the values of a moment if they are.
 
 #include <filesystem>
 
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
+#include "command/messages.h"
 #include "command/option_uses.h"
 #include "workflow/heads.h"
+#include "workflow/schematics.h"
 
 namespace grafwire {
 
 namespace {
 
+namespace say = messages::command;
 namespace help = messages::help;
 
 /// What may be written after `grafwire netlist`.
@@ -23,14 +26,22 @@ struct NetlistArguments {
     std::string stimuli;
     bool bench = false;
     std::string scan = "10ms";
+    std::string at;
+    std::string symbols = "iec";
+    std::string paper = "a4";
+    bool standalone = false;
     std::string output;
 };
 
 /// What is known of the request before anything is read.
-unsigned facts_of(const NetlistArguments& request, const NetlistFormat& format) {
+unsigned facts_of(const NetlistArguments& request, const NetlistTarget& target) {
     unsigned facts =
         request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous;
     if (!request.stimuli.empty()) facts |= fact::stimuli;
+    if (!request.at.empty()) facts |= fact::moment;
+    if (target.format == nullptr) return facts | fact::drawing;
+    facts |= fact::text;
+    const NetlistFormat& format = *target.format;
     // A deck is a bench itself: it needs no asking, and no file beside it.
     const bool has_own_bench = format.write_bench != nullptr;
     if (request.bench || !has_own_bench) facts |= fact::bench;
@@ -70,29 +81,74 @@ ExitStatus write(const NetlistArguments& request, const NetlistFormat& format, T
     return finish(files, ExitStatus::done);
 }
 
+// ---- Schematics
+
+/// The values that `--at` asks for; empty where none are asked for, none, and shown, where there
+/// are none.
+std::optional<std::vector<Logic>> values_of(const NetlistArguments& request, const Chart& chart,
+                                            const Netlist& netlist) {
+    if (request.at.empty()) return std::vector<Logic>{};
+    const std::optional<Time> at = parse_moment(request.at);
+    if (!at) return std::nullopt;
+    const auto stimuli = load_stimuli(request.stimuli, chart.grafcet);
+    if (!stimuli) return std::nullopt;
+    auto values = net_values_at(chart, netlist, *stimuli, *at, request.netlist.delays());
+    if (!values) complain(say::no_values_at(request.at));
+    return values;
+}
+
+ExitStatus draw_netlist(const NetlistArguments& request, const DrawingFormat& format,
+                        Language language) {
+    const auto chart = load_chart(request.path);
+    if (!chart) return ExitStatus::bad_request;
+    const auto netlist = make_netlist(*chart, request.netlist);
+    if (!netlist) return ExitStatus::bad_request;
+    auto values = values_of(request, *chart, *netlist);
+    if (!values) return ExitStatus::bad_request;
+    SchematicDrawing how;
+    how.shapes = row_named(gate_shapes_table, request.symbols)->shapes;
+    how.paper = *row_named(papers, request.paper);
+    how.language = language;
+    how.values = std::move(*values);
+    how.title =
+        schematic_title(*chart, request.netlist.options().style,
+                        request.at.empty() ? std::nullopt : parse_moment(request.at), language);
+    OutputFiles files({request.path, request.stimuli});
+    files.add(request.output, schematic_drawing(*netlist, how, format, request.standalone));
+    return finish(files, ExitStatus::done);
+}
+
 }  // namespace
 
 Task declare_netlist(const CommandLine& line) {
     const auto request = std::make_shared<NetlistArguments>();
     line.add_argument(help::file_name, request->path, help::file());
     request->netlist.declare(line, true);
-    line.add("--to", request->format, with_rows(help::netlist_to(), netlist_formats())).required();
+    line.add("--to", request->format, with_rows(help::netlist_to(), netlist_targets())).required();
     line.add("--stim", request->stimuli, help::netlist_stim());
     line.add_flag("--bench", request->bench, help::bench());
     line.add("--scan", request->scan, help::netlist_scan()).shows_default();
+    line.add("--at", request->at, help::netlist_at());
+    line.add("--symbols", request->symbols, help::symbols())
+        .one_of_names(gate_shapes_table)
+        .shows_default();
+    line.add("--paper", request->paper, help::netlist_paper()).one_of_names(papers).shows_default();
+    line.add_flag("--standalone", request->standalone, help::standalone());
     line.add("-o", request->output, help::output());
     return [request, line] {
-        const NetlistFormat* format = format_named(netlist_formats(), request->format);
-        if (format == nullptr) return ExitStatus::bad_request;
-        const ChosenFormat chosen = chosen_format(netlist_formats(), *format);
-        if (refuse_idle_options(line, "netlist", facts_of(*request, *format), &chosen)) {
+        const NetlistTarget* target = format_named(netlist_targets(), request->format);
+        if (target == nullptr) return ExitStatus::bad_request;
+        const ChosenFormat chosen = chosen_format(netlist_targets(), *target);
+        if (refuse_idle_options(line, "netlist", facts_of(*request, *target), &chosen)) {
             return ExitStatus::bad_request;
         }
         const Period period = parse_period(request->scan);
         if (!period.value || share_standard_input(request->path, request->stimuli)) {
             return ExitStatus::bad_request;
         }
-        return write(*request, *format, *period.value);
+        if (target->drawing != nullptr)
+            return draw_netlist(*request, *target->drawing, line.language());
+        return write(*request, *target->format, *period.value);
     };
 }
 

@@ -22,6 +22,9 @@ inline constexpr unsigned stimuli = 128;      ///< there are stimuli
 inline constexpr unsigned own_bench = 256;    ///< the format keeps a bench in a file of its own
 inline constexpr unsigned bench = 512;        ///< a bench is asked for
 inline constexpr unsigned output = 1024;      ///< the result goes into a file
+inline constexpr unsigned text = 2048;        ///< the result is a text for programs
+inline constexpr unsigned drawing = 4096;     ///< it is a drawing
+inline constexpr unsigned moment = 8192;      ///< of a moment
 }  // namespace fact
 
 /// A format as the table of options sees it.

@@ -16,28 +16,13 @@
 #include "draw/chart_symbols.h"
 #include "draw/cut_flow.h"
 #include "draw/messages.h"
+#include "draw/sheet_size.h"
 
 namespace grafwire {
 
 namespace {
 
 constexpr double block_gap = 1.5;
-/// In mm, what a step may measure.
-constexpr double units[] = {8, 7, 6};
-
-/// A size of paper in units.
-struct Size {
-    double width = 0;
-    double height = 0;
-    double unit = 8;
-    bool lies = false;
-};
-
-Size size_of(const Paper& paper, double unit, bool lies) {
-    const double width = (lies ? paper.height : paper.width) / unit;
-    const double height = (lies ? paper.width : paper.height) / unit;
-    return {width - 2 * sheet_margin, height - 2 * sheet_margin - title_room, unit, lies};
-}
 
 /// A block or a part of it, laid out with its heading, its upper left corner at the origin.
 struct Part {
@@ -54,7 +39,7 @@ struct Place {
 };
 
 /// Puts parts into rows, and rows on sheets.
-std::vector<Place> places_of(const std::vector<Part>& parts, const Size& size) {
+std::vector<Place> places_of(const std::vector<Part>& parts, const SheetSize& size) {
     std::vector<Place> places;
     Place next;
     double row_height = 0;
@@ -74,7 +59,7 @@ std::vector<Place> places_of(const std::vector<Part>& parts, const Size& size) {
     return places;
 }
 
-bool fits_one_sheet(const std::vector<Part>& parts, const Size& size) {
+bool fits_one_sheet(const std::vector<Part>& parts, const SheetSize& size) {
     const std::vector<Place> places = places_of(parts, size);
     if (places.back().sheet > 0) return false;
     return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
@@ -102,10 +87,10 @@ class ChartSheets {
 
     std::vector<Sheet> make() {
         lay_out_all();
-        if (const std::optional<Size> size = one_sheet()) {
+        if (const std::optional<SheetSize> size = one_sheet()) {
             return sheets_with(places_of(parts_, *size), *size);
         }
-        const Size size = cut_for_sheets();
+        const SheetSize size = cut_for_sheets();
         // Once more, now that the sheets are known whose numbers stand at cut links.
         number_nodes();
         lay_out_all();
@@ -195,10 +180,10 @@ class ChartSheets {
     }
 
     /// The first size that holds all on one sheet.
-    std::optional<Size> one_sheet() const {
-        for (const double unit : units) {
+    std::optional<SheetSize> one_sheet() const {
+        for (const double unit : sheet_units) {
             for (const bool lies : {false, true}) {
-                const Size size = size_of(how_.paper, unit, lies);
+                const SheetSize size = sheet_size(how_.paper, unit, lies);
                 if (fits_one_sheet(parts_, size)) return size;
             }
         }
@@ -207,9 +192,9 @@ class ChartSheets {
 
     /// Cuts what is too long, in the size that needs the fewest sheets; where several do, the one
     /// with the fewest cuts, and of those the first. Enters the sheet of each stretch.
-    Size cut_for_sheets() {
+    SheetSize cut_for_sheets() {
         struct Trial {
-            Size size;
+            SheetSize size;
             std::vector<ChartFlow> flows;
             std::vector<Stretch> stretches;
         };
@@ -217,9 +202,9 @@ class ChartSheets {
         const std::vector<Part> whole_parts = parts_;
         std::optional<Trial> best;
         std::pair<std::size_t, std::size_t> least;
-        for (const double unit : {units[0], units[std::size(units) - 1]}) {
+        for (const double unit : {sheet_units[0], sheet_units[std::size(sheet_units) - 1]}) {
             for (const bool lies : {false, true}) {
-                const Size size = size_of(how_.paper, unit, lies);
+                const SheetSize size = sheet_size(how_.paper, unit, lies);
                 flows_ = whole.flows;
                 stretches_ = whole.stretches;
                 cut_long_blocks(whole_parts, size);
@@ -243,7 +228,7 @@ class ChartSheets {
     // ---- Cutting
 
     /// `parts`: the stretches as they are laid out.
-    void cut_long_blocks(const std::vector<Part>& parts, const Size& size) {
+    void cut_long_blocks(const std::vector<Part>& parts, const SheetSize& size) {
         std::vector<Stretch> stretches;
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             Stretch& stretch = stretches_[i];
@@ -260,7 +245,7 @@ class ChartSheets {
 
     /// The sequence in stretches that are as long as fits a sheet. Where branches are too long for
     /// one, they are cut as well; what cannot be cut gets a larger sheet.
-    void cut(std::size_t block, FlowSequence sequence, const Size& size,
+    void cut(std::size_t block, FlowSequence sequence, const SheetSize& size,
              std::vector<Stretch>& stretches) {
         std::vector<FlowNode>& nodes = flows_[block].nodes;
         std::vector<FlowSequence> waiting;
@@ -283,7 +268,8 @@ class ChartSheets {
 
     /// How many of its pieces fit, up to a place where it may be cut; where not even the first of
     /// these fits, up to there. Small ones are tried first, then the rest is halved.
-    std::size_t longest_fit(std::size_t block, const FlowSequence& sequence, const Size& size) {
+    std::size_t longest_fit(std::size_t block, const FlowSequence& sequence,
+                            const SheetSize& size) {
         std::vector<std::size_t> cuts = places_to_cut(flows_[block].nodes, sequence);
         cuts.push_back(sequence.pieces.size());
         std::size_t low = 0;
@@ -300,7 +286,7 @@ class ChartSheets {
     }
 
     bool fits(std::size_t block, const FlowSequence& sequence, std::size_t count,
-              const Size& size) {
+              const SheetSize& size) {
         FlowSequence begun;
         begun.pieces.assign(sequence.pieces.begin(),
                             sequence.pieces.begin() + static_cast<std::ptrdiff_t>(count));
@@ -313,7 +299,7 @@ class ChartSheets {
 
     // ---- Sheets
 
-    std::vector<Sheet> sheets_with(const std::vector<Place>& places, const Size& size) {
+    std::vector<Sheet> sheets_with(const std::vector<Place>& places, const SheetSize& size) {
         const std::size_t count = places.back().sheet + 1;
         std::vector<Sheet> sheets(count);
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -326,15 +312,7 @@ class ChartSheets {
         for (std::size_t i = 0; i < count; ++i) {
             Sheet& sheet = sheets[i];
             add_title(sheet, i, count);
-            const Bounds bounds = bounds_of(sheet.scene.shapes);
-            sheet.width = bounds.right + sheet_margin;
-            sheet.height = bounds.bottom + sheet_margin;
-            if (count > 1) {
-                sheet.width = std::max(sheet.width, size.width + 2 * sheet_margin);
-                sheet.height = std::max(sheet.height, size.height + 2 * sheet_margin + title_room);
-            }
-            sheet.unit = size.unit;
-            sheet.lies = size.lies;
+            fit_sheet(sheet, size, count > 1);
         }
         for (Sheet& sheet : sheets) sheet.scene.owners = scene_.owners;
         return sheets;

@@ -21,6 +21,31 @@ inline constexpr Message<std::size_t, std::size_t> sheet{"sheet {} of {}", "foli
 /// At a cut link: the step, and the page that it stands on.
 inline constexpr Message<std::string, std::size_t> on_sheet{"{}, sheet {}", "{}, folio {}"};
 
+// Schematics.
+
+/// Above modules that are made for a part of the chart and have no equation.
+inline constexpr Message<std::string> step_module{"Step {}", "Étape {}"};
+inline constexpr Message<std::string> transition{"Transition {}", "Transition {}"};
+inline constexpr Message<std::string> output{"Output {}", "Sortie {}"};
+inline constexpr Message<std::string> var{"Variable {}", "Variable {}"};
+inline constexpr Message<std::string> counter{"Counter {}", "Compteur {}"};
+inline constexpr Message<std::string> graph{"Graph {}", "Grafcet partiel {}"};
+inline constexpr Message<std::string> time_condition{"Time condition {}", "Temporisation {}"};
+inline constexpr Message<> complements{"Inputs", "Entrées"};
+inline constexpr Message<> edges{"Edges", "Fronts"};
+/// Output ports that are joined to a net of another name.
+inline constexpr Message<> ports{"Outputs", "Sorties"};
+/// The second part of a module, and so on.
+inline constexpr Message<std::string, std::size_t> continued{"{} (part {})", "{} (partie {})"};
+inline constexpr Message<> gate_delay_later{"X′ is X a gate delay later.",
+                                            "X′ est X retardé du temps d'une porte."};
+inline constexpr Message<> index_of_names{"Index of names", "Index des noms"};
+/// The sheets on which a name is made, and read.
+inline constexpr Message<> made_on{"from sheet", "du folio"};
+inline constexpr Message<> read_on{"to sheets", "aux folios"};
+/// In the index, where a name comes from outside.
+inline constexpr Message<> input{"input", "entrée"};
+
 // Timing diagrams.
 
 /// The line that shows it; the same in both languages.

@@ -31,6 +31,14 @@ struct BoundsOf {
         return {dot.centre.x - dot.radius, dot.centre.y - dot.radius, dot.centre.x + dot.radius,
                 dot.centre.y + dot.radius};
     }
+    /// The curves stay within their control points.
+    Bounds operator()(const Outline& outline) const {
+        std::vector<Point> points{outline.from};
+        for (const Outline::Curve& curve : outline.curves) {
+            points.insert(points.end(), {curve.control1, curve.control2, curve.to});
+        }
+        return around(points);
+    }
     Bounds operator()(const Label& label) const { return around(label); }
 };
 
@@ -56,6 +64,12 @@ struct Move {
         for (Point& point : patch.points) (*this)(point);
     }
     void operator()(Dot& dot) const { (*this)(dot.centre); }
+    void operator()(Outline& outline) const {
+        (*this)(outline.from);
+        for (Outline::Curve& curve : outline.curves) {
+            for (Point* point : {&curve.control1, &curve.control2, &curve.to}) (*this)(*point);
+        }
+    }
     void operator()(Label& label) const { (*this)(label.at); }
 };
 
@@ -139,6 +153,14 @@ void Pen::patch(std::vector<Point> points) {
 
 void Pen::dot(Point centre, double radius) {
     add(Dot{centre, radius});
+}
+
+void Pen::ring(Point centre, double radius) {
+    add(Dot{centre, radius, false});
+}
+
+void Pen::outline(Outline outline) {
+    add(std::move(outline));
 }
 
 void Pen::label(Text text, Point at, Label::Anchor anchor, Label::Role role) {

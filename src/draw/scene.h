@@ -52,9 +52,22 @@ struct Patch {
     std::vector<Point> points;
 };
 
+/// A filled circle, or one in outline on a ground that hides what is below it.
 struct Dot {
     Point centre;
     double radius = 0;
+    bool filled = true;
+};
+
+/// A line of curves, each a cubic Bézier curve that begins where the one before it ends. Where it
+/// is `closed` it has a ground that hides what is below it.
+struct Outline {
+    struct Curve {
+        Point control1, control2, to;
+    };
+    Point from;
+    std::vector<Curve> curves;
+    bool closed = true;
 };
 
 /// Some characters in one style. A line over them says NOT, a line under a 1 that it is a
@@ -85,7 +98,7 @@ struct Owner {
 };
 
 struct Shape {
-    std::variant<Line, Rectangle, Patch, Dot, Label> form;
+    std::variant<Line, Rectangle, Patch, Dot, Outline, Label> form;
     OwnerId owner{};
     Bounds bounds;  ///< kept, since measuring texts takes time
 };
@@ -139,6 +152,8 @@ class Pen {
     void grey_rectangle(const Bounds& bounds);
     void patch(std::vector<Point> points);
     void dot(Point centre, double radius);
+    void ring(Point centre, double radius);
+    void outline(Outline outline);
     void label(Text text, Point at, Label::Anchor anchor, Label::Role role = Label::Role::plain);
     /// The head of an arrow whose tip is there and that points up or down.
     void arrow_head(Point tip, bool points_up);

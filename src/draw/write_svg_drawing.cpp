@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "draw/write_drawing.h"
 #include "text/escape.h"
 
@@ -49,6 +52,35 @@ g { stroke: #000000; }
 }
 )";
 
+/// Of schematics that show the values of nets: by colour, by weight and by dashes.
+constexpr std::string_view style_of_values = R"(.one { stroke: #0b57c2; stroke-width: 3.2; }
+.zero { stroke-width: 1; }
+.unknown { stroke: #a04400; stroke-dasharray: 5 3; }
+.one .mark { fill: #0b57c2; }
+.unknown .mark { fill: #a04400; }
+@media (prefers-color-scheme: dark) {
+.one { stroke: #7db2ff; }
+.unknown { stroke: #ffb27d; }
+.one .mark { fill: #7db2ff; }
+.unknown .mark { fill: #ffb27d; }
+}
+@media print {
+.one .mark, .unknown .mark { fill: #000000; }
+}
+)";
+
+bool shows_values(const std::vector<Sheet>& sheets) {
+    return std::any_of(sheets.begin(), sheets.end(), [](const Sheet& sheet) {
+        return std::any_of(sheet.scene.owners.begin(), sheet.scene.owners.end(),
+                           [](const Owner& owner) { return owner.kind.starts_with("net "); });
+    });
+}
+
+/// A coordinate in pixels: as exact at the foot of many sheets as on the first one.
+std::string number(double pixels) {
+    return fmt::format("{:.{}g}", pixels, std::abs(pixels) < 10'000 ? 6 : 9);
+}
+
 class SvgWriter {
   public:
     std::string take() { return std::move(out_); }
@@ -74,8 +106,8 @@ class SvgWriter {
     }
 
   private:
-    static double at(double units) { return units * scale; }
-    double y_at(double units) const { return (units + top_) * scale; }
+    static std::string at(double units) { return number(units * scale); }
+    std::string y_at(double units) const { return number((units + top_) * scale); }
 
     void begin(const Owner& owner) {
         out_ += fmt::format("<g class=\"{}\"", owner.kind);
@@ -89,8 +121,7 @@ class SvgWriter {
     std::string points(const std::vector<Point>& all) const {
         std::string text;
         for (const Point& point : all) {
-            text +=
-                fmt::format("{}{:.6g},{:.6g}", text.empty() ? "" : " ", at(point.x), y_at(point.y));
+            text += fmt::format("{}{},{}", text.empty() ? "" : " ", at(point.x), y_at(point.y));
         }
         return text;
     }
@@ -103,20 +134,28 @@ class SvgWriter {
     }
     void write(const Rectangle& rectangle) {
         const Bounds& bounds = rectangle.bounds;
-        out_ += fmt::format(
-            "<rect class=\"{}\" x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\"/>\n",
-            rectangle.grey     ? "ground grey"
-            : rectangle.filled ? "ground"
-                               : "frame",
-            at(bounds.left), y_at(bounds.top), at(bounds.right - bounds.left),
-            at(bounds.bottom - bounds.top));
+        out_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
+                            rectangle.grey     ? "ground grey"
+                            : rectangle.filled ? "ground"
+                                               : "frame",
+                            at(bounds.left), y_at(bounds.top), at(bounds.right - bounds.left),
+                            at(bounds.bottom - bounds.top));
     }
     void write(const Patch& patch) {
         out_ += fmt::format("<polygon class=\"mark\" points=\"{}\"/>\n", points(patch.points));
     }
     void write(const Dot& dot) {
-        out_ += fmt::format("<circle class=\"mark\" cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.6g}\"/>\n",
-                            at(dot.centre.x), y_at(dot.centre.y), at(dot.radius));
+        out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
+                            dot.filled ? "mark" : "ground", at(dot.centre.x), y_at(dot.centre.y),
+                            at(dot.radius));
+    }
+    void write(const Outline& outline) {
+        std::string path = "M " + points({outline.from});
+        for (const Outline::Curve& curve : outline.curves) {
+            path += " C " + points({curve.control1, curve.control2, curve.to});
+        }
+        out_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n",
+                            outline.closed ? "ground" : "frame", path, outline.closed ? " Z" : "");
     }
     void write(const Label& label) {
         constexpr std::string_view anchors[] = {"", " text-anchor=\"middle\"",
@@ -126,7 +165,7 @@ class SvgWriter {
         // Half the height of a capital letter of DejaVu Sans.
         const double baseline = label.at.y + 0.365 * letter_size(label.role);
         out_ += fmt::format(
-            "<text{}{} x=\"{:.6g}\" y=\"{:.6g}\">", roles[static_cast<std::size_t>(label.role)],
+            "<text{}{} x=\"{}\" y=\"{}\">", roles[static_cast<std::size_t>(label.role)],
             anchors[static_cast<std::size_t>(label.anchor)], at(label.at.x), y_at(baseline));
         for (const TextRun& run : label.text) {
             const std::string text = xml_text(run.text);
@@ -159,12 +198,14 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
     const double unit = sheets.front().unit;
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" lang=\"{}\" "
-               "width=\"{:.6g}mm\" height=\"{:.6g}mm\" viewBox=\"0 0 {:.6g} {:.6g}\">\n"
-               "<title>{}</title>\n{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n"
-               "<rect class=\"paper\" width=\"{:.6g}\" height=\"{:.6g}\"/>\n",
-               language == Language::french ? "fr" : "en", width * unit, height * unit,
-               width * scale, height * scale, xml_text(title), style, paper.name,
-               sheets.front().lies ? " landscape" : "", width * scale, height * scale) +
+               "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n"
+               "<title>{}</title>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n"
+               "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+               language == Language::french ? "fr" : "en", number(width * unit),
+               number(height * unit), number(width * scale), number(height * scale),
+               xml_text(title), style, shows_values(sheets) ? style_of_values : "", paper.name,
+               sheets.front().lies ? " landscape" : "", number(width * scale),
+               number(height * scale)) +
            writer.take() + "</svg>\n";
 }
 

@@ -1,7 +1,7 @@
 // Plain TikZ: packages for GRAFCET on CTAN place symbols by hand and need fonts that small
 // installations of TeX do not have. Coordinates are in units of a step, with y downwards, so that
-// the same layout serves SVG; sans serif letters of 8 points are narrower than those that it was
-// made for.
+// the same layout serves SVG; sans serif letters of as many points as a unit has millimetres are
+// narrower than those that it was made for.
 
 #include <fmt/format.h>
 
@@ -21,8 +21,9 @@ struct Sign {
 };
 /// Those of conditions, in mathematical mode.
 constexpr Sign signs[] = {
-    {U'↑', "$\\uparrow$"}, {U'↓', "$\\downarrow$"}, {U'·', "$\\cdot$"}, {U'−', "$-$"},
-    {U'≤', "$\\leq$"},     {U'≥', "$\\geq$"},       {U'≠', "$\\neq$"},  {U'⊕', "$\\oplus$"},
+    {U'↑', "$\\uparrow$"}, {U'↓', "$\\downarrow$"}, {U'·', "$\\cdot$"},
+    {U'−', "$-$"},         {U'′', "$'$"},           {U'≤', "$\\leq$"},
+    {U'≥', "$\\geq$"},     {U'≠', "$\\neq$"},       {U'⊕', "$\\oplus$"},
 };
 
 /// A text in one line.
@@ -55,10 +56,11 @@ class TikzWriter {
             "  frame/.style={{line width=0.42mm}}, thin/.style={{line width=0.2mm}},\n"
             "  aid/.style={{line width=0.14mm, dash pattern=on 0.6mm off 0.6mm}},\n"
             "  every node/.style={{inner sep=0, outer sep=0, anchor=base,\n"
-            "    font=\\sffamily\\fontsize{{8}}{{9}}\\selectfont}},\n"
-            "  name/.style={{font=\\sffamily\\fontsize{{9}}{{10}}\\selectfont}},\n"
-            "  title/.style={{font=\\sffamily\\bfseries\\fontsize{{11}}{{12}}\\selectfont}}]\n",
-            sheet.unit);
+            "    font=\\sffamily\\fontsize{{{1:g}}}{{{2:g}}}\\selectfont}},\n"
+            "  name/.style={{font=\\sffamily\\fontsize{{{2:g}}}{{{3:g}}}\\selectfont}},\n"
+            "  "
+            "title/.style={{font=\\sffamily\\bfseries\\fontsize{{{4:g}}}{{{5:g}}}\\selectfont}}]\n",
+            sheet.unit, sheet.unit, sheet.unit + 1, sheet.unit + 2, sheet.unit + 3, sheet.unit + 4);
         out_ += fmt::format("\\path (0,0) rectangle ({:.6g},{:.6g});\n", sheet.width, sheet.height);
         for (const bool is_link : {true, false}) {
             for (const Shape& shape : sheet.scene.shapes) {
@@ -80,8 +82,11 @@ class TikzWriter {
 
     void write(const Line& line) {
         constexpr std::string_view weights[] = {"", "[frame]", "[thin]", "[aid]", "[dotted]"};
-        out_ += fmt::format("\\draw{} {};\n", weights[static_cast<std::size_t>(line.weight)],
-                            path(line.points));
+        std::string_view options = weights[static_cast<std::size_t>(line.weight)];
+        if (owner_->kind.ends_with(" one")) options = "[line width=0.6mm]";
+        if (owner_->kind.ends_with(" zero")) options = "[thin]";
+        if (owner_->kind.ends_with(" unknown")) options = "[dash pattern=on 1mm off 0.6mm]";
+        out_ += fmt::format("\\draw{} {};\n", options, path(line.points));
     }
     void write(const Rectangle& rectangle) {
         const Bounds& bounds = rectangle.bounds;
@@ -96,7 +101,18 @@ class TikzWriter {
         out_ += fmt::format("\\fill {} -- cycle;\n", path(patch.points));
     }
     void write(const Dot& dot) {
-        out_ += fmt::format("\\fill {} circle [radius={:.6g}];\n", at(dot.centre), dot.radius);
+        out_ += fmt::format("\\{} {} circle [radius={:.6g}];\n",
+                            dot.filled ? "fill" : "draw[frame, fill=white]", at(dot.centre),
+                            dot.radius);
+    }
+    void write(const Outline& outline) {
+        std::string curves = at(outline.from);
+        for (const Outline::Curve& curve : outline.curves) {
+            curves += fmt::format(" .. controls {} and {} .. {}", at(curve.control1),
+                                  at(curve.control2), at(curve.to));
+        }
+        out_ += fmt::format("\\draw[frame{}] {}{};\n", outline.closed ? ", fill=white" : "", curves,
+                            outline.closed ? " -- cycle" : "");
     }
     void write(const Label& label) {
         constexpr std::string_view anchors[] = {"base west", "base", "base east"};

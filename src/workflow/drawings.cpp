@@ -51,14 +51,13 @@ constexpr DrawingFormat formats[] = {
      ".svg",
      {"a picture for browsers and word processors",
       "une image pour navigateurs et traitements de texte"},
-     [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how, bool) {
-         return write_svg_drawing(sheets, title, how.paper, how.language);
-     }},
+     [](const std::vector<Sheet>& sheets, std::string_view title, const Paper& paper,
+        Language language, bool) { return write_svg_drawing(sheets, title, paper, language); }},
     {"tikz",
      ".tex",
      {"a TikZ picture for LaTeX", "une figure TikZ pour LaTeX"},
-     [](const std::vector<Sheet>& sheets, std::string_view title, const ChartDrawing& how,
-        bool standalone) { return write_tikz_drawing(sheets, title, how.paper, standalone); },
+     [](const std::vector<Sheet>& sheets, std::string_view title, const Paper& paper, Language,
+        bool standalone) { return write_tikz_drawing(sheets, title, paper, standalone); },
      "--standalone"},
 };
 
@@ -94,7 +93,8 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
 
 std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const DrawingFormat& format,
                           bool standalone) {
-    return format.write(draw_chart(chart.grafcet, how), title_of(chart.grafcet), how, standalone);
+    return format.write(draw_chart(chart.grafcet, how), title_of(chart.grafcet), how.paper,
+                        how.language, standalone);
 }
 
 std::span<const TraceFormat> trace_formats() {

@@ -23,7 +23,7 @@ struct DrawingFormat {
     Message<> description;
     /// `standalone` makes a whole document, in formats that heed it.
     std::string (*write)(const std::vector<Sheet>& sheets, std::string_view title,
-                         const ChartDrawing& how, bool standalone);
+                         const Paper& paper, Language language, bool standalone);
     std::string_view options = "";  ///< those that only some formats heed
 };
 std::span<const DrawingFormat> drawing_formats();

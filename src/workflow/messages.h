@@ -39,5 +39,10 @@ inline constexpr Message<std::string_view, std::string_view> broken_assumption{
 
 /// Behind the title of a drawing.
 inline constexpr Message<Localized> situation_at{"situation at {}", "situation à {}"};
+inline constexpr Message<Localized> values_at{"values at {}", "valeurs à {}"};
+inline constexpr Message<> schematic_svg{"a schematic, as a picture",
+                                         "un schéma, sous forme d'image"};
+inline constexpr Message<> schematic_tikz{"a schematic, as a TikZ picture for LaTeX",
+                                          "un schéma, sous forme de figure TikZ pour LaTeX"};
 
 }  // namespace grafwire::messages::workflow

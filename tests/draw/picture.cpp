@@ -74,6 +74,11 @@ void add(PictureGroup& group, const pugi::xml_node& shape) {
         const double y = shape.attribute("cy").as_double();
         const double r = shape.attribute("r").as_double();
         group.marks.push_back({x - r, y - r, x + r, y + r});
+    } else if (name == "path") {
+        std::string path = shape.attribute("d").value();
+        for (const char letter : {'M', 'C', 'Z'})
+            std::replace(path.begin(), path.end(), letter, ' ');
+        group.boxes.push_back(around(numbers(std::move(path))));
     } else if (name == "text") {
         group.words.push_back(words_of(shape));
         group.texts.push_back(area_of_text(shape, group.words.back()));

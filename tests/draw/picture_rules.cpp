@@ -75,6 +75,10 @@ Area widened(Area area, double by) {
 
 }  // namespace
 
+std::string told(const Faults& faults) {
+    return fmt::format("{}", fmt::join(faults, "\n"));
+}
+
 Faults missing_parts(const Grafcet& grafcet, const Picture& picture) {
     Faults faults;
     const auto expect = [&](const std::string& kind, const std::string& name) {

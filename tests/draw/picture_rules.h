@@ -12,6 +12,7 @@ namespace grafwire::testing {
 // of a sheet. Each rule says what breaks it, a line each.
 
 using Faults = std::vector<std::string>;
+std::string told(const Faults& faults);
 
 /// Every step, macro-step, transition and action of the chart is there once, and nothing else is.
 Faults missing_parts(const Grafcet& grafcet, const Picture& picture);

@@ -20,10 +20,6 @@ Grafcet chart(const std::string& text) {
     return std::move(*read);
 }
 
-std::string told(const Faults& faults) {
-    return fmt::format("{}", fmt::join(faults, "\n"));
-}
-
 }  // namespace
 
 TEST_CASE("drawing: the examples, as a teacher would print them") {
