@@ -81,6 +81,30 @@ TEST_CASE("a run, and a simulation, as a timing diagram") {
     CHECK(contains(refused.err, "there is no format 'png'; there are: csv, svg, wavedrom"));
 }
 
+TEST_CASE("a netlist is drawn as a schematic, with the values of a moment") {
+    const auto drawn = [](const std::string& style, const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"netlist", sequence_chart, "--style", style, "--to"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Ran ran = grafwire_with(arguments);
+        CHECK(ran.status == 0);
+        return ran.out;
+    };
+    CHECK(contains(drawn("nand", {"svg"}), "class=\"module step\" data-module=\"X0\""));
+    CHECK(contains(drawn("nand", {"svg"}), ">&amp;</text>"));
+    CHECK(!contains(drawn("nand", {"svg", "--symbols", "us"}), ">&amp;</text>"));
+    CHECK(contains(drawn("gates", {"tikz", "--standalone"}), "\\documentclass"));
+    // Step 1 is active at 350ms and not before; where there is a clock, the scans follow at once.
+    for (const std::string style : {"gates", "nand", "clocked"}) {
+        const auto at = [&](const std::string& moment) {
+            return drawn(style, {"svg", "--stim", sequence_stimuli, "--at", moment});
+        };
+        CHECK(contains(at("250ms"), "<title>X1 = 0</title>"));
+        CHECK(contains(at("350ms"), "<title>X1 = 1</title>"));
+        CHECK(contains(at("350ms"), "class=\"net one\" data-net=\"X1\""));
+        CHECK(contains(at("350ms"), "values at 350ms"));
+    }
+}
+
 TEST_CASE("a moment without a stable situation, or that is none, is refused") {
     const std::string chart = "input a\ngraph G { initial 0\n step 1\n 0 -> 1 : a\n 1 -> 0 : a }\n";
     const ScratchFolder folder;

@@ -176,6 +176,17 @@ TEST_CASE("options of netlist") {
     contexts.push_back(
         {{sequence_chart, "--style", "nand", "--to", "spice", "--stim", sequence_stimuli},
          {"--scan"}});
+    // What drawings heed, texts do not.
+    for (Context& context : contexts) {
+        context.idle.insert({"--at", "--symbols", "--paper", "--standalone"});
+    }
+    contexts.push_back({{sequence_chart, "--style", "nand", "--to", "svg"},
+                        {"--scan", "--stim", "--bench", "--at", "--standalone"}});
+    contexts.push_back({{sequence_chart, "--style", "clocked", "--to", "tikz"},
+                        {"--scan", "--stim", "--bench", "--at"}});
+    contexts.push_back({{sequence_chart, "--style", "clocked", "--to", "svg", "--stim",
+                         sequence_stimuli, "--at", "0"},
+                        {"--scan", "--bench", "--standalone"}});
     try_all({"netlist"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
@@ -184,6 +195,10 @@ TEST_CASE("options of netlist") {
              {"--stim", {sequence_stimuli}},
              {"--bench", {}},
              {"--scan", {"10ms"}},
+             {"--at", {"0"}},
+             {"--symbols", {"us"}},
+             {"--paper", {"a3"}},
+             {"--standalone", {}},
              {"-o", {files.path("out")}}},
             contexts);
 }
