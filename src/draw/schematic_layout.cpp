@@ -38,6 +38,12 @@ class Layout {
     const Cell& cell_of(const LaidGate& gate) const { return view_.nets.netlist.cells[gate.cell]; }
     NetId output_of(std::uint32_t number) { return cell_of(gate(number)).output; }
 
+    std::uint32_t columns() const {
+        std::uint32_t count = 1;
+        for (const LaidGate& each : part_.gates) count = std::max(count, each.column + 1);
+        return count;
+    }
+
     // ---- Gates and rows
 
     void add(const GateTree& tree) {
@@ -164,7 +170,7 @@ class Layout {
             number_of[static_cast<std::uint32_t>(index_of(gate(i).cell))] = i;
         }
         std::vector<std::uint32_t> branches(part_.gates.size());
-        std::vector<std::uint32_t> in_channel(most_in_channel * 16);
+        std::vector<std::uint32_t> in_channel(columns());
         for (LaidGate& reader : part_.gates) {
             for (LaidPin& pin : reader.pins) {
                 const CellId driver = view_.nets.drivers[pin.net];
@@ -275,9 +281,8 @@ class Layout {
     }
 
     void assign_tracks() {
-        std::uint32_t columns = 1;
-        for (const LaidGate& each : part_.gates) columns = std::max(columns, each.column + 1);
-        part_.widths.columns.resize(columns);
+        const std::uint32_t count = columns();
+        part_.widths.columns.resize(count);
         std::vector<Span> spans;
         for (const LaidGate& each : part_.gates) {
             spans.push_back({each.middle, each.middle});
@@ -290,7 +295,7 @@ class Layout {
                 spans[pin.from].to = std::max(spans[pin.from].to, pin.row);
             }
         }
-        std::vector<Tracks> tracks(columns);
+        std::vector<Tracks> tracks(count);
         for (std::uint32_t i = 0; i < part_.gates.size(); ++i) {
             if (!gate(i).branches) continue;
             gate(i).branch_track = free_track(tracks[gate(i).column - 1], spans[i]);
@@ -301,7 +306,7 @@ class Layout {
             tree.feedback_track = free_track(tracks[reader.column],
                                              {reader.pins[tree.feedback_pin].row, tree.bottom});
         }
-        for (std::uint32_t c = 0; c < columns; ++c) {
+        for (std::uint32_t c = 0; c < count; ++c) {
             part_.widths.columns[c].branches = static_cast<double>(tracks[c].size()) * track_width;
         }
         for (LaidGate& each : part_.gates) assign_turns(each);

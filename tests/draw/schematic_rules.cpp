@@ -187,79 +187,97 @@ Faults unjoined_nets(const Netlist& netlist, const Picture& picture) {
     return faults;
 }
 
-Faults tangled_lines(const Picture& picture) {
+namespace {
+
+/// Lines of nets and symbols, by bands of the picture: what is far apart need not be compared.
+struct Band {
     struct Item {
         Stroke stroke;
         std::string net;
         bool is_pin = false;
     };
-    Faults faults;
-    // In bands of the picture, since what is far apart need not be compared.
-    constexpr double band = 100;
-    std::map<int, std::vector<Item>> items;
-    std::map<int, std::vector<Area>> symbols;
-    const auto bands = [&](double top, double bottom, auto add) {
-        for (int i = static_cast<int>(top / band); i <= static_cast<int>(bottom / band); ++i)
-            add(i);
+    std::vector<Item> lines;
+    std::vector<Area> symbols;
+};
+std::map<int, Band> bands_of(const Picture& picture) {
+    constexpr double height = 100;
+    std::map<int, Band> bands;
+    const auto add = [&](const Area& area, auto what) {
+        const int last = static_cast<int>(area.bottom / height);
+        for (int i = static_cast<int>(area.top / height); i <= last; ++i) what(bands[i]);
     };
     for (const PictureGroup& group : picture.groups) {
+        const bool is_pin = group.kind == "pin";
         if (group.kind == "cell") {
             for (const Area& box : group.boxes) {
-                bands(box.top, box.bottom, [&](int i) { symbols[i].push_back(box); });
+                add(box, [&](Band& band) { band.symbols.push_back(box); });
             }
         }
-        if (group.kind != "net" && group.kind != "pin") continue;
+        if (group.kind != "net" && !is_pin) continue;
         for (const Stroke& stroke : group.strokes) {
-            const Area area = stroke.area();
-            bands(area.top, area.bottom, [&](int i) {
-                items[i].push_back({stroke, group.fact("net"), group.kind == "pin"});
+            add(stroke.area(), [&](Band& band) {
+                band.lines.push_back({stroke, group.fact("net"), is_pin});
             });
         }
     }
-    for (const auto& [number, list] : items) {
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const Area area = list[i].stroke.area();
-            for (const Area& box : symbols[number]) {
-                if (!list[i].is_pin &&
-                    overlap({area.left - 1, area.top - 1, area.right + 1, area.bottom + 1}, box,
-                            1.01)) {
-                    const bool slanted = !list[i].stroke.is_level() && !list[i].stroke.is_upright();
-                    if (!slanted) {
-                        faults.push_back(fmt::format("net {} passes a symbol", list[i].net));
-                    }
-                }
+    return bands;
+}
+
+/// Slanted lines are those of latches, between their gates.
+bool passes(const Stroke& stroke, const Area& box) {
+    const Area area = stroke.area();
+    return (stroke.is_level() || stroke.is_upright()) &&
+           overlap({area.left - 1, area.top - 1, area.right + 1, area.bottom + 1}, box, 1.01);
+}
+
+void add_faults_of_lines(const Band& band, Faults& faults) {
+    for (std::size_t i = 0; i < band.lines.size(); ++i) {
+        const Band::Item& line = band.lines[i];
+        for (const Area& box : band.symbols) {
+            if (!line.is_pin && passes(line.stroke, box)) {
+                faults.push_back(fmt::format("net {} passes a symbol", line.net));
             }
-            for (std::size_t j = 0; j < i; ++j) {
-                if (list[i].net == list[j].net) continue;
-                if (touch(list[i].stroke, list[j].stroke)) {
-                    faults.push_back(fmt::format("nets {} and {} touch", list[i].net, list[j].net));
-                }
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            const Band::Item& other = band.lines[j];
+            if (line.net != other.net && touch(line.stroke, other.stroke)) {
+                faults.push_back(fmt::format("nets {} and {} touch", line.net, other.net));
             }
         }
     }
-    for (auto& [name, net] : drawn_nets(picture)) {
-        const auto lines_at = [&](const Spot& spot) {
-            std::size_t lines = 0;
-            for (const Stroke& stroke : net.strokes) {
-                if (is_on(spot, stroke)) lines += is_end(spot, stroke) ? 1 : 2;
-            }
-            return lines;
-        };
-        for (const Spot& dot : net.dots) {
-            if (lines_at(dot) < 3) faults.push_back(fmt::format("a dot of {} joins less", name));
-        }
+}
+
+void add_faults_of_dots(const std::string& name, const DrawnNet& net, Faults& faults) {
+    const auto lines_at = [&](const Spot& spot) {
+        std::size_t lines = 0;
         for (const Stroke& stroke : net.strokes) {
-            for (const Spot end : {Spot{stroke.x1, stroke.y1}, Spot{stroke.x2, stroke.y2}}) {
-                const bool has_dot =
-                    std::any_of(net.dots.begin(), net.dots.end(), [&](const Spot& dot) {
-                        return std::hypot(dot.x - end.x, dot.y - end.y) < close;
-                    });
-                if (lines_at(end) > 2 && !has_dot) {
-                    faults.push_back(fmt::format("lines of {} meet without a dot", name));
-                }
+            if (is_on(spot, stroke)) lines += is_end(spot, stroke) ? 1 : 2;
+        }
+        return lines;
+    };
+    const auto has_dot = [&](const Spot& spot) {
+        return std::any_of(net.dots.begin(), net.dots.end(), [&](const Spot& dot) {
+            return std::hypot(dot.x - spot.x, dot.y - spot.y) < close;
+        });
+    };
+    for (const Spot& dot : net.dots) {
+        if (lines_at(dot) < 3) faults.push_back(fmt::format("a dot of {} joins less", name));
+    }
+    for (const Stroke& stroke : net.strokes) {
+        for (const Spot end : {Spot{stroke.x1, stroke.y1}, Spot{stroke.x2, stroke.y2}}) {
+            if (lines_at(end) > 2 && !has_dot(end)) {
+                faults.push_back(fmt::format("lines of {} meet without a dot", name));
             }
         }
     }
+}
+
+}  // namespace
+
+Faults tangled_lines(const Picture& picture) {
+    Faults faults;
+    for (const auto& [number, band] : bands_of(picture)) add_faults_of_lines(band, faults);
+    for (const auto& [name, net] : drawn_nets(picture)) add_faults_of_dots(name, net, faults);
     return faults;
 }
 
