@@ -89,6 +89,22 @@ TEST_CASE("a drawing with a situation is the one of that moment") {
           "soon: this is no duration such as 10ms");
 }
 
+TEST_CASE("a schematic has the nets of a run by their names") {
+    const Json args{{"text", chart_text("single-sequence")}, {"style", "nand"}};
+    const Json run = ask("run.open", args);
+    const std::string svg = ask("schematic", args).at("svg");
+    for (const auto& [net, value] : run.at("gates").at("values").items()) {
+        if (net == "AUdoux") continue;  // nothing reads it here
+        CAPTURE(net);
+        CHECK(contains(svg, "data-net=\"" + net + "\""));
+    }
+    Json us = args;
+    us["symbols"] = "us";
+    CHECK(ask("schematic", us).at("svg") != svg);
+    us["symbols"] = "other";
+    CHECK(ask("schematic", us).at("error") == "symbols: there is no other");
+}
+
 TEST_CASE("stimuli are told as values") {
     const Json script = ask("script", {{"text", "input a, b\ngraph G { initial 0\n 0 -> 0 : a }"},
                                        {"stimuli", "0ms : a=1\n+1500us : b=1 a=0\n2s : end\n"}});

@@ -11,9 +11,9 @@ namespace grafwire::testing {
 namespace {
 
 constexpr const char* requests[] = {
-    "version",  "words",     "chart",      "format",      "draw",     "equations",
-    "exports",  "export",    "script",     "check",       "run.open", "run.do",
-    "run.back", "run.state", "run.timing", "run.stimuli", "run.close"};
+    "version",   "words",    "chart",     "format",     "draw",        "schematic",
+    "equations", "exports",  "export",    "script",     "check",       "run.open",
+    "run.do",    "run.back", "run.state", "run.timing", "run.stimuli", "run.close"};
 
 }  // namespace
 

@@ -125,6 +125,13 @@ std::optional<Stimuli> asked_stimuli(const Arguments& arguments, const Chart& ch
     return stimuli;
 }
 
+std::optional<Time> asked_moment(const Arguments& arguments, Json& answer) {
+    const std::string text = arguments.text("at");
+    const std::optional<Time> moment = text == "0" ? Time{0} : parse_duration(text);
+    if (!moment) answer = error_answer(say::no_duration(text), arguments.language());
+    return moment;
+}
+
 AskedPeriod asked_period(const Arguments& arguments, std::string_view name, Json& answer) {
     const std::string text = arguments.text(name);
     if (text.empty()) return {};

@@ -39,6 +39,9 @@ struct AskedPeriod {
 };
 AskedPeriod asked_period(const Arguments& arguments, std::string_view name, Json& answer);
 
+/// `at`, a moment of a run: `500ms`, or `0`.
+std::optional<Time> asked_moment(const Arguments& arguments, Json& answer);
+
 /// The row of a table that an argument names; the first one where it is missing.
 template <typename Rows>
 auto asked_row(const Arguments& arguments, std::string_view name, const Rows& rows, Json& answer)

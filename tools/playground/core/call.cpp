@@ -15,14 +15,23 @@ struct RequestRow {
 };
 
 constexpr RequestRow requests[] = {
-    {"version", answer_version},    {"words", answer_words},
-    {"chart", answer_chart},        {"format", answer_format},
-    {"draw", answer_draw},          {"equations", answer_equations},
-    {"exports", answer_exports},    {"export", answer_export},
-    {"script", answer_script},      {"check", answer_check},
-    {"run.open", open_run},         {"run.do", do_in_run},
-    {"run.back", take_back_in_run}, {"run.state", answer_state_of_run},
-    {"run.timing", draw_run},       {"run.stimuli", answer_stimuli_of_run},
+    {"version", answer_version},
+    {"words", answer_words},
+    {"chart", answer_chart},
+    {"format", answer_format},
+    {"draw", answer_draw},
+    {"schematic", answer_schematic},
+    {"equations", answer_equations},
+    {"exports", answer_exports},
+    {"export", answer_export},
+    {"script", answer_script},
+    {"check", answer_check},
+    {"run.open", open_run},
+    {"run.do", do_in_run},
+    {"run.back", take_back_in_run},
+    {"run.state", answer_state_of_run},
+    {"run.timing", draw_run},
+    {"run.stimuli", answer_stimuli_of_run},
     {"run.close", close_run},
 };
 

@@ -38,15 +38,11 @@ ShownSituation situation_from(const Arguments& named, const Grafcet& grafcet) {
 bool add_moment(const Arguments& arguments, const Chart& chart, ChartDrawing& how, Json& answer) {
     const auto stimuli = asked_stimuli(arguments, chart, answer);
     if (!stimuli) return false;
-    const std::string at = arguments.text("at");
-    const std::optional<Time> moment = at == "0" ? Time{0} : parse_duration(at);
-    if (!moment) {
-        answer = error_answer(say::no_duration(at), how.language);
-        return false;
-    }
+    const std::optional<Time> moment = asked_moment(arguments, answer);
+    if (!moment) return false;
     auto situation = situation_at(chart, *stimuli, *moment, how.language);
     if (!situation) {
-        answer = error_answer(say::no_situation_at(at), how.language);
+        answer = error_answer(say::no_situation_at(arguments.text("at")), how.language);
         return false;
     }
     how.situation = std::move(*situation);

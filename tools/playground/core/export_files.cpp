@@ -4,6 +4,7 @@
 
 #include "core/asked_chart.h"
 #include "core/asked_drawing.h"
+#include "core/asked_schematic.h"
 #include "core/messages.h"
 #include "core/requests.h"
 #include "workflow/heads.h"
@@ -80,38 +81,56 @@ Json export_equations(const Arguments& arguments) {
                          arguments.flag("standalone", false)}));
 }
 
-Json export_netlist(const Arguments& arguments) {
+namespace {
+
+/// A netlist in a format, and its bench.
+Json netlist_files(const Arguments& arguments, const NetlistFormat& format, const Chart& chart,
+                   const NetlistOptions& options, const Netlist& netlist) {
     Json answer;
-    const NetlistFormat* format = asked_row(arguments, "format", netlist_formats(), answer);
-    if (format == nullptr) return answer;
-    const auto chart = asked_chart(arguments, answer);
-    if (!chart) return answer;
-    const auto options = asked_options(arguments, answer);
-    if (!options) return answer;
-    const auto netlist = asked_netlist(arguments, *chart, *options, answer);
-    if (!netlist) return answer;
     std::optional<Stimuli> stimuli;
     std::string stimuli_file;
     if (arguments.has("stimuli")) {
-        stimuli = asked_stimuli(arguments, *chart, answer);
+        stimuli = asked_stimuli(arguments, chart, answer);
         if (!stimuli) return answer;
         stimuli_file = arguments.text("stimuli_file", "chart.stim");
     }
     const AskedPeriod period = asked_period(arguments, "scan", answer);
     if (!period.is_good) return answer;
     const Time scan_period = period.value.value_or(10 * millisecond);
-    const std::string file = file_beside(arguments, format->extension);
+    const std::string file = file_beside(arguments, format.extension);
     WrittenNetlist written = write_netlist(
-        *chart, *netlist, *format, stimuli ? &*stimuli : nullptr, scan_period, options->delays,
-        netlist_heads(*chart, *options, *format, {scan_period, stimuli_file, file},
+        chart, netlist, format, stimuli ? &*stimuli : nullptr, scan_period, options.delays,
+        netlist_heads(chart, options, format, {scan_period, stimuli_file, file},
                       arguments.flag("bench", false)));
     FilesAnswer files;
     files.add(file, std::move(written.text));
     if (!written.bench.empty()) {
-        files.add(file_beside(arguments, "_bench" + std::string(format->extension)),
+        files.add(file_beside(arguments, "_bench" + std::string(format.extension)),
                   std::move(written.bench));
     }
     return files.answer();
+}
+
+}  // namespace
+
+Json export_netlist(const Arguments& arguments) {
+    Json answer;
+    const NetlistTarget* target = asked_row(arguments, "format", netlist_targets(), answer);
+    if (target == nullptr) return answer;
+    const auto chart = asked_chart(arguments, answer);
+    if (!chart) return answer;
+    const auto options = asked_options(arguments, answer);
+    if (!options) return answer;
+    const auto netlist = asked_netlist(arguments, *chart, *options, answer);
+    if (!netlist) return answer;
+    if (target->format != nullptr) {
+        return netlist_files(arguments, *target->format, *chart, *options, *netlist);
+    }
+    const auto how = asked_schematic(arguments, *chart, *netlist, *options, answer);
+    if (!how) return answer;
+    return file_answer(
+        arguments, target->drawing->extension,
+        schematic_drawing(*netlist, *how, *target->drawing, arguments.flag("standalone", false)));
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "plc/formats.h"
 #include "workflow/check.h"
 #include "workflow/drawings.h"
+#include "workflow/schematics.h"
 
 namespace grafwire::playground {
 
@@ -45,6 +46,17 @@ Formats named(const Rows& rows) {
     }
     return list;
 }
+/// Netlists, and schematics.
+Formats netlists(Language language) {
+    Formats list;
+    for (const NetlistTarget& target : netlist_targets()) {
+        const std::string_view extension =
+            target.format != nullptr ? target.format->extension : target.drawing->extension;
+        list.push_back({std::string(target.name), std::string(extension),
+                        target.description.in(language), target.options});
+    }
+    return list;
+}
 Formats one(std::string_view name, std::string_view extension, const Message<>& description,
             Language language) {
     return {{std::string(name), std::string(extension), description.in(language), {}}};
@@ -65,8 +77,7 @@ constexpr Kind kinds[] = {
      export_drawing, "notation paper stimuli at"},
     {"equations", [](Language) { return named(equation_format_table); }, export_equations,
      "cdx modes"},
-    {"netlist", [](Language language) { return described(netlist_formats(), language); },
-     export_netlist, "style cdx modes delay"},
+    {"netlist", netlists, export_netlist, "style cdx modes delay"},
     {"program", [](Language language) { return described(plc_formats(), language); },
      export_program, "modes"},
     {"trace", [](Language language) { return described(trace_formats(), language); }, export_trace,

@@ -29,6 +29,7 @@ Json answer_words(const Arguments& arguments, const Asked& asked);
 Json answer_chart(const Arguments& arguments, const Asked& asked);
 Json answer_format(const Arguments& arguments, const Asked& asked);
 Json answer_draw(const Arguments& arguments, const Asked& asked);
+Json answer_schematic(const Arguments& arguments, const Asked& asked);
 Json answer_equations(const Arguments& arguments, const Asked& asked);
 Json answer_exports(const Arguments& arguments, const Asked& asked);
 Json answer_export(const Arguments& arguments, const Asked& asked);

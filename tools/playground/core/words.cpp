@@ -7,6 +7,7 @@
 #include "netlist/styles/styles.h"
 #include "workflow/chart.h"
 #include "workflow/drawings.h"
+#include "workflow/schematics.h"
 
 namespace grafwire::playground {
 
@@ -72,6 +73,7 @@ Json answer_words(const Arguments& arguments, const Asked&) {
                 {"delays", names_of(delay_models)},
                 {"notations", names_of(notation_table)},
                 {"papers", names_of(papers)},
+                {"symbols", names_of(gate_shapes_table)},
                 {"equation_formats", names_of(equation_format_table)},
                 {"changes", {"one", "many"}}};
 }
