@@ -7,7 +7,9 @@ namespace grafwire {
 
 namespace {
 
-constexpr double junction_radius = 0.07;
+/// Where lines are joined: four to five times as wide as a line, and wider than a heavy one.
+constexpr double junction = 0.09;
+constexpr double junction_of_heavy_lines = 0.12;
 
 class PartDrawing {
   public:
@@ -40,6 +42,9 @@ class PartDrawing {
 
   private:
     double y(double height) const { return top_ + height; }
+    double junction_radius() const {
+        return view_.shows_values() ? junction_of_heavy_lines : junction;
+    }
     const Cell& cell_of(const LaidGate& gate) const { return view_.nets.netlist.cells[gate.cell]; }
     double left_of(const LaidGate& gate) const { return columns_[gate.column].gates; }
     /// The end of its output pin.
@@ -159,7 +164,7 @@ class PartDrawing {
         net.line({{x, y(rows.front())}, {x, y(rows.back())}});
         for (const double row : rows) {
             const bool is_end = row == rows.front() || row == rows.back();
-            if (!is_end || row == gate.middle) net.dot({x, y(row)}, junction_radius);
+            if (!is_end || row == gate.middle) net.dot({x, y(row)}, junction_radius());
         }
     }
 
@@ -180,7 +185,7 @@ class PartDrawing {
                   {back_, lane},
                   {x, lane},
                   {x, y(reader.pins[tree.feedback_pin].row)}});
-        if (root.is_named) net.dot({back_, y(root.middle)}, junction_radius);
+        if (root.is_named) net.dot({back_, y(root.middle)}, junction_radius());
     }
 
     /// From one gate of a latch to the other: the lines of both cross once, between the gates.
@@ -203,7 +208,7 @@ class PartDrawing {
                   {left, goes_down ? below : above},
                   {left, pin.y},
                   pin});
-        if (driver.is_named) net.dot({back_, y(driver.middle)}, junction_radius);
+        if (driver.is_named) net.dot({back_, y(driver.middle)}, junction_radius());
     }
 
     struct Column {
