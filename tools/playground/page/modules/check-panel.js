@@ -23,7 +23,7 @@ export function createCheckPanel(root, { core, replay, wave, store, onMoment }) 
     wordButton("last", () => goTo(moments.length - 1))];
   const witness = element("section", { class: "group", id: "witness", hidden: true },
     element("h2", { dataset: { word: "witness_group" } }),
-    element("div", { class: "bar" }, buttons, place), sentence, parting);
+    element("div", { class: "bar" }, buttons, place), parting, sentence);
   const report = element("pre", { class: "report", id: "report" });
   const reportGroup = element("details", { class: "group", hidden: true },
     element("summary", { dataset: { word: "report_group" } }), report);
@@ -92,6 +92,7 @@ export function createCheckPanel(root, { core, replay, wave, store, onMoment }) 
     verdict.className = `verdict ${kind}`;
     verdict.replaceChildren(element("strong", {}, title), ...lines.map((line) => element("p", {}, line)));
     verdict.hidden = false;
+    verdict.scrollIntoView({ block: "nearest" });
   }
 
   async function showAnswer() {
@@ -141,7 +142,7 @@ export function createCheckPanel(root, { core, replay, wave, store, onMoment }) 
   function tellOptions() {
     const plain = (names) => names.map((name) => ({ value: name, text: name }));
     fillSelect(style, store.get("styles").map(({ name, description }) =>
-      ({ value: name, text: `${name}: ${description}` })), store.get("style"));
+      ({ value: name, text: say("named", { name, description }) })), store.get("style"));
     fillSelect(cdx, [{ value: "", text: say("cdx_own") }, ...plain(store.get("cdxForms"))], store.get("cdx"));
     fillSelect(delay, plain(store.get("delayModels")), store.get("delay"));
     fillSelect(changes, [{ value: "one", text: say("changes_one") }, { value: "many", text: say("changes_many") }]);

@@ -7,11 +7,12 @@ const quiet = 120;  // milliseconds without a key before the text is read
 
 export function createDesk({ core, store, stage, views, editor, onFindings, onAccepted }) {
   let reading = 0;
+  let began = 0;     // when the text was last read
   const drawn = {};  // by picture: what it was made of
 
   async function read() {
     const mine = ++reading;
-    const began = performance.now();
+    began = performance.now();
     const text = store.get("text");
     const lang = store.get("language");
     const answer = await core.ask("chart", { text, lang });
@@ -25,7 +26,6 @@ export function createDesk({ core, store, stage, views, editor, onFindings, onAc
     stage.setChart(answer.chart);
     store.set({ chart: answer.chart, names: answer.chart.names, acceptedText: text });
     await draw();
-    performance.measure("re-draw", { start: began, end: performance.now() });
     onAccepted();
   }
 
@@ -46,12 +46,15 @@ export function createDesk({ core, store, stage, views, editor, onFindings, onAc
     const forms = { text, lang, cdx: store.get("cdx") || undefined, to: "json" };
     await Promise.all([
       refresh("chart", { text, lang }, () => core.ask("draw", { text, lang, animated: true }),
-        (answer) => { if (answer.svg) stage.chart.show(answer.svg); }),
+        (answer) => {
+          if (answer.svg) stage.chart.show(answer.svg);
+          performance.measure("re-draw", { start: began, end: performance.now() });
+        }),
       refresh("equations", forms, () => core.ask("equations", forms),
         (answer) => { if (answer.text) stage.equations.show(JSON.parse(answer.text)); }),
       refresh("wiring", wiring, () => core.ask("schematic", wiring), (answer) => {
         stage.wiring.show(answer.svg ? [answer.svg] : []);
-        stage.wiring.remark(answer.svg ? wiring.style : answer.error ?? "");
+        stage.wiring.remark(answer.svg ? wiring.style : "");
       }),
     ]);
   }

@@ -15,7 +15,7 @@ states.replaceSync(`
 svg { display: block; flex: none; height: auto; }
 .sheets.fit svg { max-width: 100%; }
 .sheets.fit.single svg { max-height: 100%; width: auto; }
-.sheets.fit.wide { height: auto; }
+.sheets.fit.wide { height: auto; align-items: start; }
 .sheets.fit.wide svg { max-height: none; }
 .paper { fill: transparent; }
 .ground { fill: var(--pane); }
@@ -28,7 +28,7 @@ svg { display: block; flex: none; height: auto; }
 .clearable { stroke: var(--one); }
 .clearable text { fill: var(--one); font-weight: bold; }
 .clearable .frame { stroke-width: 5; }
-.one { stroke: var(--one); }
+.one { stroke: var(--one); stroke-width: 2.6; }
 .one .ground { stroke: var(--one); }
 .one .mark, .one text:not(.remark) { fill: var(--one); }
 .zero { stroke: var(--strong-line); }

@@ -7,7 +7,7 @@ import { say } from "./words.js";
 const classes = { 1: "one", 0: "zero", x: "unknown" };
 
 export function createSchematicView(panes) {
-  const { picture, remark, pane, body } = makePicturePane(panes, "wiring", "view_wiring");
+  const { picture, remark, pane, body } = makePicturePane(panes, "wiring", "view_wiring", true);
   const list = element("div", { class: "nets", hidden: true });
   pane.append(list);
   let values = {};
@@ -17,6 +17,7 @@ export function createSchematicView(panes) {
     for (const [value, name] of Object.entries(classes))
       picture.mark("net", name, Object.keys(values).filter((net) => values[net] === value));
     picture.mark("net", "changing", changing);
+    picture.mark("cell", "changing", changing);  // a cell is called by the net that it drives
     if (changing.length) picture.reveal("net", changing[0]);
   }
 
