@@ -211,8 +211,8 @@ configured() {
 
 # How build/release is set up by whoever comes first: for speed of building. The product is compiled
 # some files at a time, as its tests always are, so that what they include is read once for all of
-# them; common headers are read once for all; and only what runs long is optimised fully. .ci/run
-# compiles each file of the product by itself as well, with clang++.
+# them; common headers are read once for all; and only what runs long is optimised fully. In .ci/run
+# clang-tidy reads each file of the product by itself as well.
 fast_settings=(-DCMAKE_BUILD_TYPE=Release '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG' -DPRECOMPILE=ON
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
 

@@ -4,8 +4,8 @@
 #ifdef GRAFWIRE_HAS_FST
 
 #define FST_CONFIG_INCLUDE "gtkwave/fst_config.h"
-#include "gtkwave/fastlz.c"
-#include "gtkwave/fstapi.c"
-#include "gtkwave/lz4.c"
+#include "gtkwave/fastlz.c"  // NOLINT(bugprone-suspicious-include)
+#include "gtkwave/fstapi.c"  // NOLINT(bugprone-suspicious-include)
+#include "gtkwave/lz4.c"  // NOLINT(bugprone-suspicious-include)
 
 #endif
