@@ -37,6 +37,9 @@ constexpr Command commands[] = {
      declare_s7},
     {"draw", help::draw, "grafwire draw examples/nine-steps.grafcet -o nine-steps.svg",
      declare_draw},
+    {"report", help::report,
+     "grafwire report examples/manipulator.grafcet examples/manipulator.stim -o manipulator.html",
+     declare_report},
     {"fmt", help::fmt, "grafwire fmt examples/manipulator.grafcet --lang fr", declare_fmt},
 };
 

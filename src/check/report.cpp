@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "check/messages.h"
 #include "grafcet/write_grafcet.h"
@@ -60,7 +61,30 @@ class TextReport {
         return std::move(text_);
     }
 
+    CheckParts make_parts(const ExplainedWitness& explained) {
+        CheckParts parts;
+        write_foundation();
+        parts.basis = take_trimmed();
+        write_coverage();
+        parts.coverage = take_trimmed();
+        write_never();
+        write_why_undecided();
+        write_unstable();
+        write_together();
+        parts.remarks = take_trimmed();
+        write_witness(explained);
+        parts.witness = take_trimmed();
+        return parts;
+    }
+
   private:
+    /// What has been written, without blanks and empty lines round it.
+    std::string take_trimmed() {
+        const std::string text = std::exchange(text_, {});
+        const std::size_t begin = text.find_first_not_of(" \n");
+        if (begin == std::string::npos) return {};
+        return text.substr(begin, text.find_last_not_of(" \n") + 1 - begin);
+    }
     template <class... Arguments>
     std::string in_words(const Message<Arguments...>& message,
                          const std::type_identity_t<Arguments>&... arguments) const {
@@ -290,6 +314,12 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
                              const CheckResult& result, const ExplainedWitness& explained,
                              Language language) {
     return TextReport(subject, grafcet, result, language).make(explained);
+}
+
+CheckParts check_parts(const CheckSubject& subject, const Grafcet& grafcet,
+                       const CheckResult& result, const ExplainedWitness& explained,
+                       Language language) {
+    return TextReport(subject, grafcet, result, language).make_parts(explained);
 }
 
 // The report of a check for servers that build and test: one suite with one case. The time it took

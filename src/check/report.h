@@ -64,6 +64,18 @@ std::string write_check_text(const CheckSubject& subject, const Grafcet& grafcet
                              const CheckResult& result, const ExplainedWitness& explained,
                              Language language);
 
+/// The parts of the same after the verdict, for pages that lay them out; empty where there is
+/// nothing to say.
+struct CheckParts {
+    std::string basis;     ///< what the verdict rests on
+    std::string coverage;  ///< how much was compared
+    std::string remarks;
+    std::string witness;  ///< its stimuli, and what they show
+};
+CheckParts check_parts(const CheckSubject& subject, const Grafcet& grafcet,
+                       const CheckResult& result, const ExplainedWitness& explained,
+                       Language language);
+
 /// The report for programs; its form is that of report.schema.json. Not a matter of language.
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
                              const CheckResult& result, const ExplainedWitness& explained = {});

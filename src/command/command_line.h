@@ -122,6 +122,7 @@ Task declare_check(const CommandLine& line);
 Task declare_plc(const CommandLine& line);
 Task declare_s7(const CommandLine& line);
 Task declare_draw(const CommandLine& line);
+Task declare_report(const CommandLine& line);
 Task declare_fmt(const CommandLine& line);
 
 /// What came of reading a command line: one of these.

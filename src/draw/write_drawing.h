@@ -18,6 +18,13 @@ namespace grafwire {
 std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view title,
                               const Paper& paper, Language language);
 
+/// The same for a page of HTML that holds many: an `<svg>` for each sheet, without the style sheet,
+/// which stands once in the page.
+std::vector<std::string> write_svg_sheets(const std::vector<Sheet>& sheets, std::string_view title,
+                                          Language language);
+/// The style sheet of all of them, as CSS.
+std::string svg_style();
+
 /// Sheets as TikZ pictures, to be read into a document that loads TikZ; or as a whole document, a
 /// page each.
 std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_view title,

@@ -18,8 +18,7 @@ constexpr std::string_view dotted =
     " class=\"dotted\" stroke-width=\"1.4\" stroke-dasharray=\"0.1 3.9\" stroke-linecap=\"round\"";
 constexpr std::string_view grey = "unknown\" fill=\"#808080\" fill-opacity=\"0.3";
 
-constexpr std::string_view style = R"(<style>
-.paper { fill: #ffffff; }
+constexpr std::string_view style = R"(.paper { fill: #ffffff; }
 g { stroke: #1b1b1b; fill: none; stroke-width: 1.6; }
 .frame { stroke-width: 2.2; }
 .thin { stroke-width: 1; }
@@ -183,6 +182,20 @@ class SvgWriter {
     double top_ = 0;
 };
 
+/// An `<svg>` of so many units, with a style sheet or none, round a body.
+std::string svg_element(double width, double height, double unit, std::string_view title,
+                        const std::string& style_element, Language language,
+                        const std::string& body) {
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" lang=\"{}\" "
+               "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n"
+               "<title>{}</title>\n{}<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+               language == Language::french ? "fr" : "en", number(width * unit),
+               number(height * unit), number(width * scale), number(height * scale),
+               xml_text(title), style_element, number(width * scale), number(height * scale)) +
+           body + "</svg>\n";
+}
+
 }  // namespace
 
 std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view title,
@@ -195,18 +208,28 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
         width = std::max(width, sheet.width);
         height += sheet.height;
     }
-    const double unit = sheets.front().unit;
-    return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" lang=\"{}\" "
-               "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n"
-               "<title>{}</title>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n"
-               "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
-               language == Language::french ? "fr" : "en", number(width * unit),
-               number(height * unit), number(width * scale), number(height * scale),
-               xml_text(title), style, shows_values(sheets) ? style_of_values : "", paper.name,
-               sheets.front().lies ? " landscape" : "", number(width * scale),
-               number(height * scale)) +
-           writer.take() + "</svg>\n";
+    const std::string style_element =
+        fmt::format("<style>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n", style,
+                    shows_values(sheets) ? style_of_values : "", paper.name,
+                    sheets.front().lies ? " landscape" : "");
+    return svg_element(width, height, sheets.front().unit, title, style_element, language,
+                       writer.take());
+}
+
+std::vector<std::string> write_svg_sheets(const std::vector<Sheet>& sheets, std::string_view title,
+                                          Language language) {
+    std::vector<std::string> pictures;
+    for (const Sheet& sheet : sheets) {
+        SvgWriter writer;
+        writer.write(sheet, 0);
+        pictures.push_back(
+            svg_element(sheet.width, sheet.height, sheet.unit, title, "", language, writer.take()));
+    }
+    return pictures;
+}
+
+std::string svg_style() {
+    return std::string(style);
 }
 
 }  // namespace grafwire

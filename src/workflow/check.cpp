@@ -14,6 +14,7 @@
 #include "check/netlist_witness.h"
 #include "check/partial_inputs.h"
 #include "check/scan_check.h"
+#include "draw/write_drawing.h"
 #include "evolution/run.h"
 #include "explain/explain.h"
 #include "explain/write_explanation.h"
@@ -70,29 +71,33 @@ struct Recorded {
     const Waveform& waveform;
 };
 
-/// The files that show a witness, in the order of witness_file_names.
-std::vector<NamedText> witness_files(const Grafcet& grafcet, const Witness& witness,
-                                     const std::string& explanation, const Recorded& expected,
-                                     const Recorded& got, Language language) {
+/// Enters the files that show a witness, in the order of witness_file_names, and its picture.
+void add_witness_files(Judgement& judgement, const Grafcet& grafcet, const std::string& explanation,
+                       const Recorded& expected, const Recorded& got, Language language) {
+    const Witness& witness = *judgement.result.witness;
     const auto period =
         witness.scan_period == 0 ? std::nullopt : std::optional<Time>(witness.scan_period);
     const ShownRun shown{expected.trace, title_of(grafcet),
                          causes_of(expected.trace, grafcet, witness.stimuli, period)};
-    return {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
-            {"witness.txt", explanation},
-            {"witness.svg", picture_of_runs(shown, got.trace, language)},
-            {"expected.csv", write_csv(expected.trace)},
-            {"expected.vcd", expected.waveform.vcd},
-            {"expected.gtkw", write_gtkw(expected.waveform, "expected.vcd")},
-            {"got.csv", write_csv(got.trace)},
-            {"got.vcd", got.waveform.vcd},
-            {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
+    judgement.witness_picture = sheets_of_runs(shown, &got.trace, language);
+    const std::string picture =
+        write_svg_drawing(judgement.witness_picture, shown.title, papers[0], language);
+    judgement.witness_files = {{"witness.stim", write_stimuli(witness.stimuli, grafcet)},
+                               {"witness.txt", explanation},
+                               {"witness.svg", picture},
+                               {"expected.csv", write_csv(expected.trace)},
+                               {"expected.vcd", expected.waveform.vcd},
+                               {"expected.gtkw", write_gtkw(expected.waveform, "expected.vcd")},
+                               {"got.csv", write_csv(got.trace)},
+                               {"got.vcd", got.waveform.vcd},
+                               {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
 }
 
 /// What reference and netlist make of the stimuli of a witness.
-std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& netlist,
-                                        const CellDelays& delays, const Witness& witness,
-                                        const std::string& explanation, Language language) {
+void add_files_of_gates(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
+                        const CellDelays& delays, const std::string& explanation,
+                        Language language) {
+    const Witness& witness = *judgement.result.witness;
     const Stimuli& stimuli = witness.stimuli;
     const RunResult run = witness.scan_period == 0
                               ? run_until_stable(grafcet, stimuli)
@@ -101,9 +106,9 @@ std::vector<NamedText> files_of_witness(const Grafcet& grafcet, const Netlist& n
     options.waveform = true;
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    return witness_files(grafcet, witness, explanation,
-                         {run.trace, waveform_of(run.trace, grafcet.name)},
-                         {simulated.trace, simulated.waveform}, language);
+    add_witness_files(judgement, grafcet, explanation,
+                      {run.trace, waveform_of(run.trace, grafcet.name)},
+                      {simulated.trace, simulated.waveform}, language);
 }
 
 /// Explains the witness, with its files beside it if they are wanted.
@@ -124,8 +129,8 @@ void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist
     if (explanation.cause) judgement.explained.cause = identifier_of(explanation.cause->kind);
     judgement.explained.lines = lines_of(text_in(Language::english, 0));
     if (request.with_files) {
-        judgement.witness_files = files_of_witness(grafcet, powered, delays, witness,
-                                                   text_in(request.language, 0), request.language);
+        add_files_of_gates(judgement, grafcet, powered, delays, text_in(request.language, 0),
+                           request.language);
     }
 }
 
@@ -169,14 +174,14 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
 namespace {
 
 /// What reference and program make of the stimuli of a witness.
-std::vector<NamedText> files_of_scans(const Grafcet& grafcet, const ScannedDevice& device,
-                                      const Witness& witness, const std::string& explanation,
-                                      Language language) {
+void add_files_of_scans(Judgement& judgement, const Grafcet& grafcet, const ScannedDevice& device,
+                        Language language) {
+    const Witness& witness = *judgement.result.witness;
     const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
-    return witness_files(grafcet, witness, explanation,
-                         {expected.trace, waveform_of(expected.trace, grafcet.name)},
-                         {got, waveform_of(got, grafcet.name)}, language);
+    add_witness_files(judgement, grafcet, judgement.explained.text,
+                      {expected.trace, waveform_of(expected.trace, grafcet.name)},
+                      {got, waveform_of(got, grafcet.name)}, language);
 }
 
 /// Compares a program with the reference after every scan, in every state that can be reached.
@@ -200,8 +205,7 @@ std::optional<Judgement> check_device(
         judgement.explained.text = explain(*witness, request.language);
         judgement.explained.lines = lines_of(explain(*witness, Language::english));
         if (request.with_files) {
-            judgement.witness_files = files_of_scans(grafcet, device, *witness,
-                                                     judgement.explained.text, request.language);
+            add_files_of_scans(judgement, grafcet, device, request.language);
         }
     }
     return judgement;

@@ -9,6 +9,7 @@
 
 #include "check/check_result.h"
 #include "check/report.h"
+#include "draw/scene.h"
 #include "ladder/ladder.h"
 #include "netlist/netlist.h"
 #include "s7/machine/binding.h"
@@ -54,6 +55,7 @@ struct Judgement {
     CheckResult result;
     ExplainedWitness explained;
     std::vector<NamedText> witness_files;
+    std::vector<Sheet> witness_picture{};  ///< as in its file
 };
 
 /// The form of a report by the name users write.

@@ -17,14 +17,9 @@ namespace say = messages::workflow;
 
 namespace {
 
-/// A run, beside another if there is one.
-std::string timing_picture(const ShownRun& run, const Trace* other, Language language) {
-    TimingDrawing how;
-    how.title = run.title;
-    how.language = language;
-    how.other = other;
-    how.causes = run.causes;
-    return write_svg_drawing(draw_timing(run.trace, how), run.title, how.paper, language);
+std::string timing_picture(const ShownRun& run, Language language) {
+    return write_svg_drawing(sheets_of_runs(run, nullptr, language), run.title, papers[0],
+                             language);
 }
 
 constexpr TraceFormat trace_rows[] = {
@@ -35,7 +30,7 @@ constexpr TraceFormat trace_rows[] = {
     {"svg",
      ".svg",
      {"a timing diagram", "un chronogramme"},
-     [](const ShownRun& run, Language language) { return timing_picture(run, nullptr, language); },
+     [](const ShownRun& run, Language language) { return timing_picture(run, language); },
      true},
     {"wavedrom",
      ".json",
@@ -128,8 +123,13 @@ std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceF
     return format.write({trace, title_of(chart.grafcet), std::move(causes)}, language);
 }
 
-std::string picture_of_runs(const ShownRun& expected, const Trace& found, Language language) {
-    return timing_picture(expected, &found, language);
+std::vector<Sheet> sheets_of_runs(const ShownRun& expected, const Trace* found, Language language) {
+    TimingDrawing how;
+    how.title = expected.title;
+    how.language = language;
+    how.other = found;
+    how.causes = expected.causes;
+    return draw_timing(expected.trace, how);
 }
 
 }  // namespace grafwire

@@ -76,8 +76,8 @@ std::vector<TimingCause> causes_of(const Trace& trace, const Grafcet& grafcet,
 std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,
                             Language language, std::vector<TimingCause> causes = {});
 
-/// Two runs as one timing diagram: what the reference does, with its causes, and what
-/// was found.
-std::string picture_of_runs(const ShownRun& expected, const Trace& found, Language language);
+/// Two runs as one timing diagram: what the reference does, with its causes, and what was found,
+/// if anything.
+std::vector<Sheet> sheets_of_runs(const ShownRun& expected, const Trace* found, Language language);
 
 }  // namespace grafwire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "text/message.h"
@@ -44,5 +45,8 @@ inline constexpr Message<> schematic_svg{"a schematic, as a picture",
                                          "un schéma, sous forme d'image"};
 inline constexpr Message<> schematic_tikz{"a schematic, as a TikZ picture for LaTeX",
                                           "un schéma, sous forme de figure TikZ pour LaTeX"};
+
+/// A message about a chart, and the line that it is about.
+inline constexpr Message<std::uint32_t, Localized> at_line{"line {}: {}", "ligne {} : {}"};
 
 }  // namespace grafwire::messages::workflow

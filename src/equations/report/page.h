@@ -60,6 +60,8 @@ class Page {
 /// What the pages refer to must outlive them; the pool of expressions may grow meanwhile.
 std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool);
 std::unique_ptr<Page> markdown_page(const Grafcet& grafcet, const Expressions& pool);
+/// A part of a page, which is XML as well.
+std::unique_ptr<Page> html_page(const Grafcet& grafcet, const Expressions& pool);
 /// A whole document, or what is to stand in one.
 std::unique_ptr<Page> latex_page(const Grafcet& grafcet, const Expressions& pool, Language language,
                                  bool standalone);

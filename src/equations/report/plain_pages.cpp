@@ -1,6 +1,6 @@
 // The pages whose formulas stand in the notation of the `.grafcet` language: plain text, with
-// aligned columns, and Markdown. A table of text is kept until its end, since the widths of its
-// columns are known only then; Markdown aligns by itself and is written as it comes.
+// aligned columns, Markdown and HTML. A table of text is kept until its end, since the widths of
+// its columns are known only then; Markdown aligns by itself and is written as it comes.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "equations/report/page.h"
 #include "equations/report/report_parts.h"
 #include "grafcet/write_grafcet.h"
+#include "text/escape.h"
 #include "text/utf8.h"
 #include "text/wrapped.h"
 
@@ -228,6 +229,54 @@ class MarkdownPage : public PlainPage {
     std::string text_;
 };
 
+/// HTML: formulas are code, equations a list.
+class HtmlPage : public PlainPage {
+  public:
+    HtmlPage(const Grafcet& grafcet, const Expressions& pool) : PlainPage(grafcet, pool) {}
+
+    void title(std::string_view) override {}
+    void heading(std::string_view text) override { element("h3", xml_text(text)); }
+    void paragraph(std::string_view text) override { element("p", xml_text(text)); }
+
+    void begin_table(const std::vector<Cell>& head) override {
+        text_ += "<table>\n<thead>\n";
+        write_row(head, "th");
+        text_ += "</thead>\n<tbody>\n";
+    }
+    void begin_map(const std::string& rows, const std::vector<std::string>& columns,
+                   const std::vector<std::string>& labels) override {
+        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, fmt::join(columns, " ")))};
+        for (const std::string& label : labels) head.push_back(words(label));
+        begin_table(head);
+    }
+    void row(const std::vector<Cell>& cells) override { write_row(cells, "td"); }
+    void end_table() override { text_ += "</tbody>\n</table>\n"; }
+
+    void begin_equations() override { text_ += "<ul class=\"equations\">\n"; }
+    void equation(const std::string& left, const std::string& right) override {
+        element("li", shown(formula(left + " = " + right)));
+    }
+    void end_equations() override { text_ += "</ul>\n"; }
+
+    std::string finish() override { return std::move(text_); }
+
+  private:
+    static std::string shown(const Cell& cell) {
+        const std::string text = xml_text(cell.text);
+        return cell.is_formula ? "<code>" + text + "</code>" : text;
+    }
+    void element(std::string_view name, std::string_view content) {
+        text_ += fmt::format("<{0}>{1}</{0}>\n", name, content);
+    }
+    void write_row(const std::vector<Cell>& cells, std::string_view element_name) {
+        text_ += "<tr>\n";
+        for (const Cell& cell : cells) element(element_name, shown(cell));
+        text_ += "</tr>\n";
+    }
+
+    std::string text_;
+};
+
 }  // namespace
 
 std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool) {
@@ -236,6 +285,10 @@ std::unique_ptr<Page> text_page(const Grafcet& grafcet, const Expressions& pool)
 
 std::unique_ptr<Page> markdown_page(const Grafcet& grafcet, const Expressions& pool) {
     return std::make_unique<MarkdownPage>(grafcet, pool);
+}
+
+std::unique_ptr<Page> html_page(const Grafcet& grafcet, const Expressions& pool) {
+    return std::make_unique<HtmlPage>(grafcet, pool);
 }
 
 }  // namespace grafwire

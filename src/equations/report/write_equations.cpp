@@ -328,6 +328,9 @@ std::string write_equations(const Grafcet& grafcet, const Equations& equations,
         case EquationFormat::latex:
             page = latex_page(grafcet, reported.pool, report.language, report.standalone);
             break;
+        case EquationFormat::html:
+            page = html_page(grafcet, reported.pool);
+            break;
     }
     Report(reported, report, *page).write();
     return page->finish();

@@ -8,7 +8,8 @@
 
 namespace grafwire {
 
-enum class EquationFormat { text, markdown, latex, csv, json };
+/// `html` is a part of a page, without a title.
+enum class EquationFormat { text, markdown, latex, csv, json, html };
 
 struct EquationReport {
     EquationFormat format = EquationFormat::text;
