@@ -68,7 +68,7 @@ inline constexpr Message<> s7_run{"execute a listing over stimuli, scan by scan"
 
 inline constexpr Message<> report{
     "write everything about a GRAFCET on one page of HTML: drawing, equations, verdicts",
-    "réunir tout ce qu'il y a à dire d'un GRAFCET sur une page HTML : dessin, équations, verdicts"};
+    "réunir tout ce qu'il y a à dire d'un GRAFCET sur une page HTML : dessin, équations, verdicts"};
 inline constexpr Message<> fmt{
     "write a GRAFCET in the canonical layout, with its keywords in the language of --lang",
     "mettre un GRAFCET dans sa présentation canonique, avec les mots-clés dans la langue de "
@@ -139,14 +139,14 @@ inline constexpr Message<> report_symbols{
     "portes : rectangles de la CEI 60617-12, ou formes distinctives de l'IEEE 91"};
 inline constexpr Message<> report_max_cases{
     "give up each check after so many cases (0: never); it is undecided then",
-    "abandonner chaque vérification après tant de cas (0 : jamais) ; elle est alors indécise"};
+    "abandonner chaque vérification après tant de cas (0 : jamais) ; elle est alors indécise"};
 inline constexpr Message<> report_max_seconds{
     "give up checking after so much time in all (0: never)",
-    "abandonner les vérifications après tant de secondes en tout (0 : jamais)"};
+    "abandonner les vérifications après tant de secondes en tout (0 : jamais)"};
 inline constexpr Message<> report_output{
     "the page (default: standard output); the status is 0 once it is written, whatever the "
     "verdicts in it",
-    "la page (par défaut : la sortie standard) ; le code est 0 dès qu'elle est écrite, quels que "
+    "la page (par défaut : la sortie standard) ; le code est 0 dès qu'elle est écrite, quels que "
     "soient les verdicts"};
 
 // equations

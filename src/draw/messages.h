@@ -25,8 +25,10 @@ inline constexpr Message<std::string, std::size_t> on_sheet{"{}, sheet {}", "{},
 
 /// Above modules that are made for a part of the chart and have no equation.
 inline constexpr Message<std::string> step_module{"Step {}", "Étape {}"};
+/// The same in both languages.
 inline constexpr Message<std::string> transition{"Transition {}", "Transition {}"};
 inline constexpr Message<std::string> output{"Output {}", "Sortie {}"};
+/// The same in both languages.
 inline constexpr Message<std::string> var{"Variable {}", "Variable {}"};
 inline constexpr Message<std::string> counter{"Counter {}", "Compteur {}"};
 inline constexpr Message<std::string> graph{"Graph {}", "Grafcet partiel {}"};

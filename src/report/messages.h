@@ -17,7 +17,9 @@ inline constexpr Message<> names{"Inputs and outputs", "Entrées et sorties"};
 inline constexpr Message<> equations{"Equations", "Équations"};
 inline constexpr Message<std::string> schematic{"Schematic, style {}", "Schéma, style {}"};
 inline constexpr Message<> run{"A run of the reference", "Une évolution de référence"};
+/// The same in both languages.
 inline constexpr Message<> verdicts{"Verdicts", "Verdicts"};
+/// The same in both languages.
 inline constexpr Message<std::string> style{"Style {}", "Style {}"};
 inline constexpr Message<> warnings{"Remarks on the GRAFCET", "Remarques sur le GRAFCET"};
 inline constexpr Message<> source{"The text of the GRAFCET", "Le texte du GRAFCET"};
@@ -37,7 +39,7 @@ inline constexpr Message<> modes{
 
 // The run.
 
-inline constexpr Message<std::string> stimuli{"Stimuli: {}", "Stimuli : {}"};
+inline constexpr Message<std::string> stimuli{"Stimuli: {}", "Stimuli : {}"};
 inline constexpr Message<> story{"In words", "En toutes lettres"};
 
 // Verdicts.
@@ -47,10 +49,12 @@ inline constexpr Message<> verdicts_are{
     "reference evolution in every case that can be reached. Equivalent is a proof under what the "
     "verdict rests on; different comes with a run that shows it; undecided is neither.",
     "Les équations sont câblées dans chaque style, et chaque câblage est comparé à l'évolution de "
-    "référence dans tous les cas atteignables. « Équivalent » est une preuve, sous les conditions "
-    "indiquées ; « différent » est montré par une évolution ; « indécis » n'est ni l'un ni "
+    "référence dans tous les cas atteignables. « Équivalent » est une preuve, sous les conditions "
+    "indiquées ; « différent » est montré par une évolution ; « indécis » n'est ni l'un ni "
     "l'autre."};
+/// The same in both languages.
 inline constexpr Message<> style_column{"Style", "Style"};
+/// The same in both languages.
 inline constexpr Message<> verdict{"Verdict", "Verdict"};
 inline constexpr Message<> compared{"Compared", "Comparaison"};
 inline constexpr Message<> rests_on{"Rests on", "Conditions"};
@@ -60,7 +64,7 @@ inline constexpr Message<> undecided{"undecided", "indécis"};
 inline constexpr Message<> not_made{"not made", "non réalisé"};
 inline constexpr Message<std::string> assumptions{
     "Whatever breaks an assumption of the GRAFCET is not looked at: {}.",
-    "Ce qui contredit une hypothèse du GRAFCET n'est pas examiné : {}."};
+    "Ce qui contredit une hypothèse du GRAFCET n'est pas examiné : {}."};
 inline constexpr Message<> witness_picture{
     "What the reference does, and below it, where it is not the same, what the gates do. The "
     "differences are marked by an exclamation mark.",
@@ -69,7 +73,7 @@ inline constexpr Message<> witness_picture{
 
 // Remarks.
 
-inline constexpr Message<> in_wiring{"In asynchronous wiring:", "Dans un câblage asynchrone :"};
+inline constexpr Message<> in_wiring{"In asynchronous wiring:", "Dans un câblage asynchrone :"};
 
 inline constexpr Message<std::string_view> made_by{"Written by grafwire {}.",
                                                    "Écrit par grafwire {}."};

@@ -47,6 +47,6 @@ inline constexpr Message<> schematic_tikz{"a schematic, as a TikZ picture for La
                                           "un schéma, sous forme de figure TikZ pour LaTeX"};
 
 /// A message about a chart, and the line that it is about.
-inline constexpr Message<std::uint32_t, Localized> at_line{"line {}: {}", "ligne {} : {}"};
+inline constexpr Message<std::uint32_t, Localized> at_line{"line {}: {}", "ligne {} : {}"};
 
 }  // namespace grafwire::messages::workflow
