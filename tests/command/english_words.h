@@ -11,22 +11,22 @@ namespace grafwire::testing {
 
 /// Words of English sentences that are none of French, nor names of commands, options and values.
 inline const std::set<std::string> english_words{
-    "address",   "an",      "and",        "are",         "at",        "be",        "beside",
-    "between",   "both",    "but",        "by",          "cannot",    "cell",      "command",
-    "connected", "default", "delay",      "did",         "directory", "driver",    "each",
-    "error",     "every",   "example",    "exit",        "expected",  "file",      "first",
-    "float",     "folder",  "for",        "from",        "gate",      "give",      "given",
-    "has",       "have",    "here",       "in",          "input",     "inputs",    "into",
-    "is",        "it",      "its",        "keep",        "language",  "mean",      "missing",
-    "more",      "must",    "name",       "names",       "needs",     "neither",   "nor",
-    "not",       "nothing", "of",         "only",        "output",    "outputs",   "positionals",
-    "print",     "program", "read",       "received",    "report",    "required",  "row",
-    "second",    "settle",  "several",    "should",      "shows",     "started",   "status",
-    "step",      "steps",   "subcommand", "subcommands", "such",      "supported", "takes",
-    "than",      "that",    "the",        "there",       "these",     "they",      "this",
-    "those",     "time",    "uint",       "usage",       "warning",   "was",       "what",
-    "when",      "where",   "which",      "whole",       "width",     "will",      "with",
-    "without",   "word",    "write",      "you",         "your"};
+    "address",   "an",         "and",         "are",      "at",        "be",      "beside",
+    "between",   "both",       "but",         "by",       "cannot",    "cell",    "command",
+    "connected", "default",    "delay",       "did",      "directory", "driver",  "each",
+    "error",     "every",      "example",     "exit",     "expected",  "file",    "first",
+    "float",     "folder",     "for",         "from",     "gate",      "give",    "given",
+    "has",       "have",       "here",        "in",       "input",     "inputs",  "into",
+    "is",        "it",         "its",         "keep",     "language",  "mean",    "missing",
+    "more",      "must",       "name",        "names",    "needs",     "neither", "nor",
+    "not",       "nothing",    "of",          "only",     "output",    "outputs", "positionals",
+    "print",     "program",    "read",        "received", "required",  "row",     "second",
+    "settle",    "several",    "should",      "shows",    "started",   "status",  "step",
+    "steps",     "subcommand", "subcommands", "such",     "supported", "takes",   "than",
+    "that",      "the",        "there",       "these",    "they",      "this",    "those",
+    "time",      "uint",       "usage",       "warning",  "was",       "what",    "when",
+    "where",     "which",      "whole",       "width",    "will",      "with",    "without",
+    "word",      "write",      "you",         "your"};
 
 /// The English words of a text, apart from what is the same in every language: options, their
 /// values in braces, paths, and what stands in quotes or brackets.

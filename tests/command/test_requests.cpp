@@ -73,7 +73,7 @@ TEST_CASE("the version") {
 TEST_CASE("an unknown command is refused with the nearest one and all of them") {
     CHECK(refusal({"chek", example("rule-5.grafcet")}) ==
           "grafwire: error: there is no command 'chek'; did you mean 'check'? "
-          "(commands: info, equations, run, netlist, simulate, check, plc, s7, draw, fmt)\n"
+          "(commands: info, equations, run, netlist, simulate, check, plc, s7, draw, report, fmt)\n"
           "'grafwire --help' shows what there is.\n");
     CHECK(contains(refusal({"sketch", example("rule-5.grafcet")}), "'sketch'"));
     CHECK(contains(refusal({}), "--help"));
