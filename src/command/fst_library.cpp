@@ -6,6 +6,6 @@
 #define FST_CONFIG_INCLUDE "gtkwave/fst_config.h"
 #include "gtkwave/fastlz.c"  // NOLINT(bugprone-suspicious-include)
 #include "gtkwave/fstapi.c"  // NOLINT(bugprone-suspicious-include)
-#include "gtkwave/lz4.c"  // NOLINT(bugprone-suspicious-include)
+#include "gtkwave/lz4.c"     // NOLINT(bugprone-suspicious-include)
 
 #endif

@@ -1,4 +1,5 @@
-// What {fmt} keeps in its library, src/format.cc of 9.1.0: compiled once instead of with every file.
+// What {fmt} keeps in its library, src/format.cc of 9.1.0: compiled once instead of with every
+// file.
 
 #include <fmt/format-inl.h>
 
