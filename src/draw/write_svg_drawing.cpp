@@ -134,8 +134,8 @@ class SvgWriter {
     void write(const Rectangle& rectangle) {
         const Bounds& bounds = rectangle.bounds;
         out_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
-                            rectangle.grey     ? "ground grey"
-                            : rectangle.filled ? "ground"
+                            rectangle.grey     ? grey
+                            : rectangle.filled ? std::string_view("ground")
                                                : "frame",
                             at(bounds.left), y_at(bounds.top), at(bounds.right - bounds.left),
                             at(bounds.bottom - bounds.top));
