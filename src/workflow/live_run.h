@@ -19,17 +19,16 @@
 
 namespace grafwire {
 
-/// A net takes another value, so long after its instant began.
-struct NetChange {
-    Time after = 0;
-    NetId net = no_net;
-    Logic value = Logic::unknown;
-};
-
 /// What the gates do at an instant, in the order of time.
 struct GateInstant {
+    /// A net takes another value, so long after the instant began.
+    struct Change {
+        Time after = 0;
+        NetId net = no_net;
+        Logic value = Logic::unknown;
+    };
     Time at = 0;
-    std::vector<NetChange> changes;  ///< the first of very many
+    std::vector<Change> changes;  ///< the first of very many
     bool is_settled = true;
     std::vector<NetId> oscillating;  ///< not settled: what keeps changing
 };

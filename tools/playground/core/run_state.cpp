@@ -33,7 +33,7 @@ class RunWriter {
 
     Json gates(const GateInstant& item) const {
         Json changes = Json::array();
-        for (const NetChange& change : item.changes) {
+        for (const GateInstant::Change& change : item.changes) {
             changes.push_back({static_cast<double>(change.after) / static_cast<double>(nanosecond),
                                run_.netlist()->names[change.net],
                                std::string(1, digit_of(change.value))});
