@@ -180,6 +180,12 @@ inline constexpr Message<> simulate_explain{
     "dire en toutes lettres par quelles portes chaque étape et chaque sortie change à chaque "
     "instant, au lieu du chronogramme (qui va où le dit -o)"};
 
+inline constexpr Message<> simulate_zoom{
+    "in place of the run, draw this instant of it, such as 500ms, gate by gate on a scale of "
+    "nanoseconds (--to svg, wavedrom)",
+    "au lieu de l'évolution, dessiner cet instant, comme 500ms, porte par porte à l'échelle de la "
+    "nanoseconde (--to svg, wavedrom)"};
+
 // netlist
 
 inline constexpr Message<> netlist_to{"output format", "format de sortie"};

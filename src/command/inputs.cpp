@@ -179,6 +179,10 @@ void TraceOutput::declare_format(const CommandLine& line) {
     line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
 }
 
+ChosenFormat TraceOutput::chosen() const {
+    return chosen_format(trace_formats(), *row_named(trace_formats(), format));
+}
+
 bool TraceOutput::is_picture() const {
     return row_named(trace_formats(), format)->is_picture;
 }

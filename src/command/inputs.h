@@ -8,6 +8,7 @@
 
 #include "command/command_line.h"
 #include "command/files.h"
+#include "command/option_uses.h"
 #include "command/standard_error.h"
 #include "trace/stimuli.h"
 #include "trace/waveform.h"
@@ -97,6 +98,8 @@ struct TraceOutput {
     bool is_refused() const;
     /// Of commands whose trace belongs to a chart: also its format.
     void declare_format(const CommandLine& line);
+    /// The format, once it is not refused, for the table of options.
+    ChosenFormat chosen() const;
     /// Whether the format is a picture, which shows causes as well.
     bool is_picture() const;
     /// The trace in that format; CSV that goes to a terminal is a table.

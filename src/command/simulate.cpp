@@ -1,6 +1,13 @@
 // grafwire simulate: the gates of a netlist, made or read, under stimuli, in the columns of the
 // reference.
 
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -10,6 +17,7 @@
 #include "text/wrapped.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
+#include "workflow/zoom.h"
 
 namespace grafwire {
 
@@ -27,6 +35,7 @@ struct SimulateArguments {
     std::string power_up;  ///< empty: unknown
     std::string scan;
     bool explain = false;
+    std::string zoom;  ///< empty: the whole run
     TraceOutput output;
 };
 
@@ -75,11 +84,44 @@ ExplainedSimulation let_work(const SimulateArguments& request, const Chart& char
     return {simulate_gates(chart, netlist, stimuli, delays, period, with_waveform), {}};
 }
 
+/// The picture of the instant that is asked for; empty, and shown, where there is none.
+std::optional<std::string> zoomed_picture(const SimulateArguments& request, const Chart& chart,
+                                          const Netlist& netlist, const Stimuli& stimuli,
+                                          std::optional<Time> period, Language language) {
+    const std::optional<Time> at = parse_moment(request.zoom);
+    if (!at) return std::nullopt;
+    const ZoomResult zoomed =
+        zoom_into(chart, netlist, stimuli, request.netlist.delays(), period, *at, language);
+    if (zoomed.instant) return request.output.text_of(zoomed.instant->shown(), chart, language);
+    std::vector<std::string> nearest;
+    for (const Time instant : zoomed.nearest) nearest.push_back(format_duration(instant));
+    complain(say::no_instant_at(request.zoom, fmt::format("{}", fmt::join(nearest, ", "))));
+    return std::nullopt;
+}
+
+/// The trace or the picture; empty, and shown, where there is no such instant.
+std::optional<std::string> text_of(const SimulateArguments& request, const Trace& trace,
+                                   const Chart& chart, const Netlist& netlist,
+                                   const Stimuli& stimuli, std::optional<Time> period,
+                                   Language language) {
+    if (!request.zoom.empty()) {
+        return zoomed_picture(request, chart, netlist, stimuli, period, language);
+    }
+    ShownRun shown{trace, title_of(chart.grafcet)};
+    if (request.output.is_picture()) {
+        shown.causes = causes_of(trace, chart.grafcet, stimuli, period);
+    }
+    return request.output.text_of(shown, chart, language);
+}
+
 /// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
 ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine& line) {
-    if (refuse_idle_options(line, "simulate", facts_of(request)) || request.output.is_refused()) {
+    if (request.output.is_refused()) return ExitStatus::bad_request;
+    const ChosenFormat format = request.output.chosen();
+    if (refuse_idle_options(line, "simulate", facts_of(request), &format)) {
         return ExitStatus::bad_request;
     }
+    if (!request.zoom.empty() && !parse_moment(request.zoom)) return ExitStatus::bad_request;
     // Read the GRAFCET and the stimuli.
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
     const auto chart = load_chart(request.path);
@@ -102,14 +144,12 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
+    const auto trace =
+        text_of(request, result.trace, *chart, *netlist, *stimuli, period.value, line.language());
+    if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli, request.against});
     if (request.explain) files.add("-", wrapped(story, width_of_output()));
-    ShownRun shown{result.trace, title_of(chart->grafcet)};
-    if (request.output.is_picture()) {
-        shown.causes = causes_of(result.trace, chart->grafcet, *stimuli, period.value);
-    }
-    if (!request.output.add_files(files, request.output.text_of(shown, *chart, line.language()),
-                                  result.waveform, request.explain)) {
+    if (!request.output.add_files(files, *trace, result.waveform, request.explain)) {
         return ExitStatus::bad_request;
     }
     return finish(files, result.unsettled_at ? ExitStatus::answer_is_no : ExitStatus::done);
@@ -127,6 +167,7 @@ Task declare_simulate(const CommandLine& line) {
     request->netlist.declare_delay(line);
     line.add("--scan", request->scan, help::simulate_scan());
     line.add_flag("--explain", request->explain, help::simulate_explain());
+    line.add("--zoom", request->zoom, help::simulate_zoom());
     request->output.declare(line);
     request->output.declare_format(line);
     return [request, line] { return simulate_netlist(*request, line); };

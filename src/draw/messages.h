@@ -58,7 +58,10 @@ inline constexpr Message<> time{"time", "temps"};
 inline constexpr Message<> inputs{"inputs", "entrées"};
 inline constexpr Message<> steps{"steps", "étapes"};
 inline constexpr Message<> outputs{"outputs", "sorties"};
-/// Vars and counters.
+/// On an axis within an instant, and what was there before it.
+inline constexpr Message<std::string> nanoseconds{"{}ns", "{}\u00a0ns"};
+inline constexpr Message<> before{"before", "avant"};
+/// Vars and counters; inner nets.
 inline constexpr Message<> internals{"internal", "internes"};
 inline constexpr Message<> not_to_scale{
     "Only moments at which something changes are shown; time is not to scale.",

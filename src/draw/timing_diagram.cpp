@@ -1,7 +1,4 @@
-// Rows of a trace in which nothing changes show nothing: only moments of change have a place. A run
-// often waits for seconds between changes that are milliseconds apart; to scale, the changes would
-// fall together on paper. So the scale is linear only while the longest interval is at most twenty
-// times the shortest, and all of it fits one strip.
+// Rows of a trace in which nothing changes show nothing: only moments of change have a place.
 
 #include "draw/timing_diagram.h"
 
@@ -13,7 +10,6 @@
 
 #include "draw/messages.h"
 #include "draw/moments.h"
-#include "text/shown_duration.h"
 
 namespace grafwire {
 
@@ -26,10 +22,12 @@ constexpr double level = 0.5;       ///< between 0 and 1
 constexpr double group_gap = 0.35;  ///< above inputs, steps, outputs, …
 constexpr double times_room = 0.7;  ///< above the lines, for the times
 constexpr double ends_room = 0.4;   ///< more of it, for the delays that end
+constexpr double lines_gap = 0.25;  ///< within it, below all texts
 constexpr double strip_gap = 0.9;
 constexpr double least_step = 1.3;  ///< between two moments
-constexpr double tail = 1.3;        ///< behind the last moment
-constexpr double widest_ratio = 20;
+constexpr double axis_room = 0.8;   ///< below the lines, for an axis
+constexpr double arrow_room = 0.6;  ///< behind the lines, for the arrow of an axis
+constexpr double unit_room = 0.9;   ///< behind that, for the unit
 
 /// A line of the diagram: a column of the trace, or the situation.
 struct SignalRow {
@@ -39,12 +37,6 @@ struct SignalRow {
     bool begins_group = false;
     bool is_other = false;  ///< of the other run
     double low = 0;         ///< where its 0 is, below the top of a strip
-};
-
-/// The moments from number `first` up to `last`, excluded, side by side.
-struct Strip {
-    std::size_t first = 0;
-    std::size_t last = 0;
 };
 
 /// A cause that has a place in the diagram.
@@ -60,23 +52,30 @@ struct ShownCause {
     std::vector<Effect> effects;
 };
 
-/// A dotted line stands beside that of the cause before it, of one moment.
+/// A dotted line stands beside that of the cause before it, of one moment; those of many are
+/// closer.
 constexpr double cause_pitch = 0.12;
+constexpr double causes_room = 0.9;
 
 class TimingDiagram {
   public:
     TimingDiagram(const Trace& trace, const TimingDrawing& how) : trace_(trace), how_(how) {
         choose_rows();
         moments_ = moments_of(trace, how.other);
+        for (const std::size_t row : moments_) times_.push_back(trace.times[row]);
         for (const SignalRow& row : rows_) {
             names_width_ = std::max(names_width_, width_of(plain_text(row.name)));
         }
         find_causes();
+        head_room_ = has_axis() ? lines_gap : times_room;
+        if (has_ends()) head_room_ += ends_room;
         height_ = head_room_ + 0.2;
         for (SignalRow& row : rows_) {
             height_ += pitch + (row.begins_group ? group_gap : 0);
             row.low = height_ - 0.2 - (pitch - level) / 2;
         }
+        lines_height_ = height_;
+        if (has_axis()) height_ += axis_room;
     }
 
     std::vector<Sheet> make() {
@@ -88,8 +87,8 @@ class TimingDiagram {
         space_moments(width - 2 * sheet_margin - names_width_ - 0.3);
         std::vector<Sheet> sheets;
         double y = 0;
-        if (strips_.empty()) sheets.emplace_back();  // a run without an instant
-        for (const Strip& strip : strips_) {
+        if (places_.strips.empty()) sheets.emplace_back();  // a run without an instant
+        for (const Strip& strip : places_.strips) {
             if (sheets.empty() || y + height_ + sheet_margin > height) {
                 sheets.emplace_back();
                 sheets.back().lies = lies;
@@ -136,6 +135,7 @@ class TimingDiagram {
         if (kind == Kind::step) add_situation();
     }
     void add_situation() {
+        if (has_axis()) return;
         rows_.push_back({std::nullopt, messages::draw::situation.in(how_.language), true, false});
     }
     static bool is_control(const std::string& name) {
@@ -168,10 +168,8 @@ class TimingDiagram {
     /// Causes without an effect that is shown have no place.
     void find_causes() {
         const auto moment_at = [&](Time at) {
-            const auto found = std::find_if(moments_.begin(), moments_.end(), [&](std::size_t row) {
-                return trace_.times[row] == at;
-            });
-            return static_cast<std::size_t>(found - moments_.begin());
+            const auto found = std::find(times_.begin(), times_.end(), at);
+            return static_cast<std::size_t>(found - times_.begin());
         };
         const auto row_of = [&](std::size_t column) {
             const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const SignalRow& row) {
@@ -196,7 +194,6 @@ class TimingDiagram {
             if (shown.moment == moments_.size() || !has_beginning || shown.effects.empty()) {
                 continue;
             }
-            if (!shown.ended.empty()) head_room_ = times_room + ends_room;
             shown.number = static_cast<std::size_t>(std::count_if(
                 causes_.begin(), causes_.end(),
                 [&](const ShownCause& other) { return other.moment == shown.moment; }));
@@ -206,11 +203,15 @@ class TimingDiagram {
 
     // -- Where moments stand
 
-    Time time_of(std::size_t moment) const { return trace_.times[moments_[moment]]; }
+    bool has_axis() const { return how_.scale == TimeScale::nanoseconds; }
     std::string time_text(std::size_t moment) const {
-        return shown_duration(time_of(moment)).in(how_.language);
+        return moment_text(times_[moment], how_.scale, how_.language);
     }
 
+    bool has_ends() const {
+        return std::any_of(causes_.begin(), causes_.end(),
+                           [](const ShownCause& cause) { return !cause.ended.empty(); });
+    }
     /// The delays that end then and have an effect.
     std::string ended_at(std::size_t moment) const {
         for (const ShownCause& cause : causes_) {
@@ -221,6 +222,10 @@ class TimingDiagram {
 
     /// `room`: how wide the lines may be.
     void space_moments(double room) {
+        if (has_axis()) {
+            places_ = place_on_axis(times_, room - arrow_room - unit_room);
+            return;
+        }
         double step = least_step;
         for (std::size_t i = 0; i < moments_.size(); ++i) {
             step = std::max(step, width_of(plain_text(time_text(i))) + 0.3);
@@ -231,48 +236,18 @@ class TimingDiagram {
                 }
             }
         }
-        if (is_linear(step, room)) {
-            strips_.push_back({0, moments_.size()});
-            return;
-        }
-        const auto per_strip = static_cast<std::size_t>(std::max(1.0, (room - tail) / step + 1));
-        for (std::size_t first = 0; first < moments_.size(); first += per_strip) {
-            const std::size_t last = std::min(first + per_strip, moments_.size());
-            strips_.push_back({first, last});
-            for (std::size_t i = first; i < last; ++i) {
-                x_.push_back(static_cast<double>(i - first) * step);
-            }
-        }
-    }
-
-    /// Whether time is to scale; then the places are entered.
-    bool is_linear(double step, double room) {
-        if (moments_.size() < 2) return false;
-        Time shortest = never;
-        Time longest = 0;
-        for (std::size_t i = 1; i < moments_.size(); ++i) {
-            shortest = std::min(shortest, time_of(i) - time_of(i - 1));
-            longest = std::max(longest, time_of(i) - time_of(i - 1));
-        }
-        if (shortest <= 0) return false;
-        const double scale = step / static_cast<double>(shortest);
-        const auto whole = static_cast<double>(time_of(moments_.size() - 1) - time_of(0)) * scale;
-        if (static_cast<double>(longest) > widest_ratio * static_cast<double>(shortest))
-            return false;
-        if (whole + tail > room) return false;
-        for (std::size_t i = 0; i < moments_.size(); ++i) {
-            x_.push_back(static_cast<double>(time_of(i) - time_of(0)) * scale);
-        }
-        is_to_scale_ = true;
-        return true;
+        places_ = place_moments(times_, step, room);
     }
 
     // -- Drawing
 
     void draw(const Strip& strip, double top) {
         const double left = sheet_margin + names_width_ + 0.3;
-        const double end = left + x_[strip.last - 1] + tail;
-        for (std::size_t i = strip.first; i < strip.last; ++i) draw_moment(i, left + x_[i], top);
+        const double end = left + strip.end;
+        for (std::size_t i = strip.first; i < strip.last; ++i) {
+            if (times_[i] >= 0) draw_moment(i, left + places_.x[i], top);
+        }
+        if (has_axis()) draw_axis(strip, left, top);
         for (const ShownCause& cause : causes_) {
             if (cause.moment >= strip.first && cause.moment < strip.last) {
                 draw_cause(cause, strip, left, end, top);
@@ -294,11 +269,28 @@ class TimingDiagram {
         }
     }
 
+    /// Nanoseconds since the instant, below all lines.
+    void draw_axis(const Strip& strip, double left, double top) {
+        Pen pen(scene_->shapes, scene_->owners.add({"axis", {}, {}}));
+        const double y = top + lines_height_ + 0.1;
+        const double tip = left + strip.end + arrow_room;
+        pen.line({{left, y}, {tip, y}}, Line::Weight::thin);
+        pen.patch({{tip, y}, {tip - 0.2, y - 0.085}, {tip - 0.2, y + 0.085}});
+        for (const Time at : ticks_of(places_, strip, times_)) {
+            const double x = left + static_cast<double>(at - times_[strip.first]) *
+                                        places_.per_nanosecond / nanosecond;
+            pen.line({{x, y - 0.1}, {x, y + 0.1}}, Line::Weight::thin);
+            pen.label(plain_text(format_nanoseconds(at)), {x, y + 0.4}, Label::Anchor::middle,
+                      Label::Role::remark);
+        }
+        pen.label(plain_text("ns"), {tip + 0.15, y}, Label::Anchor::start, Label::Role::remark);
+    }
+
     /// Its time, and a line through all rows but where that of a cause is.
     void draw_moment(std::size_t moment, double x, double top) {
         Pen pen(scene_->shapes, scene_->owners.add({"moment", {{"time", time_text(moment)}}, {}}));
-        const double begin = top + head_room_ - times_room + 0.45;
-        const double bottom = top + height_;
+        const double begin = top + head_room_ - lines_gap;
+        const double bottom = top + lines_height_;
         const auto cause = std::find_if(
             causes_.begin(), causes_.end(),
             [&](const ShownCause& item) { return item.moment == moment && item.number == 0; });
@@ -309,17 +301,19 @@ class TimingDiagram {
             if (from > begin) pen.line({{x, begin}, {x, from}}, Line::Weight::aid);
             pen.line({{x, to}, {x, bottom}}, Line::Weight::aid);
         }
-        pen.label(plain_text(time_text(moment)), {x, top + 0.2}, Label::Anchor::middle,
-                  Label::Role::remark);
+        if (!has_axis()) {
+            pen.label(plain_text(time_text(moment)), {x, top + 0.2}, Label::Anchor::middle,
+                      Label::Role::remark);
+        }
         const std::string ended = ended_at(moment);
         if (ended.empty()) return;
-        pen.label(plain_text(ended), {x, top + 0.2 + ends_room}, Label::Anchor::middle,
+        pen.label(plain_text(ended), {x, top + head_room_ - 0.5}, Label::Anchor::middle,
                   Label::Role::remark);
     }
 
     /// Where the upright line of a cause begins and ends: at the times where a delay has ended.
     std::pair<double, double> reach_of(const ShownCause& cause, double top) const {
-        double from = top + height_;
+        double from = top + lines_height_;
         double to = top;
         const auto include = [&](std::size_t row, double above, double below) {
             from = std::min(from, top + rows_[row].low - above);
@@ -333,8 +327,16 @@ class TimingDiagram {
                 include(effect.row, level / 2, level / 2);
             }
         }
-        if (!cause.ended.empty()) from = top + head_room_ - times_room + 0.45;
+        if (!cause.ended.empty()) from = top + head_room_ - lines_gap;
         return {from, to};
+    }
+
+    double beside_moment(const ShownCause& cause) const {
+        const auto count =
+            std::count_if(causes_.begin(), causes_.end(),
+                          [&](const ShownCause& other) { return other.moment == cause.moment; });
+        const double shift = std::min(cause_pitch, causes_room / static_cast<double>(count));
+        return static_cast<double>(cause.number) * shift;
     }
 
     /// A dot where it begins; the head of an arrow at each effect, beside its row where that
@@ -343,7 +345,7 @@ class TimingDiagram {
                     double top) {
         Pen pen(scene_->shapes,
                 scene_->owners.add({"cause", {{"time", time_text(cause.moment)}}, {}}));
-        const double x = left + x_[cause.moment] + static_cast<double>(cause.number) * cause_pitch;
+        const double x = left + places_.x[cause.moment] + beside_moment(cause);
         const auto [from, to] = reach_of(cause, top);
         pen.line({{x, from}, {x, to}}, Line::Weight::dotted);
         for (const std::size_t row : cause.rows)
@@ -364,7 +366,7 @@ class TimingDiagram {
                 pen.line({{x, y}, {end, y}}, Line::Weight::dotted);
                 continue;
             }
-            const double tip = left + x_[effect.moment];
+            const double tip = left + places_.x[effect.moment];
             pen.line({{x, y}, {tip - length, y}}, Line::Weight::dotted);
             pen.patch({{tip, y}, {tip - length, y - half}, {tip - length, y + half}});
         }
@@ -374,13 +376,13 @@ class TimingDiagram {
     void draw_marks(Pen& pen, std::size_t column, const Strip& strip, double left, double low) {
         for (std::size_t i = strip.first; i < strip.last; ++i) {
             if (value(i, column) == value(i, column, true)) continue;
-            pen.label(plain_text("!"), {left + x_[i] + 0.18, low - level / 2},
+            pen.label(plain_text("!"), {left + places_.x[i] + 0.18, low - level / 2},
                       Label::Anchor::middle, Label::Role::name);
         }
     }
 
     double x_after(std::size_t moment, const Strip& strip, double left, double end) const {
-        return moment + 1 < strip.last ? left + x_[moment + 1] : end;
+        return moment + 1 < strip.last ? left + places_.x[moment + 1] : end;
     }
 
     void draw_levels(Pen& pen, const SignalRow& row, const Strip& strip, double left, double end,
@@ -391,7 +393,7 @@ class TimingDiagram {
             points.clear();
         };
         for (std::size_t i = strip.first; i < strip.last; ++i) {
-            const double from = left + x_[i];
+            const double from = left + places_.x[i];
             const double to = x_after(i, strip, left, end);
             const std::int64_t shown = value(i, *row.column, row.is_other);
             if (shown == Trace::unknown) {
@@ -413,7 +415,7 @@ class TimingDiagram {
                     double low) {
         for (std::size_t i = strip.first; i < strip.last;) {
             std::string text = text_at(row, i);
-            const double from = left + x_[i];
+            const double from = left + places_.x[i];
             double to = from;
             for (; i < strip.last && text_at(row, i) == text; ++i)
                 to = x_after(i, strip, left, end);
@@ -439,7 +441,7 @@ class TimingDiagram {
         pen.label(plain_text(std::move(title)), {sheet_margin, sheet_margin + 0.3},
                   Label::Anchor::start, Label::Role::title);
         Bounds bounds = bounds_of(sheet.scene.shapes);
-        if (!is_to_scale_ && moments_.size() > 1) {
+        if (places_.per_nanosecond == 0 && moments_.size() > 1) {
             pen.label(plain_text(say::not_to_scale.in(how_.language)),
                       {sheet_margin, bounds.bottom + 0.5}, Label::Anchor::start,
                       Label::Role::remark);
@@ -457,13 +459,13 @@ class TimingDiagram {
     const TimingDrawing& how_;
     std::vector<SignalRow> rows_;
     std::vector<std::size_t> moments_;  ///< rows of the trace
-    std::vector<double> x_;             ///< by moment, from the beginning of its strip
-    std::vector<Strip> strips_;
-    bool is_to_scale_ = false;
+    std::vector<Time> times_;           ///< of the moments
+    MomentPlaces places_;
     double names_width_ = 0;
     std::vector<ShownCause> causes_;
-    double head_room_ = times_room;
-    double height_ = 0;  ///< of a strip
+    double head_room_ = 0;     ///< above the lines
+    double lines_height_ = 0;  ///< of the lines of a strip
+    double height_ = 0;        ///< of a strip
     Scene* scene_ = nullptr;
 };
 

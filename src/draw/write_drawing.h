@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/scene.h"
+#include "draw/time_scale.h"
 #include "draw/timing_cause.h"
 #include "text/message.h"
 #include "trace/trace.h"
@@ -34,6 +35,7 @@ std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_vie
 /// the times in the first line; inputs, steps, outputs and the rest in groups. Arrows lead from
 /// causes to their effects, up to as many as WaveDrom has names for their ends.
 std::string write_wavedrom(const Trace& trace, std::string_view title, Language language,
-                           const std::vector<TimingCause>& causes = {});
+                           const std::vector<TimingCause>& causes = {},
+                           TimeScale scale = TimeScale::moments);
 
 }  // namespace grafwire

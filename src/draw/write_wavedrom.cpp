@@ -13,7 +13,6 @@
 #include "draw/messages.h"
 #include "draw/moments.h"
 #include "draw/write_drawing.h"
-#include "text/shown_duration.h"
 
 namespace grafwire {
 
@@ -130,12 +129,12 @@ class Arrows {
 }  // namespace
 
 std::string write_wavedrom(const Trace& trace, std::string_view title, Language language,
-                           const std::vector<TimingCause>& causes) {
+                           const std::vector<TimingCause>& causes, TimeScale scale) {
     const std::vector<std::size_t> rows = moments_of(trace, nullptr);
     const Arrows arrows(trace, rows, causes);
     Json times = Json::array();
     for (const std::size_t row : rows) {
-        times.push_back(shown_duration(trace.times[row]).in(language));
+        times.push_back(moment_text(trace.times[row], scale, language));
     }
     Json signals = Json::array();
     signals.push_back({{"name", say::time.in(language)},

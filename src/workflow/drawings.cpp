@@ -31,14 +31,16 @@ constexpr TraceFormat trace_rows[] = {
      ".svg",
      {"a timing diagram", "un chronogramme"},
      [](const ShownRun& run, Language language) { return timing_picture(run, language); },
-     true},
+     true,
+     "--zoom"},
     {"wavedrom",
      ".json",
      {"a timing diagram for WaveDrom", "un chronogramme pour WaveDrom"},
      [](const ShownRun& run, Language language) {
-         return write_wavedrom(run.trace, run.title, language, run.causes);
+         return write_wavedrom(run.trace, run.title, language, run.causes, run.scale);
      },
-     true},
+     true,
+     "--zoom"},
 };
 
 constexpr DrawingFormat formats[] = {
@@ -129,6 +131,7 @@ std::vector<Sheet> sheets_of_runs(const ShownRun& expected, const Trace* found, 
     how.language = language;
     how.other = found;
     how.causes = expected.causes;
+    how.scale = expected.scale;
     return draw_timing(expected.trace, how);
 }
 

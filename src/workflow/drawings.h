@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draw/draw_chart.h"
+#include "draw/time_scale.h"
 #include "draw/timing_cause.h"
 #include "text/message.h"
 #include "text/time.h"
@@ -51,7 +52,9 @@ std::string chart_drawing(const Chart& chart, const ChartDrawing& how, const Dra
 struct ShownRun {
     const Trace& trace;
     std::string title;
-    std::vector<TimingCause> causes{};  ///< for pictures alone
+    // For pictures alone.
+    std::vector<TimingCause> causes{};
+    TimeScale scale = TimeScale::moments;
 };
 
 /// A format of traces, by the name users write.
@@ -61,6 +64,7 @@ struct TraceFormat {
     Message<> description;
     std::string (*write)(const ShownRun& run, Language language);
     bool is_picture = false;
+    std::string_view options = "";  ///< those that only some formats heed
 };
 std::span<const TraceFormat> trace_formats();
 

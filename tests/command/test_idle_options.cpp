@@ -214,17 +214,20 @@ TEST_CASE("options of simulate") {
              {"--delay", {"unit"}},
              {"--scan", {"10ms"}},
              {"--explain", {}},
+             {"--zoom", {"0"}},
              {"--to", {"svg"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
-            {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan"}},
+            {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan", "--zoom"}},
              {{sequence_chart, sequence_stimuli, "--against", files.path("init.blif")},
-              {"--style", "--cdx", "--modes", "--power-up", "--scan"}},
+              {"--style", "--cdx", "--modes", "--power-up", "--scan", "--zoom"}},
              {{sequence_chart, sequence_stimuli, "--against", files.path("bare.blif")},
-              {"--style", "--cdx", "--modes", "--scan"}},
+              {"--style", "--cdx", "--modes", "--scan", "--zoom"}},
              {{sequence_chart, sequence_stimuli, "--against", files.path("clocked.blif")},
-              {"--style", "--cdx", "--modes", "--power-up"}},
-             {{sequence_chart, sequence_stimuli, "--style", "clocked"}, {"--power-up"}}});
+              {"--style", "--cdx", "--modes", "--power-up", "--zoom"}},
+             {{sequence_chart, sequence_stimuli, "--style", "clocked"}, {"--power-up", "--zoom"}},
+             {{sequence_chart, sequence_stimuli, "--to", "svg"}, {"--power-up", "--scan"}},
+             {{sequence_chart, sequence_stimuli, "--to", "wavedrom"}, {"--power-up", "--scan"}}});
 }
 
 TEST_CASE("options of check") {

@@ -3,7 +3,11 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "draw/picture_rules.h"
 #include "draw/timing_diagram.h"
@@ -130,12 +134,14 @@ TEST_CASE("timing: long runs are folded into strips, with the names before each,
 }
 
 TEST_CASE("timing: an unknown value is neither 0 nor 1") {
-    const Picture picture =
-        picture_of(run_with({{0, 0, 0, 0, Trace::unknown, Trace::unknown, 0, Trace::unknown},
-                             {100, 0, 0, 0, 1, 0, 0, 3}}));
+    const Trace trace = run_with({{0, 0, 0, 0, Trace::unknown, Trace::unknown, 0, Trace::unknown},
+                                  {100, 0, 0, 0, 1, 0, 0, 3}});
+    const Picture picture = picture_of(trace);
     CHECK(shown_values(picture, "X1") == "1x ");
     CHECK(shown_values(picture, "c") == "x 3 ");
     CHECK(shown_values(picture, "Situation") == "{1?,2?} {1} ");
+    const std::string svg = write_svg_drawing(draw_timing(trace, {}), "run", papers[0], {});
+    CHECK(svg.find("<rect class=\"unknown\" fill=\"#808080\"") != std::string::npos);
 }
 
 TEST_CASE("timing: two runs, with a second line where they differ") {
@@ -225,6 +231,104 @@ TEST_CASE("timing: an effect that comes later is at the end of a level line") {
     }
     // Side by side.
     CHECK(causes[0]->strokes[0].x1 < causes[1]->strokes[0].x1);
+}
+
+namespace {
+
+/// An instant: an input, a gate that becomes unknown, a step, an output; times in nanoseconds.
+Trace instant_with(const std::vector<std::vector<std::int64_t>>& rows) {
+    Trace trace;
+    trace.columns = {{"a", 1, Kind::input},
+                     {"X1$set0", 1, Kind::internal},
+                     {"X1", 1, Kind::step},
+                     {"P", 1, Kind::output}};
+    for (const std::vector<std::int64_t>& row : rows) {
+        trace.times.push_back(row.front() * nanosecond);
+        trace.values.insert(trace.values.end(), row.begin() + 1, row.end());
+    }
+    return trace;
+}
+
+Picture picture_of_instant(const Trace& trace, std::vector<TimingCause> causes = {}) {
+    TimingDrawing how;
+    how.title = "instant";
+    how.causes = std::move(causes);
+    how.scale = TimeScale::nanoseconds;
+    return read_picture(write_svg_drawing(draw_timing(trace, how), how.title, how.paper, {}));
+}
+
+const Trace& short_instant() {
+    static const Trace trace = instant_with({{-1, 0, 0, 0, 0},
+                                             {0, 1, 0, 0, 0},
+                                             {1, 1, Trace::unknown, 0, 0},
+                                             {2, 1, 1, 1, 0},
+                                             {5, 1, 1, 1, 1}});
+    return trace;
+}
+
+}  // namespace
+
+TEST_CASE("timing: within an instant there is an axis, to scale, and the level before it") {
+    const Picture picture = picture_of_instant(
+        short_instant(), {{0, {0}, {}, {{1, nanosecond}}}, {0, {}, {"5s/X1"}, {{0, 0}}}});
+    CHECK(shown_values(picture, "a") == "01");
+    CHECK(shown_values(picture, "X1$set0") == "01x ");
+    CHECK(picture.only("signal", "signal", "Situation") == nullptr);
+    const PictureGroup& axis = *picture.all("axis").at(0);
+    CHECK(axis.words == std::vector<std::string>{"0", "1", "2", "3", "4", "5", "6", "ns"});
+    // Every moment has its line at its tick, that before the instant has none.
+    const auto moments = picture.all("moment");
+    REQUIRE(moments.size() == 4);
+    const std::size_t ticks[] = {0, 1, 2, 5};
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        CHECK(moments[i]->strokes.back().x1 ==
+              doctest::Approx(axis.strokes[1 + ticks[i]].x1).epsilon(0.001));
+        CHECK(moments[i]->fact("time") == fmt::format("{}ns", ticks[i]));
+    }
+    CHECK(picture.only("signal", "signal", "a")->strokes[0].x1 < moments[0]->strokes[0].x1);
+    // The axis is below everything else, the delay that ended above the lines.
+    for (const PictureGroup* signal : picture.all("signal")) {
+        for (const Stroke& stroke : signal->strokes) CHECK(stroke.y1 < axis.strokes[0].y1);
+        CHECK(signal->texts[0].top > moments[0]->texts.at(0).bottom);
+    }
+    CHECK(moments[0]->words == std::vector<std::string>{"5s/X1"});
+    CHECK(faults_of(picture).empty());
+}
+
+TEST_CASE("timing: a long instant is folded, and the axis goes on") {
+    std::vector<std::vector<std::int64_t>> rows = {{-1, 0, 0, 0, 0}};
+    for (std::int64_t i = 0; i < 60; ++i) rows.push_back({i, i % 2, 0, 0, 0});
+    const Picture picture = picture_of_instant(instant_with(rows));
+    const auto axes = picture.all("axis");
+    REQUIRE(axes.size() > 1);
+    CHECK(axes[0]->words.front() == "0");
+    CHECK(std::find(axes[1]->words.begin(), axes[1]->words.end(), "30") != axes[1]->words.end());
+    for (const PictureGroup* axis : axes) CHECK(axis->strokes[0].x2 < picture.width);
+    CHECK(faults_of(picture).empty());
+    // Without a change there is an axis alone.
+    const Picture quiet = picture_of_instant(instant_with({{-1, 0, 0, 0, 0}}));
+    CHECK(quiet.all("moment").empty());
+    CHECK(quiet.all("axis").size() == 1);
+}
+
+TEST_CASE("timing: many causes at a moment stand closer") {
+    std::vector<TimingCause> causes(20, {0, {0}, {}, {{1, nanosecond}}});
+    const Picture picture = picture_of_instant(short_instant(), causes);
+    const double next = picture.all("moment").at(1)->strokes.back().x1;
+    const auto shown = picture.all("cause");
+    REQUIRE(shown.size() == causes.size());
+    for (const PictureGroup* cause : shown) {
+        CHECK(cause->strokes[0].x1 < next);
+        CHECK(cause->strokes[1].x1 < cause->strokes[1].x2);
+    }
+}
+
+TEST_CASE("WaveDrom: an instant has its times in nanoseconds") {
+    const auto json = nlohmann::ordered_json::parse(
+        write_wavedrom(short_instant(), "instant", Language::french, {}, TimeScale::nanoseconds));
+    CHECK(json["signal"][0]["data"] ==
+          nlohmann::ordered_json{"avant", "0\u00a0ns", "1\u00a0ns", "2\u00a0ns", "5\u00a0ns"});
+    CHECK(json["signal"][2][1]["wave"] == "0.x1.");
 }
 
 TEST_CASE("WaveDrom: arrows lead from causes to effects") {
