@@ -171,8 +171,9 @@ Faults unjoined_nets(const Netlist& netlist, const Picture& picture) {
         for (std::size_t i = 0; i < net.strokes.size(); ++i) {
             auto& [drives, is_named] = pieces[net.piece[i]];
             drives = drives || net.drives[i];
+            const Stroke& stroke = net.strokes[i];
             is_named = is_named || std::any_of(net.names.begin(), net.names.end(), [&](auto& text) {
-                           return is_named_by(net.strokes[i], text);
+                           return is_named_by(stroke, text);
                        });
         }
         const bool is_whole = pieces.size() == 1 && !inputs.contains(name);
