@@ -2,26 +2,30 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+#include <vector>
+
 #include "draw/draw_chart.h"
+#include "draw/draw_schematic.h"
 #include "draw/write_drawing.h"
+#include "equations/equations.h"
+#include "netlist/styles/styles.h"
 #include "random/random_grafcet.h"
 #include "random/read_text.h"
 #include "support/chart_files.h"
+#include "support/files.h"
 #include "support/tool_runner.h"
 
 namespace grafwire::testing {
 
 namespace {
 
-/// One document with all of these charts, since most of the time goes into starting pdflatex.
-std::string document_of(const std::vector<std::string>& charts) {
+/// One document with all of these drawings, since most of the time goes into starting pdflatex.
+std::string document_of(const std::vector<std::vector<Sheet>>& drawings) {
     std::string all;
     std::string end;
-    for (const std::string& text : charts) {
-        const auto grafcet = read_grafcet(text);
-        REQUIRE(grafcet);
-        const std::vector<Sheet> sheets = draw_chart(*grafcet, {});
-        const std::string whole = write_tikz_drawing(sheets, grafcet->name, papers[0], true);
+    for (const std::vector<Sheet>& sheets : drawings) {
+        const std::string whole = write_tikz_drawing(sheets, "drawing", papers[0], true);
         const std::size_t begin = whole.find("\\begin{document}");
         const std::size_t last = whole.find("\\end{document}");
         REQUIRE(begin != std::string::npos);
@@ -30,6 +34,16 @@ std::string document_of(const std::vector<std::string>& charts) {
         end = whole.substr(last);
     }
     return all + end;
+}
+
+std::string document_of_charts(const std::vector<std::string>& charts) {
+    std::vector<std::vector<Sheet>> drawings;
+    for (const std::string& text : charts) {
+        const auto grafcet = read_grafcet(text);
+        REQUIRE(grafcet);
+        drawings.push_back(draw_chart(*grafcet, {}));
+    }
+    return document_of(drawings);
 }
 
 void set_in_type(const std::string& document) {
@@ -45,7 +59,7 @@ void set_in_type(const std::string& document) {
 TEST_CASE("TikZ: pdflatex sets the examples") {
     std::vector<std::string> charts;
     for (const ChartFiles& example : example_charts()) charts.push_back(example.chart);
-    set_in_type(document_of(charts));
+    set_in_type(document_of_charts(charts));
 }
 
 TEST_CASE("TikZ: pdflatex sets random charts, whatever the names") {
@@ -56,7 +70,31 @@ TEST_CASE("TikZ: pdflatex sets random charts, whatever the names") {
         "input \"a_b%c&d#e$f{g}h\\\\i^j~k<l>m|n\", \"--,,``''\", \"ŝ β 漢\"\ngraph G {\n initial "
         "1\n step 2\n"
         "1 -> 2 : \"a_b%c&d#e$f{g}h\\\\i^j~k<l>m|n\" . \"--,,``''\"\n2 -> 1 : /\"ŝ β 漢\"\n}\n");
-    set_in_type(document_of(charts));
+    set_in_type(document_of_charts(charts));
+}
+
+TEST_CASE("TikZ: pdflatex sets schematics of every style, in both kinds of symbols, with values") {
+    std::vector<std::vector<Sheet>> drawings;
+    for (const char* name : {"single-sequence", "rule-5", "manipulator"}) {
+        const auto grafcet = read_grafcet(example_text(std::string(name) + ".grafcet"));
+        REQUIRE(grafcet);
+        for (const StyleRow& row : style_table) {
+            Diagnostics diagnostics;
+            const auto netlist =
+                netlist_from(*grafcet, equations_from(*grafcet, {row.default_cdx, true}), row.style,
+                             diagnostics);
+            REQUIRE(netlist);
+            SchematicDrawing how;
+            how.title = std::string(row.name);
+            drawings.push_back(draw_schematic(*netlist, how));
+            how.shapes = GateShapes::us;
+            for (std::size_t net = 0; net < netlist->net_count(); ++net) {
+                how.values.push_back(static_cast<Logic>(net % 3));
+            }
+            drawings.push_back(draw_schematic(*netlist, how));
+        }
+    }
+    set_in_type(document_of(drawings));
 }
 
 }  // namespace grafwire::testing
