@@ -43,7 +43,7 @@ inline constexpr Message<Localized> situation_at{"situation at {}", "situation �
 inline constexpr Message<Localized> values_at{"values at {}", "valeurs à {}"};
 inline constexpr Message<Localized> gates_at{"gates at {}", "portes à {}"};
 inline constexpr Message<Localized> idle_gates_at{"gates at {}: nothing changes",
-                                                  "portes à {} : rien ne change"};
+                                                  "portes à {} : rien ne change"};
 inline constexpr Message<Localized> unsettled_gates_at{"gates at {}, which do not settle",
                                                        "portes à {}, qui ne se stabilisent pas"};
 inline constexpr Message<> schematic_svg{"a schematic, as a picture",
