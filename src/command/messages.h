@@ -75,7 +75,7 @@ inline constexpr Message<std::string_view> no_situation_at{
 /// The moment as asked for, and the instants nearest to it.
 inline constexpr Message<std::string_view, std::string_view> no_instant_at{
     "the run has no instant at {}; nearest to it: {}",
-    "l'évolution n'a pas d'instant à {} ; les plus proches : {}"};
+    "l'évolution n'a pas d'instant à {} ; les plus proches : {}"};
 inline constexpr Message<std::string_view> no_amount_of_memory{
     "'{}' is no amount of memory: write 500M or 2G",
     "« {} » n'est pas une quantité de mémoire : écrivez 500M ou 2G"};

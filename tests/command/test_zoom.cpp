@@ -198,7 +198,7 @@ TEST_CASE("zoom: what is refused") {
     CHECK(contains(refused("350ms", {"--to", "svg"}),
                    "the run has no instant at 350ms; nearest to it: 300ms, 400ms"));
     CHECK(contains(refused("1h", {"--to", "svg", "--lang", "fr"}),
-                   "l'évolution n'a pas d'instant à 1h ; les plus proches : "));
+                   "l'évolution n'a pas d'instant à 1h\u00a0; les plus proches\u00a0: "));
     CHECK(contains(refused("soon", {"--to", "svg"}), "'soon' is no moment"));
     CHECK(contains(refused("300ms", {}), "csv has no --zoom; it is for svg, wavedrom"));
     CHECK(grafwire_with({"run", sequence_chart, sequence_stimuli, "--zoom", "300ms"}).status == 2);

@@ -1,5 +1,7 @@
 #include "core/arguments.h"
 
+#include <algorithm>
+
 namespace grafwire::playground {
 
 Arguments::Arguments(const Json& members) : members_(members) {
@@ -34,6 +36,11 @@ bool Arguments::flag(std::string_view name, bool otherwise) const {
 std::optional<double> Arguments::number(std::string_view name) const {
     const Json* found = find(name, &Json::is_number);
     return found != nullptr ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+std::uint64_t Arguments::count(std::string_view name) const {
+    constexpr double most = 9007199254740992.0;  // every whole number up to it is a double
+    return static_cast<std::uint64_t>(std::clamp(number(name).value_or(0), 0.0, most));
 }
 
 std::vector<std::string> Arguments::texts(std::string_view name) const {

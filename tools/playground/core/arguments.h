@@ -22,6 +22,8 @@ class Arguments {
     std::string text(std::string_view name, std::string_view otherwise = {}) const;
     bool flag(std::string_view name, bool otherwise) const;
     std::optional<double> number(std::string_view name) const;
+    /// A number of things: 0 where it is missing or below, at most 2^53, whatever was sent.
+    std::uint64_t count(std::string_view name) const;
     std::vector<std::string> texts(std::string_view name) const;
     /// The members of an object; empty where there is none.
     const Json& object(std::string_view name) const;

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "core/asked_chart.h"
 #include "core/asked_check.h"
 #include "core/messages.h"
@@ -88,8 +86,7 @@ std::optional<Checked> asked_judgement(const Arguments& arguments, const CheckPr
     request.subject = subject_of(arguments, *options);
     if (arguments.text("changes", "one") == "many") request.changes = Changes::many;
     request.period = period.value;
-    request.max_cases =
-        static_cast<std::uint64_t>(std::max(0.0, arguments.number("max_cases").value_or(0)));
+    request.max_cases = arguments.count("max_cases");
     request.language = language;
     request.with_files = with_files;
     bool goes_on = true;
