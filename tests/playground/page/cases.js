@@ -1,8 +1,6 @@
 // What a person does with the page, case by case. Each case starts at a page just opened.
-import { readFileSync, readdirSync, statSync } from "node:fs";
-import { join } from "node:path";
-import { brotliCompressSync, constants } from "node:zlib";
 import assert from "node:assert/strict";
+import { sequenceOf } from "./charts.js";
 
 const pump = `grafcet pump "Pump"
 input start, stop
@@ -17,27 +15,6 @@ graph G1 {
 }
 `;
 const mistaken = pump.replace("0 -> 1 : start", "0 -> 1 : strat");
-
-// A sequence of so many steps, each with a condition of its own.
-function sequenceOf(steps) {
-  const numbers = [...Array(steps).keys()];
-  return [
-    `grafcet long "Long"`, `input ${numbers.map((i) => `a${i}`).join(", ")}`, "graph G1 {", "  initial 0",
-    ...numbers.slice(1).map((i) => `  step ${i}`),
-    ...numbers.map((i) => `  ${i} -> ${(i + 1) % steps} : a${i}`), "}", ""].join("\n");
-}
-
-// The least of several measurements: what else the machine does makes them longer.
-async function bestOf(times, measure) {
-  let best = Infinity;
-  for (let i = 0; i < times; i++) best = Math.min(best, await measure());
-  return best;
-}
-
-const filesBelow = (folder) => readdirSync(folder).flatMap((name) => {
-  const path = join(folder, name);
-  return statSync(path).isDirectory() ? filesBelow(path) : [path];
-});
 
 const input = (name) => `#panel-run [data-input="${name}"]`;
 
@@ -56,22 +33,6 @@ async function runPump(person) {
 }
 
 export const cases = {
-  async "the first paint comes within a second"(person) {
-    const paint = await person.page.evaluate(() =>
-      performance.getEntriesByName("first-contentful-paint")[0].startTime);
-    person.figure = `${Math.round(paint)} ms`;
-    assert(paint < 1000, `${paint} ms`);
-  },
-
-  async "the page is under a megabyte, compressed"(person) {
-    // As static hosts send it, at a level that does not take long.
-    const params = { [constants.BROTLI_PARAM_QUALITY]: 9 };
-    const size = filesBelow(person.folder)
-      .reduce((sum, file) => sum + brotliCompressSync(readFileSync(file), { params }).length, 0);
-    person.figure = `${Math.round(size / 1000)} kB`;
-    assert(size < 1e6, `${size} bytes`);
-  },
-
   async "a mistake is shown at its place, and goes when it is mended"(person) {
     await person.writeAll(mistaken);
     await person.seesText("#findings", "8:16");
@@ -187,18 +148,6 @@ export const cases = {
     await person.click(input("AUdur"));
     await person.click(input("Init"));
     await person.seesMark("chart", "step", "0", "active");
-  },
-
-  async "nine steps are proved within half a second"(person) {
-    await person.goTo("check");
-    // The first of them loads the core into its worker; the best is what the page itself takes.
-    const seconds = await bestOf(3, async () => {
-      await person.click("#check");
-      await person.seesText("#verdict", "Equivalent");
-      return Number(/([\d.]+) s$/.exec(await person.text("#verdict .hint"))[1]);
-    });
-    person.figure = `${seconds} s`;
-    assert(seconds < 0.5, `${seconds} s`);
   },
 
   async "a witness is replayed step by step with its sentence"(person) {
@@ -341,18 +290,5 @@ export const cases = {
       getComputedStyle(document.documentElement).backgroundColor !== before, light);
     await person.click("#theme");
     assert.equal(await ground(), light);
-  },
-
-  async "fifty steps are drawn again within 50 ms"(person) {
-    await person.writeAll(sequenceOf(50));
-    await person.seesText("#findings-summary", "50 steps");
-    const took = await bestOf(6, async () => {
-      await person.page.evaluate(() => performance.clearMeasures());
-      await person.type(" ");
-      await person.sees("a re-draw", () => performance.getEntriesByName("re-draw").length > 0);
-      return person.page.evaluate(() => performance.getEntriesByName("re-draw")[0].duration);
-    });
-    person.figure = `${Math.round(took)} ms`;
-    assert(took < 50, `${took} ms`);
   },
 };

@@ -1,14 +1,16 @@
 // Runs the cases in Chromium and says which passed. Arguments: the module puppeteer-core, the folder
-// of the page, the program grafwire, and a part of the names of cases.
+// of the page, and either the program grafwire and a part of the names of cases, or --figures.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { cases } from "./cases.js";
+import { figures } from "./figures.js";
 import { Person } from "./person.js";
 import { serveFolder } from "./serve_folder.js";
 
 const [module, ...places] = process.argv.slice(2);
 const [folder, grafwire] = places.map((place) => resolve(place));
 const wanted = places[2] ?? "";
+const all = places[1] === "--figures" ? figures : { ...figures, ...cases };
 const { default: puppeteer } = await import(pathToFileURL(resolve(module)));
 
 const server = await serveFolder(folder);
@@ -19,7 +21,7 @@ const browser = await puppeteer.launch({
 
 let passed = 0;
 let failed = 0;
-for (const [name, run] of Object.entries(cases)) {
+for (const [name, run] of Object.entries(all)) {
   if (!name.includes(wanted)) continue;
   const began = performance.now();
   // Each case is a visitor of its own: nothing is remembered from the one before.
