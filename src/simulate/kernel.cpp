@@ -14,7 +14,8 @@
 
 namespace grafwire {
 
-Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays) {
+Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays,
+                          const DelaySchedule& schedule) {
     const std::size_t count = netlist.net_count();
     assert(count < (std::size_t{1} << 30U));
     assert(delays.rise.size() == netlist.cells.size());
@@ -25,7 +26,7 @@ Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays) {
     types_.resize(count, CellType::buffer);
     memory_of_.resize(count, no_memory);
     touched_.items.resize(count + 1);
-    choose_tick(netlist, delays);
+    choose_tick(netlist, delays, schedule);
     for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
         add_cell(netlist, delays, netlist.cells.id_at(i));
     }
@@ -35,10 +36,12 @@ Simulator::Kernel::Kernel(const Netlist& netlist, const CellDelays& delays) {
     }
     if (netlist.is_clocked()) clock_ = static_cast<std::uint32_t>(netlist.clock);
     link_readers(netlist);
+    add_schedule(netlist, delays, schedule);
     power_up();
 }
 
-void Simulator::Kernel::choose_tick(const Netlist& netlist, const CellDelays& delays) {
+void Simulator::Kernel::choose_tick(const Netlist& netlist, const CellDelays& delays,
+                                    const DelaySchedule& schedule) {
     Time tick = 0;
     Time longest = 0;
     const auto include = [&](Time delay) {
@@ -50,16 +53,21 @@ void Simulator::Kernel::choose_tick(const Netlist& netlist, const CellDelays& de
         include(delays.rise[i]);
         include(delays.fall[i]);
     }
+    for (const DelayChange& change : schedule.changes) {
+        include(change.rise);
+        include(change.fall);
+    }
     const Time longest_gate = longest;
     for (const Cell& cell : netlist.cells) {
-        const bool is_pulse =
-            cell.type == CellType::rise_pulse || cell.type == CellType::fall_pulse;
-        if (is_pulse && netlist.timings[cell.timing].fall > 0) {
+        if (grafwire::is_pulse(cell.type) && netlist.timings[cell.timing].fall > 0) {
             include(netlist.timings[cell.timing].fall);
         }
     }
+    for (const DelayChange& change : schedule.changes) {
+        if (change.width > 0) include(change.width);
+    }
     if (tick != 0) tick_length_ = tick;
-    uniform_ = longest_gate <= tick_length_;
+    uniform_ = longest_gate <= tick_length_ && schedule.changes.empty();
     if (uniform_) {
         current_.items.resize(netlist.net_count() + spare_entries);
         next_.items.resize(netlist.net_count() + spare_entries);
@@ -91,7 +99,7 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
     memory.data = static_cast<std::uint32_t>(pins.front());
     memory.control = static_cast<std::uint32_t>(pins.back());
     const auto number = static_cast<std::uint32_t>(memories_.size());
-    if (cell.type == CellType::rise_pulse || cell.type == CellType::fall_pulse) {
+    if (grafwire::is_pulse(cell.type)) {
         Pulse pulse;
         pulse.memory = number;
         pulse.delay = delays.rise[index_of(id)] / tick_length_;
@@ -115,6 +123,24 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
     }
     memory_of_[memory.node] = number;
     memories_.push_back(memory);
+}
+
+void Simulator::Kernel::add_schedule(const Netlist& netlist, const CellDelays& delays,
+                                     const DelaySchedule& schedule) {
+    const auto add = [&](Time at, CellId cell, Time rise, Time fall, Time width) {
+        schedule_.push_back({at, static_cast<std::uint32_t>(netlist.cells[cell].output),
+                             rise / tick_length_, fall / tick_length_, width / tick_length_});
+    };
+    for (const DelayChange& change : schedule.changes) {
+        const Cell& cell = netlist.cells[change.cell];
+        const std::size_t index = index_of(change.cell);
+        const bool is_pulse = grafwire::is_pulse(cell.type);
+        add(0, change.cell, delays.rise[index], delays.fall[index],
+            is_pulse ? netlist.timings[cell.timing].fall : 0);
+    }
+    for (const DelayChange& change : schedule.changes) {
+        add(std::max<Time>(change.at, 0), change.cell, change.rise, change.fall, change.width);
+    }
 }
 
 void Simulator::Kernel::link_readers(const Netlist& netlist) {
@@ -165,7 +191,29 @@ void Simulator::Kernel::power_up() {
     }
     std::fill(due_.begin(), due_.end(), never);
     std::fill(towards_.begin(), towards_.end(), Logic::zero);
+    begin_schedule(0);
     look_at_pins();
+}
+
+/// The delays are those of that moment.
+void Simulator::Kernel::begin_schedule(Time until) {
+    next_delays_ = 0;
+    take_delays(until);
+}
+
+void Simulator::Kernel::take_delays(Time until) {
+    while (next_delays_ < schedule_.size() && schedule_[next_delays_].at <= until) {
+        const NodeDelays& delays = schedule_[next_delays_];
+        timings_[delays.node].rise = delays.rise;
+        timings_[delays.node].fall = delays.fall;
+        if (is_pulse(delays.node)) {
+            Pulse& pulse = pulse_of(delays.node);
+            pulse.delay = delays.rise;
+            if (delays.width > 0) pulse.width = delays.width;
+        }
+        ++next_delays_;
+    }
+    next_delays_at_ = next_delays_ < schedule_.size() ? schedule_[next_delays_].at : never;
 }
 
 /// Cells with pins of meaning take what they see for what has always been, and no pulse is running
@@ -267,6 +315,7 @@ void Simulator::Kernel::restore(const SimulatorState& state) {
     origin_ = state.now - tick_ * tick_length_;
     instant_ = state.now;
     pulses_remember_ = false;
+    begin_schedule(state.now);
     look_at_pins();
 }
 

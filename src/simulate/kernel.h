@@ -18,7 +18,7 @@ namespace grafwire {
 /// never go back; the origin says which time tick 0 stands for.
 class Simulator::Kernel {
   public:
-    Kernel(const Netlist& netlist, const CellDelays& delays);
+    Kernel(const Netlist& netlist, const CellDelays& delays, const DelaySchedule& schedule);
 
     void power_up();
     void begin_instant(Time at);
@@ -101,13 +101,27 @@ class Simulator::Kernel {
         Tick open_from = no_tick;
     };
 
+    /// The delays of a node from a moment on.
+    struct NodeDelays {
+        Time at = 0;
+        std::uint32_t node = 0;
+        Tick rise = 1;
+        Tick fall = 1;
+        Tick width = 0;  ///< 0: as it is
+    };
+
     // kernel.cpp
-    void choose_tick(const Netlist& netlist, const CellDelays& delays);
+    void choose_tick(const Netlist& netlist, const CellDelays& delays,
+                     const DelaySchedule& schedule);
+    void add_schedule(const Netlist& netlist, const CellDelays& delays,
+                      const DelaySchedule& schedule);
     void add_cell(const Netlist& netlist, const CellDelays& delays, CellId id);
     void add_memory(const Netlist& netlist, const CellDelays& delays, CellId id);
     void link_readers(const Netlist& netlist);
 
     void look_at_pins();
+    void begin_schedule(Time until);
+    void take_delays(Time until);
     void release(std::uint32_t net);
 
     // run_kernel.cpp
@@ -127,6 +141,7 @@ class Simulator::Kernel {
     void change(std::uint32_t net, Logic value, RecurrenceWatch* watch);
     template <bool uniform>
     void evaluate_touched();
+    void take_delays_of_now();
     void aim(std::uint32_t net, Logic target);
     Logic aimed_value(std::uint32_t net) const;
     template <bool observed, bool watched>
@@ -164,9 +179,7 @@ class Simulator::Kernel {
     static void append_coming(const Pulse& pulse, std::uint32_t net, Tick now,
                               std::vector<ComingChange>& coming);
 
-    bool is_pulse(std::uint32_t net) const {
-        return types_[net] == CellType::rise_pulse || types_[net] == CellType::fall_pulse;
-    }
+    bool is_pulse(std::uint32_t net) const { return grafwire::is_pulse(types_[net]); }
     Pulse& pulse_of(std::uint32_t net) { return pulses_[memories_[memory_of_[net]].detail]; }
 
     template <typename Visit>
@@ -207,14 +220,20 @@ class Simulator::Kernel {
     Tick tick_ = 0;
     Time instant_ = 0;
 
-    /// All delays are one tick: all changes but those of pulse cells happen at the next tick, and
-    /// the two lists hold them as four times the net plus the value. Else the wheel is used.
+    /// All delays are one tick, now and ever: all changes but those of pulse cells happen at the
+    /// next tick, and the two lists hold them as four times the net plus the value. Else the wheel
+    /// is used.
     bool uniform_ = true;
     NodeList current_;
     NodeList next_;
     std::vector<NodeTiming> timings_;
     EventWheel wheel_{0};
     std::uint64_t live_ = 0;  ///< pending changes of bounds and pulses that still stand
+    /// The schedule, which begins with the delays that its nodes have before it says anything. Its
+    /// first change yet to come is next_delays_, at that time.
+    std::vector<NodeDelays> schedule_;
+    std::size_t next_delays_ = 0;
+    Time next_delays_at_ = never;
     std::uint64_t changes_ = 0;
     std::uint64_t changes_told_ = 0;  ///< of these, in earlier results of settle()
 

@@ -214,14 +214,18 @@ std::uint8_t Simulator::Kernel::evaluate_scan_timer_next(MemoryCell& cell) {
 
 namespace {
 
-/// Adds a span that begins no earlier than those there are.
+/// Adds a span, as one with those that it meets. It may begin before spans that are there already:
+/// the delay of the cell has become shorter.
 template <typename Spans>
 void add_span(Spans& spans, Tick from, Tick to) {
-    if (!spans.empty() && from <= spans.back().to) {
-        spans.back().to = std::max(spans.back().to, to);
-    } else {
-        spans.push_back({from, to});
+    auto first = spans.begin();
+    while (first != spans.end() && first->to < from) ++first;
+    auto last = first;
+    for (; last != spans.end() && last->from <= to; ++last) {
+        from = std::min(from, last->from);
+        to = std::max(to, last->to);
     }
+    spans.insert(spans.erase(first, last), {from, to});
 }
 
 template <typename Spans>

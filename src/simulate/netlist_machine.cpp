@@ -181,10 +181,10 @@ void PortMap::set_inputs(Simulator& simulator, const std::vector<Logic>& values)
 }
 
 NetlistMachine::NetlistMachine(const Grafcet& grafcet, const Netlist& netlist,
-                               const CellDelays& delays)
+                               const CellDelays& delays, const DelaySchedule& schedule)
     : grafcet_(grafcet),
       netlist_(netlist),
-      simulator_(netlist, delays),
+      simulator_(netlist, delays, schedule),
       delay_ends_(netlist),
       ports_(map_ports(grafcet, netlist)) {}
 

@@ -27,7 +27,8 @@ PortMap map_ports(const Grafcet& grafcet, const Netlist& netlist);
 /// and netlist must outlive it.
 class NetlistMachine {
   public:
-    NetlistMachine(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays);
+    NetlistMachine(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
+                   const DelaySchedule& schedule = {});
 
     /// Brings the netlist from power-up to the state it starts in: with modes Init is 1 and the
     /// other controls 0 until it has settled; without, the steps are held at the initial situation

@@ -20,6 +20,7 @@ struct ComingChange {
 struct Snapshot {
     std::vector<Logic> values;
     std::vector<ComingChange> coming;  ///< in order, each once
+    std::size_t delays_taken = 0;      ///< how far the schedule of delays has been played
     bool operator==(const Snapshot&) const = default;
 };
 
@@ -45,7 +46,8 @@ class RecurrenceWatch {
     }
 
     /// To be called after every tick at which something changed. `take(snapshot)` writes down the
-    /// present state. True if it is the one kept for comparison.
+    /// present state. True if it is the one kept for comparison; the search goes on where it is
+    /// called again.
     template <typename Take>
     bool came_back(Take take) {
         ++ticks_;
@@ -53,7 +55,7 @@ class RecurrenceWatch {
             take(present_);
             if (present_ == kept_) return true;
         }
-        if (ticks_ == stretch_length_) {
+        if (ticks_ >= stretch_length_) {
             take(kept_);
             keep();
         }

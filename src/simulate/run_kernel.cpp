@@ -45,6 +45,8 @@ namespace {
 /// Ticks of one settle() before the watch for oscillation begins; there must also have been twice
 /// as many changes as there are nets, for the watch costs as much to set up.
 constexpr std::uint64_t patience = 64;
+/// Ticks for which a netlist that oscillates is followed where its delays are yet to change.
+constexpr std::uint64_t patience_for_delays = 65'536;
 constexpr std::uint64_t ticks_between_questions = 1024;
 
 }  // namespace
@@ -168,6 +170,11 @@ void Simulator::Kernel::evaluate_touched() {
     touched_.size = 0;
 }
 
+/// What changes before the first instant sees the delays of the start only.
+void Simulator::Kernel::take_delays_of_now() {
+    take_delays(pulses_held_ ? 0 : now());
+}
+
 /// Equal delays: the changes that were aimed at the tick before.
 template <bool observed, bool watched>
 void Simulator::Kernel::apply_current(RecurrenceWatch* watch) {
@@ -219,6 +226,10 @@ inline void Simulator::Kernel::next_tick(RecurrenceWatch* watch) {
         apply_wheel<observed, watched>(watch);
     }
     if (wheel_.next_far() <= tick_) apply_far<observed, watched>(watch);
+    if constexpr (!uniform) {
+        if (next_delays_at_ <= now()) [[unlikely]]
+            take_delays_of_now();
+    }
     evaluate_touched<uniform>();
 }
 
@@ -235,6 +246,7 @@ template <bool uniform, bool observed>
 Settling Simulator::Kernel::run() {
     Settling settling;
     const std::uint64_t enough = changes_ + 2 * words_.size();
+    if (next_delays_at_ <= now()) take_delays_of_now();
     evaluate_touched<uniform>();
     for (std::uint64_t ticks = 0; is_live(); ++ticks) {
         if (ticks >= patience && changes_ >= enough) {
@@ -261,7 +273,8 @@ void Simulator::Kernel::watch(Settling& settling) {
     for (std::uint64_t ticks = 0; is_live(); ++ticks) {
         next_tick<uniform, observed, true>(&watch);
         if (is_broken_off(ticks, settling)) return;
-        if (watch.came_back([this](Snapshot& snapshot) { take_snapshot(snapshot); })) {
+        if (!watch.came_back([this](Snapshot& snapshot) { take_snapshot(snapshot); })) continue;
+        if (next_delays_at_ == never || ticks >= patience_for_delays) {
             settling.settled = false;
             settling.oscillating = watch.changing();
             return;
@@ -276,6 +289,7 @@ Settling Simulator::Kernel::settle() {
 
 void Simulator::Kernel::take_snapshot(Snapshot& snapshot) {
     snapshot.values = values_;
+    snapshot.delays_taken = next_delays_;
     std::vector<ComingChange>& coming = snapshot.coming;
     coming.clear();
     for (std::size_t i = 0; i < next_.size; ++i) {

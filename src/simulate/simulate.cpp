@@ -31,6 +31,12 @@ bool all_whole(const Netlist& netlist, const CellDelays& delays) {
                        [](const Timing& t) { return is_whole(t.rise) && is_whole(t.fall); });
 }
 
+bool all_whole(const DelaySchedule& schedule) {
+    return std::all_of(schedule.changes.begin(), schedule.changes.end(), [](const DelayChange& c) {
+        return is_whole(c.rise) && is_whole(c.fall) && is_whole(c.width);
+    });
+}
+
 /// Records every net of a netlist while it is simulated.
 class Recorder {
   public:
@@ -141,11 +147,14 @@ class Run {
         : netlist_(netlist),
           stimuli_(stimuli),
           options_(options),
-          machine_(grafcet, netlist, delays),
+          machine_(grafcet, netlist, delays, options.schedule),
           rows_(grafcet, netlist, machine_.ports()),
           player_(stimuli, grafcet.all_input_count()) {
         result_.trace = empty_trace(grafcet);
-        if (options.waveform) recorder_.emplace(netlist, delays, is_in_nanoseconds(stimuli));
+        if (options.waveform) {
+            const bool whole = is_in_nanoseconds(stimuli) && all_whole(options.schedule);
+            recorder_.emplace(netlist, delays, whole);
+        }
         player_.advance(0);
         started_ = note(0, machine_.start(known_inputs(player_.inputs())));
         if (recorder_) {

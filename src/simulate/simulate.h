@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "grafcet/grafcet.h"
+#include "netlist/delay_model.h"
+#include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
 #include "simulate/netlist_machine.h"
 #include "simulate/simulator.h"
@@ -20,6 +22,8 @@ struct SimulateOptions {
     /// Clocked netlists: one clock cycle per period and one row per scan; 0: at every
     /// instant, clock cycles until nothing changes any more.
     Time scan_period = 0;
+    /// Delays that differ from those given, and may change in time.
+    DelaySchedule schedule;
     /// Called at every change of a net from the first instant on.
     Simulator::Observer observer;
     /// Called as an instant or scan begins, before its inputs change.

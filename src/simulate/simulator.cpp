@@ -7,8 +7,9 @@
 
 namespace grafwire {
 
-Simulator::Simulator(const Netlist& netlist, const CellDelays& delays)
-    : kernel_(std::make_unique<Kernel>(netlist, delays)) {}
+Simulator::Simulator(const Netlist& netlist, const CellDelays& delays,
+                     const DelaySchedule& schedule)
+    : kernel_(std::make_unique<Kernel>(netlist, delays, schedule)) {}
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "netlist/delay_model.h"
+#include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
 #include "text/keep_going.h"
 #include "text/time.h"
@@ -49,9 +50,15 @@ struct SimulatorState {
 /// Time. Gates work in picoseconds from `now`. The delays of timers count from the instant at which
 /// their operand changed (begin_instant), not from the few nanoseconds later at which the gates had
 /// worked it out, so that instants are those of the reference.
+///
+/// Delays that change in time. All changes of the schedule up to a moment are in force when cells
+/// are evaluated at that moment. Of those after 0, none is before the last Preparation has gone. A
+/// delay that changes while an input is unknown counts from the next change of an input on: only
+/// then may the output be known too early.
 class Simulator {
   public:
-    Simulator(const Netlist& netlist, const CellDelays& delays);
+    /// `delays` hold until the schedule says otherwise.
+    Simulator(const Netlist& netlist, const CellDelays& delays, const DelaySchedule& schedule = {});
     ~Simulator();
     Simulator(Simulator&&) noexcept;
     Simulator& operator=(Simulator&&) noexcept;

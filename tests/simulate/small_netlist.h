@@ -49,8 +49,8 @@ class SmallNetlist {
 class Bench {
   public:
     explicit Bench(SmallNetlist& small) : Bench(small, cell_delays(small.netlist, {})) {}
-    Bench(SmallNetlist& small, const CellDelays& delays)
-        : small_(small), simulator(small.netlist, delays) {}
+    Bench(SmallNetlist& small, const CellDelays& delays, const DelaySchedule& schedule = {})
+        : small_(small), simulator(small.netlist, delays, schedule) {}
 
     void set(std::string_view net, Logic value) { simulator.set_input(small_.net(net), value); }
     Logic get(std::string_view net) { return simulator.value(small_.net(net)); }
