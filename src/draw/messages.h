@@ -21,6 +21,25 @@ inline constexpr Message<std::size_t, std::size_t> sheet{"sheet {} of {}", "foli
 /// At a cut link: the step, and the page that it stands on.
 inline constexpr Message<std::string, std::size_t> on_sheet{"{}, sheet {}", "{}, folio {}"};
 
+// What a sheet shows, for those who hear a picture: how many there are, and their names.
+
+inline constexpr CountedMessage<std::string> shown_steps{{"{} step: {}.", "{} étape : {}."},
+                                                         {"{} steps: {}.", "{} étapes : {}."}};
+inline constexpr CountedMessage<std::string> shown_active_steps{
+    {"{} active step: {}.", "{} étape active : {}."},
+    {"{} active steps: {}.", "{} étapes actives : {}."}};
+inline constexpr CountedMessage<std::string> shown_macro_steps{
+    {"{} macro-step: {}.", "{} macro-étape : {}."},
+    {"{} macro-steps: {}.", "{} macro-étapes : {}."}};
+inline constexpr CountedMessage<std::string> shown_transitions{
+    {"{} transition: {}.", "{} transition : {}."}, {"{} transitions: {}.", "{} transitions : {}."}};
+inline constexpr CountedMessage<std::string> shown_modules{
+    {"Schematic of {} module: {}.", "Schéma de {} module : {}."},
+    {"Schematic of {} modules: {}.", "Schéma de {} modules : {}."}};
+inline constexpr CountedMessage<std::string> shown_signals{
+    {"Timing diagram of {} signal: {}.", "Chronogramme de {} signal : {}."},
+    {"Timing diagram of {} signals: {}.", "Chronogramme de {} signaux : {}."}};
+
 // Schematics.
 
 /// Above modules that are made for a part of the chart and have no equation.

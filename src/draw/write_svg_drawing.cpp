@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/describe_sheet.h"
 #include "draw/write_drawing.h"
 #include "text/escape.h"
 
@@ -182,17 +183,29 @@ class SvgWriter {
     double top_ = 0;
 };
 
+/// What a picture is called and what it shows, in words.
+struct Words {
+    std::string_view title;
+    std::string description;
+    Language language;
+    std::string id;  ///< what the ids of both begin with; nothing in a file of its own
+};
+
 /// An `<svg>` of so many units, with a style sheet or none, round a body.
-std::string svg_element(double width, double height, double unit, std::string_view title,
-                        const std::string& style_element, Language language,
-                        const std::string& body) {
+std::string svg_element(double width, double height, double unit, const Words& words,
+                        const std::string& style_element, const std::string& body) {
     return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" lang=\"{}\" "
-               "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n"
-               "<title>{}</title>\n{}<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
-               language == Language::french ? "fr" : "en", number(width * unit),
-               number(height * unit), number(width * scale), number(height * scale),
-               xml_text(title), style_element, number(width * scale), number(height * scale)) +
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+               "aria-labelledby=\"{}title {}description\" lang=\"{}\" "
+               "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n",
+               words.id, words.id, words.language == Language::french ? "fr" : "en",
+               number(width * unit), number(height * unit), number(width * scale),
+               number(height * scale)) +
+           fmt::format(
+               "<title id=\"{}title\">{}</title>\n<desc id=\"{}description\">{}</desc>\n{}"
+               "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+               words.id, xml_text(words.title), words.id, xml_text(words.description),
+               style_element, number(width * scale), number(height * scale)) +
            body + "</svg>\n";
 }
 
@@ -202,8 +215,10 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
                               const Paper& paper, Language language) {
     double width = 0;
     double height = 0;
+    std::vector<std::string> descriptions;
     SvgWriter writer;
     for (const Sheet& sheet : sheets) {
+        descriptions.push_back(describe_sheet(sheet, language));
         writer.write(sheet, height);
         width = std::max(width, sheet.width);
         height += sheet.height;
@@ -212,18 +227,20 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
         fmt::format("<style>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n", style,
                     shows_values(sheets) ? style_of_values : "", paper.name,
                     sheets.front().lies ? " landscape" : "");
-    return svg_element(width, height, sheets.front().unit, title, style_element, language,
-                       writer.take());
+    const Words words{title, fmt::format("{}", fmt::join(descriptions, "\n")), language, ""};
+    return svg_element(width, height, sheets.front().unit, words, style_element, writer.take());
 }
 
 std::vector<std::string> write_svg_sheets(const std::vector<Sheet>& sheets, std::string_view title,
-                                          Language language) {
+                                          Language language, std::string_view id) {
     std::vector<std::string> pictures;
     for (const Sheet& sheet : sheets) {
         SvgWriter writer;
         writer.write(sheet, 0);
+        const Words words{title, describe_sheet(sheet, language), language,
+                          fmt::format("{}-{}-", id, pictures.size() + 1)};
         pictures.push_back(
-            svg_element(sheet.width, sheet.height, sheet.unit, title, "", language, writer.take()));
+            svg_element(sheet.width, sheet.height, sheet.unit, words, "", writer.take()));
     }
     return pictures;
 }

@@ -80,7 +80,8 @@ ReportedRun run_of(const Chart& chart, const ReportRequest& request) {
     how.title = title_of(chart.grafcet);
     how.language = request.language;
     how.causes = causes_of(run.trace, chart.grafcet, stimuli, std::nullopt);
-    reported.pictures = write_svg_sheets(draw_timing(run.trace, how), how.title, request.language);
+    reported.pictures =
+        write_svg_sheets(draw_timing(run.trace, how), how.title, request.language, "run");
     reported.story = explain_run(chart, stimuli, std::nullopt, request.language);
     return reported;
 }
@@ -134,8 +135,8 @@ ReportedStyle style_of(const Chart& chart, const StyleRow& row, const ReportRequ
     style.compared = std::move(parts.coverage);
     style.remarks = std::move(parts.remarks);
     style.witness = std::move(parts.witness);
-    style.pictures =
-        write_svg_sheets(judgement->witness_picture, title_of(chart.grafcet), request.language);
+    style.pictures = write_svg_sheets(judgement->witness_picture, title_of(chart.grafcet),
+                                      request.language, fmt::format("style-{}", row.name));
     return style;
 }
 
@@ -148,7 +149,8 @@ std::vector<std::string> schematic_of(const Chart& chart, const ReportRequest& r
     how.title = schematic_title(chart, request.style, std::nullopt, request.language);
     how.shapes = request.shapes;
     how.language = request.language;
-    return write_svg_sheets(draw_schematic(*netlist, how), how.title, request.language);
+    return write_svg_sheets(draw_schematic(*netlist, how), how.title, request.language,
+                            "schematic");
 }
 
 }  // namespace
@@ -161,7 +163,8 @@ std::string report_of(const Chart& chart, const ReportRequest& request) {
     report.file = request.file;
     ChartDrawing how;
     how.language = request.language;
-    report.chart = write_svg_sheets(draw_chart(grafcet, how), report.title, request.language);
+    report.chart =
+        write_svg_sheets(draw_chart(grafcet, how), report.title, request.language, "chart");
     report.inputs = names_of(chart, grafcet.inputs);
     report.outputs = names_of(chart, grafcet.outputs);
     EquationReport equations;

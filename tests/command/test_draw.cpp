@@ -26,7 +26,7 @@ TEST_CASE("a chart is drawn as SVG, or as TikZ, alone or as a document") {
     CHECK(svg.status == 0);
     CHECK(svg.err.empty());
     CHECK(svg.out.rfind("<svg ", 0) == 0);
-    CHECK(contains(svg.out, "<title>Séquence unique</title>"));
+    CHECK(contains(svg.out, "<title id=\"title\">Séquence unique</title>"));
     const Ran tikz = grafwire_with({"draw", sequence_chart, "--to", "tikz"});
     CHECK(contains(tikz.out, "\\begin{tikzpicture}"));
     CHECK(!contains(tikz.out, "\\documentclass"));

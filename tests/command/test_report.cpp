@@ -70,6 +70,16 @@ TEST_CASE("a report is XML as well, loads nothing, and links to what it holds") 
             const std::string id = page.substr(begin, page.find('"', begin) - begin);
             CHECK_MESSAGE(count_of(page, " id=\"" + id + "\"") == 1, id);
         }
+        // Each picture is called by ids of its own.
+        for (std::size_t at = page.find("aria-labelledby=\""); at != page.npos;
+             at = page.find("aria-labelledby=\"", at + 1)) {
+            const std::size_t begin = at + 17;
+            const std::size_t middle = page.find(' ', begin);
+            const std::string title = page.substr(begin, middle - begin);
+            const std::string text = page.substr(middle + 1, page.find('"', begin) - middle - 1);
+            CHECK_MESSAGE(count_of(page, "<title id=\"" + title + "\">") == 1, title);
+            CHECK_MESSAGE(count_of(page, "<desc id=\"" + text + "\">") == 1, text);
+        }
     }
 }
 
