@@ -34,7 +34,10 @@ ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     // Let the reference evolve.
-    const RunResult result = run_reference(chart, *stimuli, period.value);
+    const bool is_told = request.explain || request.output.is_picture();
+    const ToldRun run = is_told ? tell_reference(chart, *stimuli, period.value)
+                                : ToldRun{run_reference(chart, *stimuli, period.value), {}};
+    const RunResult& result = run.result;
     for (const auto& broken : result.broken_assumptions) {
         warn(broken_assumption_text(chart.grafcet, broken));
     }
@@ -46,12 +49,11 @@ ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language
     }
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) {
-        files.add("-",
-                  wrapped(explain_run(chart, *stimuli, period.value, language), width_of_output()));
+        files.add("-", wrapped(explain_run(chart, run, language), width_of_output()));
     }
     ShownRun shown{result.trace, title_of(chart.grafcet)};
     if (request.output.is_picture()) {
-        shown.causes = causes_of(result.trace, chart.grafcet, *stimuli, period.value);
+        shown.causes = causes_of(result.trace, chart.grafcet, run);
     }
     if (!request.output.add_files(
             files, request.output.text_of(shown, chart, language),

@@ -109,7 +109,7 @@ std::optional<std::string> text_of(const SimulateArguments& request, const Trace
     }
     ShownRun shown{trace, title_of(chart.grafcet)};
     if (request.output.is_picture()) {
-        shown.causes = causes_of(trace, chart.grafcet, stimuli, period);
+        shown.causes = causes_of(trace, chart.grafcet, tell_reference(chart, stimuli, period));
     }
     return request.output.text_of(shown, chart, language);
 }

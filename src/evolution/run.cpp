@@ -5,23 +5,24 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
+#include "evolution/evolution.h"
+#include "evolution/run_record.h"
 #include "trace/input_values.h"
 
 namespace grafwire {
 
 namespace {
 
-/// A run under way: the inputs as they are, the state, and the result so far.
+/// A run under way: the inputs as they are, the state, and what has become of it so far.
 class Runner {
   public:
     Runner(const Grafcet& grafcet, const Stimuli& stimuli)
-        : grafcet_(grafcet),
-          end_(stimuli.end),
+        : end_(stimuli.end),
           evolution_(grafcet),
           player_(stimuli, grafcet.all_input_count()),
-          is_broken_(grafcet.assumptions.size(), false) {
-        result_.trace = empty_trace(grafcet);
+          record_(grafcet) {
         change_inputs(0);
         state_ = evolution_.start({player_.inputs()});
     }
@@ -32,14 +33,13 @@ class Runner {
             if (now != 0) evolution_.end_delays(state_, {player_.inputs()}, now);
             SettleResult settled = evolution_.settle(state_, {player_.inputs()}, now);
             if (!settled.stable) {
-                result_.unstable_at = now;
-                result_.changing = std::move(settled.changing);
+                record_.end_unstable(now, std::move(settled.changing));
                 break;
             }
             add_row(now);
             if (now == end_) break;
         }
-        return std::move(result_);
+        return record_.take();
     }
 
     RunResult scan_by_scan(Time period) {
@@ -49,22 +49,14 @@ class Runner {
             add_row(now);
             if (period > end_ - now) break;
         }
-        return std::move(result_);
+        return record_.take();
     }
 
   private:
     /// Applies every change up to and including `now`.
     void change_inputs(Time now) {
         const bool any = player_.advance(now);
-        if (any || now == 0) check_assumptions(now);
-    }
-
-    void check_assumptions(Time now) {
-        for (std::size_t i = 0; i < is_broken_.size(); ++i) {
-            if (is_broken_[i] || assumption_holds(grafcet_, i, player_.inputs())) continue;
-            is_broken_[i] = true;
-            result_.broken_assumptions.push_back({now, i});
-        }
+        if (any || now == 0) record_.check_assumptions(now, player_.inputs());
     }
 
     /// The first time after the present at which something can happen.
@@ -74,34 +66,13 @@ class Runner {
         return next;
     }
 
-    void add_row(Time now) {
-        Trace& trace = result_.trace;
-        trace.times.push_back(now);
-        const InputValues& inputs = player_.inputs();
-        trace.values.insert(trace.values.end(), inputs.begin(), inputs.end());
-        add_bits(state_.situation);
-        add_bits(evolution_.outputs(state_, {player_.inputs()}));
-        for (std::size_t i = 0; i < grafcet_.vars.size(); ++i) {
-            const bool value = evolution_.var(grafcet_.vars.id_at(i), state_, {inputs});
-            trace.values.push_back(value ? 1 : 0);
-        }
-        trace.values.insert(trace.values.end(), state_.counters.begin(), state_.counters.end());
-        assert(trace.values.size() == trace.times.size() * trace.columns.size());
-    }
+    void add_row(Time now) { record_.add_row(now, evolution_, state_, player_.inputs()); }
 
-    void add_bits(const BitTable& table) {
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            result_.trace.values.push_back(table.test(i) ? 1 : 0);
-        }
-    }
-
-    const Grafcet& grafcet_;
     Time end_;
     Evolution evolution_;
     StimuliPlayer player_;
     EvolutionState state_;
-    std::vector<bool> is_broken_;
-    RunResult result_;
+    RunRecord record_;
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ struct RunResult {
     struct BrokenAssumption {
         Time at = 0;
         std::size_t assumption = 0;
+        bool operator==(const BrokenAssumption&) const = default;
     };
     std::vector<BrokenAssumption> broken_assumptions;  ///< the first per assumption
 };

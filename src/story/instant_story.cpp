@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evolution/run_record.h"
 #include "grafcet/expression.h"
 #include "grafcet/write_grafcet.h"
 
@@ -267,23 +268,27 @@ void add_story(std::vector<InstantStory>& stories, InstantStory story) {
     }
 }
 
-std::vector<InstantStory> tell_run(const Grafcet& grafcet, const Stimuli& stimuli,
-                                   std::optional<Time> period) {
+ToldRun tell_run(const Grafcet& grafcet, const Stimuli& stimuli, std::optional<Time> period) {
     const Evolution evolution(grafcet);
     StimuliPlayer player(stimuli, grafcet.all_input_count());
     EvolutionUnderWay run;
+    RunRecord record(grafcet);
     std::vector<InstantStory> stories;
     for (Time now = 0;;) {
-        player.advance(now);
+        const bool any = player.advance(now);
+        if (any || now == 0) record.check_assumptions(now, player.inputs());
         InstantStory story = tell_instant(evolution, run, player.inputs(), now, period.has_value());
-        add_story(stories, std::move(story));
-        if (!stories.back().is_stable || now == stimuli.end) return stories;
-        if (period) {
-            if (*period > stimuli.end - now) return stories;
-            now += *period;
+        if (story.is_stable) {
+            record.add_row(now, evolution, *run.state, player.inputs());
         } else {
-            now = std::min({stimuli.end, player.next_change(), run.next_delay_end()});
+            record.end_unstable(now, story.changing);
         }
+        const bool is_last =
+            !story.is_stable || now == stimuli.end || (period && *period > stimuli.end - now);
+        add_story(stories, std::move(story));
+        if (is_last) return {record.take(), std::move(stories)};
+        now = period ? now + *period
+                     : std::min({stimuli.end, player.next_change(), run.next_delay_end()});
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evolution/evolution.h"
+#include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "text/time.h"
 #include "trace/input_values.h"
@@ -104,9 +105,12 @@ InstantStory tell_instant(const Evolution& evolution, EvolutionUnderWay& run,
 /// Adds a story to those before it. Scans that change nothing are one story together.
 void add_story(std::vector<InstantStory>& stories, InstantStory story);
 
-/// A whole run: scan by scan with that period, or until stable (none), up to an instant without a
-/// stable situation.
-std::vector<InstantStory> tell_run(const Grafcet& grafcet, const Stimuli& stimuli,
-                                   std::optional<Time> period);
+/// A run of the reference, and what happened at each of its instants.
+struct ToldRun {
+    RunResult result;
+    std::vector<InstantStory> stories;  ///< an instant without a stable situation is the last
+};
+/// A whole run: scan by scan with that period, or until stable (none).
+ToldRun tell_run(const Grafcet& grafcet, const Stimuli& stimuli, std::optional<Time> period);
 
 }  // namespace grafwire

@@ -15,7 +15,6 @@
 #include "check/partial_inputs.h"
 #include "check/scan_check.h"
 #include "draw/write_drawing.h"
-#include "evolution/run.h"
 #include "explain/explain.h"
 #include "explain/write_explanation.h"
 #include "grafcet/messages.h"
@@ -27,6 +26,7 @@
 #include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
 #include "simulate/simulate.h"
+#include "story/instant_story.h"
 #include "text/utf8.h"
 #include "workflow/drawings.h"
 #include "workflow/messages.h"
@@ -68,17 +68,20 @@ constexpr std::size_t most_links = 36;
 /// A run, and its waveform.
 struct Recorded {
     const Trace& trace;
-    const Waveform& waveform;
+    Waveform waveform;
 };
 
-/// Enters the files that show a witness, in the order of witness_file_names, and its picture.
+/// Enters the files that show a witness, in the order of witness_file_names, and its picture: what
+/// the reference does, and what was found.
 void add_witness_files(Judgement& judgement, const Grafcet& grafcet, const std::string& explanation,
-                       const Recorded& expected, const Recorded& got, Language language) {
+                       const Recorded& got, Language language) {
     const Witness& witness = *judgement.result.witness;
     const auto period =
         witness.scan_period == 0 ? std::nullopt : std::optional<Time>(witness.scan_period);
-    const ShownRun shown{expected.trace, title_of(grafcet),
-                         causes_of(expected.trace, grafcet, witness.stimuli, period)};
+    const ToldRun run = tell_run(grafcet, witness.stimuli, period);
+    const Trace& trace = run.result.trace;
+    const Recorded expected{trace, waveform_of(trace, grafcet.name)};
+    const ShownRun shown{trace, title_of(grafcet), causes_of(trace, grafcet, run)};
     judgement.witness_picture = sheets_of_runs(shown, &got.trace, language);
     const std::string picture =
         write_svg_drawing(judgement.witness_picture, shown.title, papers[0], language);
@@ -93,22 +96,18 @@ void add_witness_files(Judgement& judgement, const Grafcet& grafcet, const std::
                                {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
 }
 
-/// What reference and netlist make of the stimuli of a witness.
+/// What the netlist makes of the stimuli of a witness, beside the reference.
 void add_files_of_gates(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
                         const CellDelays& delays, const std::string& explanation,
                         Language language) {
     const Witness& witness = *judgement.result.witness;
     const Stimuli& stimuli = witness.stimuli;
-    const RunResult run = witness.scan_period == 0
-                              ? run_until_stable(grafcet, stimuli)
-                              : run_scans(grafcet, stimuli, witness.scan_period);
     SimulateOptions options;
     options.waveform = true;
     options.scan_period = witness.scan_period;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
-    add_witness_files(judgement, grafcet, explanation,
-                      {run.trace, waveform_of(run.trace, grafcet.name)},
-                      {simulated.trace, simulated.waveform}, language);
+    add_witness_files(judgement, grafcet, explanation, {simulated.trace, simulated.waveform},
+                      language);
 }
 
 /// Explains the witness, with its files beside it if they are wanted.
@@ -173,14 +172,12 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
 
 namespace {
 
-/// What reference and program make of the stimuli of a witness.
+/// What the program makes of the stimuli of a witness, beside the reference.
 void add_files_of_scans(Judgement& judgement, const Grafcet& grafcet, const ScannedDevice& device,
                         Language language) {
     const Witness& witness = *judgement.result.witness;
-    const RunResult expected = run_scans(grafcet, witness.stimuli, witness.scan_period);
     const Trace got = run_device(grafcet, device, witness.stimuli, witness.scan_period);
     add_witness_files(judgement, grafcet, judgement.explained.text,
-                      {expected.trace, waveform_of(expected.trace, grafcet.name)},
                       {got, waveform_of(got, grafcet.name)}, language);
 }
 

@@ -7,7 +7,6 @@
 #include "draw/timing_diagram.h"
 #include "draw/write_drawing.h"
 #include "story/instant_causes.h"
-#include "story/instant_story.h"
 #include "text/shown_duration.h"
 #include "workflow/messages.h"
 
@@ -68,8 +67,8 @@ std::optional<ShownSituation> situation_at(const Chart& chart, const Stimuli& st
                                            Language language) {
     const Grafcet& grafcet = chart.grafcet;
     const InstantStory* shown = nullptr;
-    const std::vector<InstantStory> stories = tell_run(grafcet, stimuli, std::nullopt);
-    for (const InstantStory& story : stories) {
+    const ToldRun run = tell_run(grafcet, stimuli, std::nullopt);
+    for (const InstantStory& story : run.stories) {
         if (story.at <= at) shown = &story;
     }
     if (shown == nullptr || !shown->is_stable) return std::nullopt;
@@ -103,9 +102,9 @@ std::string title_of(const Grafcet& grafcet) {
 }
 
 std::vector<TimingCause> causes_of(const Trace& trace, const Grafcet& grafcet,
-                                   const Stimuli& stimuli, std::optional<Time> period) {
+                                   const ToldRun& reference) {
     std::vector<TimingCause> all;
-    for (InstantCauses& found : causes_in(grafcet, tell_run(grafcet, stimuli, period))) {
+    for (InstantCauses& found : causes_in(grafcet, reference.stories)) {
         const auto at = std::lower_bound(trace.times.begin(), trace.times.end(), found.at);
         if (at == trace.times.begin() || at == trace.times.end() || *at != found.at) continue;
         const auto row = static_cast<std::size_t>(at - trace.times.begin());

@@ -9,6 +9,7 @@
 #include "draw/draw_chart.h"
 #include "draw/time_scale.h"
 #include "draw/timing_cause.h"
+#include "story/instant_story.h"
 #include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
@@ -71,10 +72,9 @@ std::span<const TraceFormat> trace_formats();
 /// What pictures of a chart are called.
 std::string title_of(const Grafcet& grafcet);
 
-/// What began the changes that a run shows, by the account of the reference under the same stimuli:
-/// scan by scan with that period, or until stable (none).
+/// What began the changes that a run shows, by the account of the reference under the same stimuli.
 std::vector<TimingCause> causes_of(const Trace& trace, const Grafcet& grafcet,
-                                   const Stimuli& stimuli, std::optional<Time> period);
+                                   const ToldRun& reference);
 
 /// A run of the chart in a format of the table.
 std::string trace_in_format(const Trace& trace, const Chart& chart, const TraceFormat& format,

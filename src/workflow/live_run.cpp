@@ -133,8 +133,8 @@ std::vector<std::string> LiveRun::differences() const {
     return names;
 }
 
-Trace LiveRun::trace() const {
-    return run_reference(chart_, reference_.stimuli(), reference_.period()).trace;
+ToldRun LiveRun::whole() const {
+    return tell_reference(chart_, reference_.stimuli(), reference_.period());
 }
 
 }  // namespace grafwire

@@ -78,7 +78,7 @@ class LiveRun {
     void go_back();
 
     /// All that was done, as a run from its beginning.
-    Trace trace() const;
+    ToldRun whole() const;
 
   private:
     /// Where the gates stand.

@@ -69,20 +69,20 @@ std::vector<std::string> texts_of(const std::vector<Diagnostic>& messages, Langu
 
 ReportedRun run_of(const Chart& chart, const ReportRequest& request) {
     const Stimuli& stimuli = *request.stimuli;
-    const RunResult run = run_reference(chart, stimuli, std::nullopt);
+    const ToldRun run = tell_reference(chart, stimuli, std::nullopt);
     ReportedRun reported;
     reported.file = request.stimuli_file;
-    for (const RunResult::BrokenAssumption& broken : run.broken_assumptions) {
+    for (const RunResult::BrokenAssumption& broken : run.result.broken_assumptions) {
         reported.remarks.push_back(
             broken_assumption_text(chart.grafcet, broken).in(request.language));
     }
     TimingDrawing how;
     how.title = title_of(chart.grafcet);
     how.language = request.language;
-    how.causes = causes_of(run.trace, chart.grafcet, stimuli, std::nullopt);
+    how.causes = causes_of(run.result.trace, chart.grafcet, run);
     reported.pictures =
-        write_svg_sheets(draw_timing(run.trace, how), how.title, request.language, "run");
-    reported.story = explain_run(chart, stimuli, std::nullopt, request.language);
+        write_svg_sheets(draw_timing(run.result.trace, how), how.title, request.language, "run");
+    reported.story = explain_run(chart, run, request.language);
     return reported;
 }
 

@@ -10,7 +10,6 @@
 #include "explain/gate_story.h"
 #include "explain/write_gate_story.h"
 #include "grafcet/write_grafcet.h"
-#include "story/instant_story.h"
 #include "story/write_story.h"
 #include "trace/input_values.h"
 #include "workflow/messages.h"
@@ -22,9 +21,12 @@ RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optiona
                   : run_until_stable(chart.grafcet, stimuli);
 }
 
-std::string explain_run(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period,
-                        Language language) {
-    return write_stories(chart.grafcet, tell_run(chart.grafcet, stimuli, period), language);
+ToldRun tell_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period) {
+    return tell_run(chart.grafcet, stimuli, period);
+}
+
+std::string explain_run(const Chart& chart, const ToldRun& run, Language language) {
+    return write_stories(chart.grafcet, run.stories, language);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "netlist/netlist.h"
 #include "s7/machine/run_listing.h"
 #include "simulate/simulate.h"
+#include "story/instant_story.h"
 #include "text/diagnostics.h"
 #include "text/message.h"
 #include "text/time.h"
@@ -20,9 +21,10 @@ namespace grafwire {
 /// The reference over stimuli: scan by scan with that period, or until stable (none).
 RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period);
 
-/// The same run told in words: for each instant or scan what was cleared and why.
-std::string explain_run(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period,
-                        Language language);
+/// The same run with an account of each instant or scan: what was cleared and why; and that account
+/// in words.
+ToldRun tell_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period);
+std::string explain_run(const Chart& chart, const ToldRun& run, Language language);
 
 /// The gates over stimuli under a delay model: a clocked netlist scan by scan with that period, or
 /// until stable (none). With a waveform of every net if asked for.

@@ -20,7 +20,7 @@ std::string told(const std::string& chart, const std::string& stimuli,
     REQUIRE(grafcet);
     const auto read = read_stimuli(stimuli, *grafcet, &messages);
     REQUIRE(read);
-    return write_stories(*grafcet, tell_run(*grafcet, *read, period), language);
+    return write_stories(*grafcet, tell_run(*grafcet, *read, period).stories, language);
 }
 
 const std::string lamp = R"(
@@ -318,7 +318,7 @@ graph G {
     REQUIRE(stimuli);
     std::string found;
     for (const InstantCauses& causes :
-         causes_in(*grafcet, tell_run(*grafcet, *stimuli, std::nullopt))) {
+         causes_in(*grafcet, tell_run(*grafcet, *stimuli, std::nullopt).stories)) {
         found += format_milliseconds(causes.at) + ":";
         for (const std::size_t input : causes.inputs) {
             found += ' ' + std::string(input_name(*grafcet, input));

@@ -56,7 +56,12 @@ std::string fault_of(const RandomCase& random_case, std::optional<Time> period) 
     const Stimuli& stimuli = *given;
     const RunResult run =
         period ? run_scans(grafcet, stimuli, *period) : run_until_stable(grafcet, stimuli);
-    const std::vector<InstantStory> stories = tell_run(grafcet, stimuli, period);
+    const auto [result, stories] = tell_run(grafcet, stimuli, period);
+    if (write_csv(result.trace) != write_csv(run.trace)) return "another trace";
+    if (result.unstable_at != run.unstable_at || result.changing != run.changing ||
+        !(result.broken_assumptions == run.broken_assumptions)) {
+        return "another result";
+    }
     std::size_t row = 0;
     for (const InstantStory& story : stories) {
         if (!std::all_of(story.scans.begin(), story.scans.end(), reasons_hold)) {
@@ -86,7 +91,7 @@ std::string fault_of_causes(const RandomCase& random_case) {
     const auto chart = read_grafcet(random_case.chart);
     const auto given = chart ? read_stimuli(random_case.stimuli, *chart) : std::nullopt;
     if (!given) return "it cannot be read";
-    const std::vector<InstantStory> stories = tell_run(*chart, *given, std::nullopt);
+    const std::vector<InstantStory> stories = tell_run(*chart, *given, std::nullopt).stories;
     const std::vector<InstantCauses> all = causes_in(*chart, stories);
     for (std::size_t i = 1; i < stories.size() && stories[i].is_stable; ++i) {
         const InstantStory& story = stories[i];

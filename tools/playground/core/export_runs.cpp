@@ -53,7 +53,8 @@ Json trace_answer(const Arguments& arguments, const Trace& trace, const AskedRun
     if (format == nullptr) return answer;
     std::vector<TimingCause> causes;
     if (format->is_picture) {
-        causes = causes_of(trace, run.chart.grafcet, run.stimuli, run.period);
+        causes =
+            causes_of(trace, run.chart.grafcet, tell_reference(run.chart, run.stimuli, run.period));
     }
     return file_answer(arguments, format->extension,
                        trace_in_format(trace, run.chart, *format, arguments.language(), causes));
@@ -99,8 +100,8 @@ Json export_story(const Arguments& arguments) {
     Json answer;
     const auto run = asked_run(arguments, answer);
     if (!run) return answer;
-    const std::string text =
-        explain_run(run->chart, run->stimuli, run->period, arguments.language());
+    const std::string text = explain_run(
+        run->chart, tell_reference(run->chart, run->stimuli, run->period), arguments.language());
     return file_answer(arguments, ".txt", wrapped(text, TableLook().width));
 }
 

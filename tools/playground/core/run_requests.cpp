@@ -163,9 +163,9 @@ Json draw_run(const Arguments& arguments, const Asked& asked) {
     const Runs::OpenRun* open = asked_run(arguments, asked, answer);
     if (open == nullptr) return answer;
     const LiveRun& run = *open->run;
-    const Trace trace = run.trace();
-    const auto causes =
-        causes_of(trace, run.chart().grafcet, run.reference().stimuli(), run.reference().period());
+    const ToldRun whole = run.whole();
+    const Trace& trace = whole.result.trace;
+    const auto causes = causes_of(trace, run.chart().grafcet, whole);
     for (const TraceFormat& format : trace_formats()) {
         if (format.name != "svg") continue;
         answer["svg"] = trace_in_format(trace, run.chart(), format, open->language, causes);
