@@ -72,26 +72,41 @@ std::optional<Netlist> netlist_for(const SimulateArguments& request, const Chart
     return netlist;
 }
 
-/// The simulation, told in words if asked for.
-ExplainedSimulation let_work(const SimulateArguments& request, const Chart& chart,
-                             const Netlist& netlist, const Stimuli& stimuli,
-                             std::optional<Time> period, Language language) {
+/// What the gates did.
+struct Work {
+    SimulateResult result;
+    std::string story;                   ///< in words, if asked for
+    std::optional<ZoomResult> zoomed{};  ///< with the instant that is asked for
+};
+
+/// `zoom`: empty for the whole run.
+Work let_work(const SimulateArguments& request, const Chart& chart, const Netlist& netlist,
+              const Stimuli& stimuli, std::optional<Time> period, std::optional<Time> zoom,
+              Language language) {
     const bool with_waveform = !request.output.vcd.empty();
     const DelayModel delays = request.netlist.delays();
-    if (request.explain) {
-        return explain_gates(chart, netlist, stimuli, delays, period, with_waveform, language);
+    Work work;
+    if (zoom) {
+        work.zoomed =
+            zoom_into(chart, netlist, stimuli, delays, period, with_waveform, *zoom, language);
+        work.result = std::move(work.zoomed->simulation);
     }
-    return {simulate_gates(chart, netlist, stimuli, delays, period, with_waveform), {}};
+    if (request.explain) {
+        // Its observers are others than those of an instant.
+        ExplainedSimulation explained =
+            explain_gates(chart, netlist, stimuli, delays, period, with_waveform, language);
+        work.result = std::move(explained.result);
+        work.story = std::move(explained.text);
+    } else if (!zoom) {
+        work.result = simulate_gates(chart, netlist, stimuli, delays, period, with_waveform);
+    }
+    return work;
 }
 
-/// The picture of the instant that is asked for; empty, and shown, where there is none.
-std::optional<std::string> zoomed_picture(const SimulateArguments& request, const Chart& chart,
-                                          const Netlist& netlist, const Stimuli& stimuli,
-                                          std::optional<Time> period, Language language) {
-    const std::optional<Time> at = parse_moment(request.zoom);
-    if (!at) return std::nullopt;
-    const ZoomResult zoomed =
-        zoom_into(chart, netlist, stimuli, request.netlist.delays(), period, *at, language);
+/// The picture of an instant; empty, and shown, where there is none.
+std::optional<std::string> zoomed_picture(const SimulateArguments& request,
+                                          const ZoomResult& zoomed, const Chart& chart,
+                                          Language language) {
     if (zoomed.instant) return request.output.text_of(zoomed.instant->shown(), chart, language);
     std::vector<std::string> nearest;
     for (const Time instant : zoomed.nearest) nearest.push_back(format_duration(instant));
@@ -100,13 +115,11 @@ std::optional<std::string> zoomed_picture(const SimulateArguments& request, cons
 }
 
 /// The trace or the picture; empty, and shown, where there is no such instant.
-std::optional<std::string> text_of(const SimulateArguments& request, const Trace& trace,
-                                   const Chart& chart, const Netlist& netlist,
-                                   const Stimuli& stimuli, std::optional<Time> period,
-                                   Language language) {
-    if (!request.zoom.empty()) {
-        return zoomed_picture(request, chart, netlist, stimuli, period, language);
-    }
+std::optional<std::string> text_of(const SimulateArguments& request, const Work& work,
+                                   const Chart& chart, const Stimuli& stimuli,
+                                   std::optional<Time> period, Language language) {
+    if (work.zoomed) return zoomed_picture(request, *work.zoomed, chart, language);
+    const Trace& trace = work.result.trace;
     ShownRun shown{trace, title_of(chart.grafcet)};
     if (request.output.is_picture()) {
         shown.causes = causes_of(trace, chart.grafcet, tell_reference(chart, stimuli, period));
@@ -121,7 +134,11 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     if (refuse_idle_options(line, "simulate", facts_of(request), &format)) {
         return ExitStatus::bad_request;
     }
-    if (!request.zoom.empty() && !parse_moment(request.zoom)) return ExitStatus::bad_request;
+    std::optional<Time> zoom;
+    if (!request.zoom.empty()) {
+        zoom = parse_moment(request.zoom);
+        if (!zoom) return ExitStatus::bad_request;
+    }
     // Read the GRAFCET and the stimuli.
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
     const auto chart = load_chart(request.path);
@@ -137,18 +154,18 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     // Let the gates work.
-    const auto [result, story] =
-        let_work(request, *chart, *netlist, *stimuli, period.value, line.language());
+    const Work work =
+        let_work(request, *chart, *netlist, *stimuli, period.value, zoom, line.language());
+    const SimulateResult& result = work.result;
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
-    const auto trace =
-        text_of(request, result.trace, *chart, *netlist, *stimuli, period.value, line.language());
+    const auto trace = text_of(request, work, *chart, *stimuli, period.value, line.language());
     if (!trace) return ExitStatus::bad_request;
     OutputFiles files({request.path, request.stimuli, request.against});
-    if (request.explain) files.add("-", wrapped(story, width_of_output()));
+    if (request.explain) files.add("-", wrapped(work.story, width_of_output()));
     if (!request.output.add_files(files, *trace, result.waveform, request.explain)) {
         return ExitStatus::bad_request;
     }

@@ -142,11 +142,12 @@ std::vector<Time> nearest_to(Time at, const std::vector<Time>& instants) {
 }  // namespace
 
 ZoomResult zoom_into(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                     const DelayModel& delays, std::optional<Time> period, Time at,
-                     Language language) {
+                     const DelayModel& delays, std::optional<Time> period, bool with_waveform,
+                     Time at, Language language) {
     SimulateOptions options;
+    options.waveform = with_waveform;
     options.scan_period = period.value_or(0);
-    const DetailedSimulation simulation = simulate_in_detail(
+    DetailedSimulation simulation = simulate_in_detail(
         chart.grafcet, netlist, cell_delays(netlist, delays), stimuli, options, at);
     ZoomedInstant instant;
     instant.title = title_of(chart.grafcet) + " – " +
@@ -156,9 +157,9 @@ ZoomResult zoom_into(const Chart& chart, const Netlist& netlist, const Stimuli& 
         instant.trace = trace_of(*simulation.detail, nets);
         instant.causes = causes_in(*simulation.detail, nets);
     } else if (!simulation.instants.empty()) {
-        return {std::nullopt, nearest_to(at, simulation.instants)};
+        return {std::move(simulation.result), std::nullopt, nearest_to(at, simulation.instants)};
     }
-    return {std::move(instant), {}};
+    return {std::move(simulation.result), std::move(instant), {}};
 }
 
 }  // namespace grafwire

@@ -7,6 +7,7 @@
 #include "draw/timing_cause.h"
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
+#include "simulate/simulate.h"
 #include "text/message.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
@@ -28,9 +29,10 @@ struct ZoomedInstant {
     ShownRun shown() const { return {trace, title, causes, TimeScale::nanoseconds}; }
 };
 
-/// What came of looking for an instant. Where the netlist does not settle at its start there are no
-/// instants, and that at any time is without rows.
+/// A simulation, and what came of looking for an instant in it. Where the netlist does not settle
+/// at its start there are no instants, and that at any time is without rows.
 struct ZoomResult {
+    SimulateResult simulation;
     std::optional<ZoomedInstant> instant;
     std::vector<Time> nearest;  ///< no such instant: those before and after it
 };
@@ -38,7 +40,7 @@ struct ZoomResult {
 /// The simulation of simulate_gates(), with a look into the instant at `at`, or into the scan. Of
 /// an instant in which the gates do not settle, the beginning.
 ZoomResult zoom_into(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                     const DelayModel& delays, std::optional<Time> period, Time at,
-                     Language language);
+                     const DelayModel& delays, std::optional<Time> period, bool with_waveform,
+                     Time at, Language language);
 
 }  // namespace grafwire

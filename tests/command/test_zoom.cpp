@@ -160,6 +160,28 @@ TEST_CASE("zoom: gates that do not settle: the beginning, and status 1") {
     CHECK(contains(after.err, "no instant at 9ms; nearest to it: 5ms"));
 }
 
+TEST_CASE("zoom: gates that do not settle at their start have no instants: a picture of none") {
+    const ScratchFolder folder;
+    // The first cycle, with Init at 1, lets the ring go.
+    const std::string netlist =
+        folder.file("ring.blif",
+                    ".model ring\n.inputs clk m a b Init AUdur AUdoux\n.outputs X0 X1 X2\n"
+                    ".latch Init X0 re clk 3\n.latch m X1 re clk 3\n.latch ring X2 re clk 3\n"
+                    ".names Init ring ring\n0- 1\n-0 1\n.end\n");
+    for (const std::string at : {"0s", "300ms", "1h"}) {
+        const Zoomed zoomed(zooming(sequence_chart, sequence_stimuli, at, {"--against", netlist}),
+                            1);
+        CHECK(zoomed.title == "Séquence unique – gates at " + at + ", which do not settle");
+        CHECK(zoomed.times.empty());
+        CHECK(zoomed.names.empty());
+    }
+    const Ran picture = grafwire_with(
+        zooming(sequence_chart, sequence_stimuli, "300ms", {"--against", netlist, "--to", "svg"}));
+    CHECK(picture.status == 1);
+    CHECK(contains(picture.err, "does not settle at 0 ms; these keep changing: NAND gate ring"));
+    CHECK(contains(picture.out, "<svg "));
+}
+
 TEST_CASE("zoom: of gates that go round for long, 64 moments") {
     const ScratchFolder folder;
     std::string ring = ".model ring\n.inputs m a b\n.outputs X0 X1 X2\n.names m n70 X0\n11 0\n";
