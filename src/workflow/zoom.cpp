@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "draw/schematic_nets.h"
@@ -23,6 +25,38 @@ namespace {
 namespace say = messages::workflow;
 using Kind = Trace::Column::Kind;
 
+/// The nets within a netlist, by what they are made for.
+struct InnerNets {
+    std::vector<std::vector<NetId>> of_steps;
+    std::vector<std::vector<NetId>> of_outputs;
+    std::vector<NetId> shared;
+
+    InnerNets(const Grafcet& grafcet, const Netlist& netlist, const PortMap& ports)
+        : of_steps(grafcet.steps.size()), of_outputs(grafcet.outputs.size()) {
+        std::vector<bool> is_port(netlist.net_count());
+        for (const auto* nets : {&ports.steps, &ports.outputs}) {
+            for (const NetId net : *nets) {
+                if (net != no_net) is_port[index_of(net)] = true;
+            }
+        }
+        std::map<std::pair<Origin::Kind, std::string_view>, std::vector<NetId>*> places;
+        for (std::size_t i = 0; i < of_steps.size(); ++i) {
+            const std::string& name = grafcet.steps[grafcet.steps.id_at(i)].name;
+            places[{Origin::Kind::step, name}] = &of_steps[i];
+        }
+        for (std::size_t i = 0; i < of_outputs.size(); ++i) {
+            const std::string& name = grafcet.outputs[grafcet.outputs.id_at(i)].name;
+            places[{Origin::Kind::output, name}] = &of_outputs[i];
+        }
+        for (const Cell& cell : netlist.cells) {
+            if (is_port[index_of(cell.output)]) continue;
+            const Origin& origin = netlist.origin_of(cell);
+            const auto place = places.find({origin.kind, origin.name});
+            (place == places.end() ? shared : *place->second).push_back(cell.output);
+        }
+    }
+};
+
 /// The nets that change in an instant, as columns of a trace.
 class ZoomedNets {
   public:
@@ -32,22 +66,17 @@ class ZoomedNets {
           column_of_(netlist.net_count(), none) {
         for (const NetChange& change : detail.changes) changes_[index_of(change.net)] = true;
         const PortMap ports = map_ports(grafcet, netlist);
-        std::vector<bool> is_named(netlist.net_count());
-        for (const auto* named : {&ports.steps, &ports.outputs}) {
-            for (const NetId net : *named) {
-                if (net != no_net) is_named[index_of(net)] = true;
-            }
-        }
-        if (netlist.is_clocked()) add_inner(netlist.clock, Kind::input);
-        for (const NetId net : ports.inputs) add_inner(net, Kind::input);
-        for (const Cell& cell : netlist.cells) {
-            if (!is_named[index_of(cell.output)]) add_inner(cell.output, Kind::internal);
-        }
+        const InnerNets inner(grafcet, netlist, ports);
+        if (netlist.is_clocked()) add_inner({netlist.clock}, Kind::input);
+        add_inner(ports.inputs, Kind::input);
+        add_inner(inner.shared, Kind::internal);
         for (std::size_t i = 0; i < ports.steps.size(); ++i) {
             add(ports.steps[i], "X" + grafcet.steps[grafcet.steps.id_at(i)].name, Kind::step);
+            add_inner(inner.of_steps[i], Kind::step);
         }
         for (std::size_t i = 0; i < ports.outputs.size(); ++i) {
             add(ports.outputs[i], grafcet.outputs[grafcet.outputs.id_at(i)].name, Kind::output);
+            add_inner(inner.of_outputs[i], Kind::output);
         }
     }
 
@@ -66,8 +95,10 @@ class ZoomedNets {
         nets_.push_back(net);
         columns_.push_back({std::move(name), 1, kind});
     }
-    void add_inner(NetId net, Kind kind) {
-        if (net != no_net) add(net, names_[index_of(net)], kind);
+    void add_inner(const std::vector<NetId>& nets, Kind kind) {
+        for (const NetId net : nets) {
+            if (net != no_net) add(net, names_[index_of(net)], kind);
+        }
     }
 
     std::vector<std::string> names_;  ///< by net

@@ -18,9 +18,9 @@
 namespace grafwire {
 
 /// An instant of a simulation gate by gate, as a run on the scale of nanoseconds. Columns are the
-/// nets that change within it: inputs, inner nets, X and outputs, each group in the order of the
-/// chart. There is a row for what was there before, at a time before 0, and one for each moment at
-/// which a net changes.
+/// nets that change within it: inputs, inner nets that are shared, then each X and each output with
+/// the nets that are made for it, in the order of the chart. There is a row for what was there
+/// before, at a time before 0, and one for each moment at which a net changes.
 struct ZoomedInstant {
     Trace trace;
     std::string title;

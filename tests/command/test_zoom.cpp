@@ -104,8 +104,8 @@ TEST_CASE("zoom: the nets that change in the order of the chart, and what made t
     CHECK(zoomed.title == "Séquence unique – gates at 300ms");
     CHECK(zoomed.times ==
           std::vector<std::string>{"before", "0ns", "1ns", "2ns", "3ns", "4ns", "5ns", "6ns"});
-    CHECK(zoomed.names == std::vector<std::string>{"m", "X0$reset0", "X0$q", "X1$set0", "X1$q",
-                                                   "X2$reset0", "X0", "X1"});
+    CHECK(zoomed.names == std::vector<std::string>{"m", "X0", "X0$reset0", "X0$q", "X1", "X1$set0",
+                                                   "X1$q", "X2$reset0"});
     CHECK(zoomed.wave("m") == "01......");
     CHECK(zoomed.wave("X1$set0") == "1.0....1");
     CHECK(zoomed.wave("X1") == "0..1....");
