@@ -102,12 +102,12 @@ inline constexpr Message<> output{"output file (default: standard output)",
                                   "fichier de sortie (par défaut : la sortie standard)"};
 inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
-inline constexpr Message<> trace_to{"format of the trace", "format de l'évolution relevée"};
+inline constexpr Message<> trace_to{"format of the trace", "format du chronogramme"};
 inline constexpr Message<> waveform{
     "the waveform for GTKWave, as FST where the file is called OUT.fst, else as VCD; beside it "
     "goes OUT.gtkw, which says what to show",
-    "le chronogramme pour GTKWave, en FST si le fichier s'appelle OUT.fst, sinon en VCD ; à côté, "
-    "OUT.gtkw dit quoi montrer"};
+    "le chronogramme pour GTKWave, en FST si le fichier s'appelle SORTIE.fst, sinon en VCD ; à "
+    "côté, SORTIE.gtkw dit quoi montrer"};
 
 // draw
 
@@ -218,7 +218,7 @@ inline constexpr Message<> simulate_against{
     "simuler ce câblage .blif ou .json au lieu d'en engendrer un"};
 inline constexpr Message<> simulate_scan{
     "clocked style: one scan every so much time (default: until stable)",
-    "style clocked : une scrutation tous les tant (par défaut : jusqu'à stabilité)"};
+    "style clocked : une scrutation à chaque période (par défaut : jusqu'à stabilité)"};
 
 // check
 
@@ -236,8 +236,10 @@ inline constexpr Message<> check_io{
 inline constexpr Message<> changes{
     "asynchronous netlists: what changes in one instant: one input, or delays end, and the netlist "
     "settles before the next (the default); or many",
-    "câblages asynchrones : ce qui change en un instant : one, une entrée, ou des temporisations "
-    "finissent, et le câblage se stabilise avant la suite (par défaut) ; ou many, plusieurs"};
+    "câblages asynchrones : ce qui change à un même instant : one, une seule entrée, ou des fins "
+    "de "
+    "temporisation, et le câblage se stabilise avant la suite (par défaut) ; many, plusieurs "
+    "entrées"};
 inline constexpr Message<> check_scan{
     "clocked netlists: the only time from one scan to the next that the verdict is for (default: "
     "every one); listings and ladder diagrams: that time (default: one that divides all delays)",

@@ -19,6 +19,7 @@
 #include "evolution/run.h"
 #include "explain/messages.h"
 #include "grafcet/shown_transition.h"
+#include "grafcet/write_grafcet.h"
 #include "trace/input_values.h"
 
 namespace grafwire {
@@ -118,7 +119,8 @@ void ExplanationWriter::explain_changes() {
     std::vector<std::string> set;
     if (!changes.empty() && changes.back().at == last) {
         for (const Stimuli::Assignment& assignment : changes.back().assignments) {
-            set.push_back(fmt::format("{}={}", input_name(grafcet_, assignment.input),
+            set.push_back(fmt::format("{}={}",
+                                      quoted_where_needed(input_name(grafcet_, assignment.input)),
                                       assignment.value ? 1 : 0));
         }
     }

@@ -104,6 +104,10 @@ inline constexpr CountedMessage<> links_in_file{
 // A link of the chain: when, what changes (a cell perhaps with its line), and because of what.
 inline constexpr Message<std::string> input{"input {}", "entrée {}"};
 inline constexpr Message<std::string, std::uint32_t> cell_in_line{"{} (line {})", "{} (ligne {})"};
+/// When a change comes: by the time of the run; since the last instant.
+inline constexpr Message<std::string> at_time{"{} ms", "{} ms"};
+inline constexpr Message<std::string> after_instant{"+{} ns", "+{} ns"};
+
 using LinkMessage = Message<std::string, std::string>;
 using AfterMessage = Message<std::string, std::string, std::string>;
 inline constexpr LinkMessage rises{"  {}  {} rises\n", "  {}  {} passe à 1\n"};

@@ -223,9 +223,9 @@ class ExplanationText {
     /// nanoseconds; an earlier one by the time of the run.
     std::string time_text(Time after) const {
         if (after < 0) {
-            return fmt::format("{} ms", format_milliseconds(witness_.stimuli.end + after));
+            return words::at_time.in(language_, format_milliseconds(witness_.stimuli.end + after));
         }
-        return fmt::format("+{} ns", format_nanoseconds(after));
+        return words::after_instant.in(language_, format_nanoseconds(after));
     }
 
     /// What is said of a net that takes a value: by itself, after others, as its delay ends, from

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "explain/messages.h"
+#include "grafcet/write_grafcet.h"
 #include "story/messages.h"
 #include "text/time.h"
 
@@ -75,7 +76,8 @@ void GateStoryWriter::tell_beginning(const GateStory& story) {
     std::vector<std::string> parts;
     std::vector<std::string> inputs;
     for (const Stimuli::Assignment& set : story.inputs) {
-        inputs.push_back(fmt::format("{}={}", input_name(grafcet_, set.input), set.value ? 1 : 0));
+        inputs.push_back(fmt::format("{}={}", quoted_where_needed(input_name(grafcet_, set.input)),
+                                     set.value ? 1 : 0));
     }
     if (!inputs.empty()) parts.push_back(fmt::format("{}", fmt::join(inputs, " ")));
     for (const std::string& condition : story.ended) {

@@ -131,7 +131,8 @@ std::string StoryWriter::changed_steps(const BitTable& before, const BitTable& a
 void StoryWriter::tell_beginning(const InstantStory& story) {
     std::vector<std::string> changes;
     for (const Stimuli::Assignment& set : story.inputs) {
-        changes.push_back(fmt::format("{}={}", input_name(grafcet_, set.input), set.value ? 1 : 0));
+        changes.push_back(fmt::format("{}={}", quoted_where_needed(input_name(grafcet_, set.input)),
+                                      set.value ? 1 : 0));
     }
     std::vector<std::string> parts;
     if (!changes.empty()) parts.push_back(fmt::format("{}", fmt::join(changes, " ")));

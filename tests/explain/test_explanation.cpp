@@ -137,12 +137,12 @@ How it came about, gate by gate:
     CAX1 = X0.m   avec X0=0 m=1
     CDX1 = X2 + X3   avec X2=1 X3=0
     dans le câblage, CDX1 = X3 ; il y manque X2
-    cela se décide à +4 ns
+    cela se décide à +4 ns
     ses portes : lignes 17, 19, 21
   P : la référence donne 0, le câblage 1
     cela découle de X1
 Comment on en arrive là, porte par porte :
-  +1 ns  porte OU X1 (ligne 21) passe à 1, dès le départ
+  +1 ns  porte OU X1 (ligne 21) passe à 1, dès le départ
 )") != std::string::npos);
 }
 

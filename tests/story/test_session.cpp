@@ -67,7 +67,7 @@ bool has(const std::string& text, const std::string& part) {
 TEST_CASE("until stable: inputs, time, the end of a delay, and the way back") {
     Typed typed;
     CHECK(typed.obeyed("show") == "Not begun: all inputs are 0.\n");
-    CHECK(has(typed.obeyed("\"b c\"=1"), "At 0 ms: b c=1\n  initial situation: X0 (rule 1)\n"));
+    CHECK(has(typed.obeyed("\"b c\"=1"), "At 0 ms: \"b c\"=1\n  initial situation: X0 (rule 1)\n"));
     CHECK(has(typed.obeyed("a=1 # a comment"), "At 1 ms: a=1\n  (0) 0 -> 1 is cleared"));
     CHECK(typed.session().prompt() == "1 ms> ");
     CHECK(has(typed.obeyed("+10ms a=0"), "At 11 ms: a=0\n  stable situation: X1\n"));
