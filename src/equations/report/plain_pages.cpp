@@ -109,7 +109,7 @@ class TextPage : public PlainPage {
         after_block_ = true;
     }
     void equation(const std::string& left, const std::string& right) override {
-        line(wrapped("  " + left + " = " + right, widest_line));
+        line(wrapped_formulas("  " + left + " = " + right, widest_line));
     }
     void end_equations() override {}
 
@@ -134,7 +134,7 @@ class TextPage : public PlainPage {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const std::size_t width = count_code_points(row[i].text);
             if (i > 0 && column + 1 + width > widest_line) {
-                line(wrapped(without_blanks_behind(text), widest_line));
+                line(wrapped_formulas(without_blanks_behind(text), widest_line));
                 text.assign(continuation, ' ');
                 column = continuation;
             }
@@ -143,7 +143,7 @@ class TextPage : public PlainPage {
             text.append(padding + 1, ' ');
             column += 2 + width + padding;
         }
-        line(wrapped(without_blanks_behind(text), widest_line));
+        line(wrapped_formulas(without_blanks_behind(text), widest_line));
     }
     static std::string without_blanks_behind(std::string text) {
         text.erase(text.find_last_not_of(' ') + 1);
