@@ -214,7 +214,7 @@ configured() {
 # them; common headers are read once for all; and only what runs long is optimised fully. In .ci/run
 # clang-tidy reads each file of the product by itself as well.
 fast_settings=(-DCMAKE_BUILD_TYPE=Release '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG' -DPRECOMPILE=ON
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=14)
 
 # is_new FOLDER: whether build/FOLDER has not been set up yet.
 is_new() {

@@ -12,6 +12,7 @@
 #include "grafcet/write_grafcet.h"
 #include "text/counted.h"
 #include "text/escape.h"
+#include "text/joined.h"
 #include "text/shown_duration.h"
 #include "text/utf8.h"
 
@@ -35,7 +36,7 @@ std::string indented(const std::string& text) {
 }
 
 std::string names_text(const std::vector<std::string>& names) {
-    return fmt::format("{}", fmt::join(names, ", "));
+    return joined(names, ", ");
 }
 
 bool all_agree(const Witness& witness) {
@@ -100,7 +101,7 @@ class TextReport {
     }
     /// A line of several parts.
     void add_line(const std::vector<std::string>& parts) {
-        text_ += fmt::format("  {}\n", fmt::join(parts, in_words(words::separator)));
+        text_ += fmt::format("  {}\n", joined(parts, in_words(words::separator)));
     }
 
     const Message<std::string, std::string>& verdict() const;
@@ -356,7 +357,7 @@ std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafce
                               const CheckResult& result, const ExplainedWitness& explained,
                               double seconds) {
     ExplainedWitness in_english = explained;
-    in_english.text = fmt::format("{}\n", fmt::join(explained.lines, "\n"));
+    in_english.text = fmt::format("{}\n", joined(explained.lines, "\n"));
     const std::string details =
         write_check_text(subject, grafcet, result, in_english, Language::english);
     switch (result.verdict) {

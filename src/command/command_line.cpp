@@ -17,6 +17,7 @@
 #include "command/help.h"
 #include "command/messages.h"
 #include "command/wrapped_help.h"
+#include "text/joined.h"
 #include "text/nearest_name.h"
 #include "text/version.h"
 
@@ -48,7 +49,7 @@ AddedOption AddedOption::required() const {
 }
 
 AddedOption AddedOption::one_of(const std::vector<std::string>& values) const {
-    const std::string set = fmt::format("{{{}}}", fmt::join(values, ","));
+    const std::string set = fmt::format("{{{}}}", joined(values, ","));
     const auto check = [values, set, language = language_](const std::string& text) {
         const bool is_one = std::find(values.begin(), values.end(), text) != values.end();
         return is_one ? std::string() : say::not_one_of.in(language, text, set);
@@ -195,7 +196,7 @@ Localized unknown_command(const CLI::App& app, const std::string& word) {
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
         names.push_back(command->get_name());
     }
-    const std::string all = fmt::format("{}", fmt::join(names, ", "));
+    const std::string all = joined(names, ", ");
     const std::string near = nearest(word, names);
     return near.empty() ? say::unknown_command(word, all)
                         : say::unknown_command_near(word, near, all);
@@ -228,8 +229,7 @@ Localized wrong_count(const CLI::App& command, const std::string& message) {
 Localized wrong_flag(const CLI::App& command, const std::string& message) {
     for (const CLI::Option* option : options_of(command)) {
         if (option->get_items_expected_max() != 0 || option->count() == 0) continue;
-        return say::flag_with_value(option->get_name(),
-                                    fmt::format("{}", fmt::join(option->results(), ",")));
+        return say::flag_with_value(option->get_name(), joined(option->results(), ","));
     }
     return Localized::same_in_both(message);
 }

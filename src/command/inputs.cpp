@@ -3,14 +3,13 @@
 
 #include "command/inputs.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "command/fst_file.h"
 #include "command/help.h"
 #include "command/messages.h"
 #include "command/terminal.h"
+#include "text/joined.h"
 #include "text/nearest_name.h"
 
 namespace grafwire {
@@ -104,7 +103,7 @@ Period parse_period(const std::string& text) {
 
 void complain_of_format(std::string_view name, const std::vector<std::string_view>& names) {
     const std::string_view nearest = nearest_name(name, names);
-    complain(nearest.empty() ? say::unknown_format(name, fmt::format("{}", fmt::join(names, ", ")))
+    complain(nearest.empty() ? say::unknown_format(name, joined(names, ", "))
                              : say::unknown_format_near(name, nearest));
 }
 

@@ -4,10 +4,9 @@
 
 #include "command/option_uses.h"
 
-#include <fmt/format.h>
-
 #include "command/messages.h"
 #include "command/standard_error.h"
+#include "text/joined.h"
 #include "text/words.h"
 
 namespace grafwire {
@@ -87,8 +86,7 @@ Localized refusal(const ChosenFormat& format, std::string_view option) {
     for (const FormatOptions& other : format.all) {
         if (has_word(other.options, option)) others.push_back(other.name);
     }
-    return say::format_has_no_option(format.chosen.name, option,
-                                     fmt::format("{}", fmt::join(others, ", ")));
+    return say::format_has_no_option(format.chosen.name, option, joined(others, ", "));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // grafwire run: the reference evolution, over stimuli or step by step.
 
-#include <fmt/format.h>
-
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -9,6 +7,7 @@
 #include "command/option_uses.h"
 #include "command/step_by_step.h"
 #include "command/terminal.h"
+#include "text/joined.h"
 #include "text/wrapped.h"
 #include "workflow/runs.h"
 
@@ -43,9 +42,8 @@ ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language
     }
     // Write the trace, up to the instant without a stable situation if there is one.
     if (result.unstable_at) {
-        complain(messages::command::no_stable_situation(
-            format_milliseconds(*result.unstable_at),
-            fmt::format("{}", fmt::join(result.changing, ", "))));
+        complain(messages::command::no_stable_situation(format_milliseconds(*result.unstable_at),
+                                                        joined(result.changing, ", ")));
     }
     OutputFiles files({request.path, request.stimuli});
     if (request.explain) {

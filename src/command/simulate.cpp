@@ -1,8 +1,6 @@
 // grafwire simulate: the gates of a netlist, made or read, under stimuli, in the columns of the
 // reference.
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/terminal.h"
+#include "text/joined.h"
 #include "text/wrapped.h"
 #include "workflow/check.h"
 #include "workflow/runs.h"
@@ -110,7 +109,7 @@ std::optional<std::string> zoomed_picture(const SimulateArguments& request,
     if (zoomed.instant) return request.output.text_of(zoomed.instant->shown(), chart, language);
     std::vector<std::string> nearest;
     for (const Time instant : zoomed.nearest) nearest.push_back(format_duration(instant));
-    complain(say::no_instant_at(request.zoom, fmt::format("{}", fmt::join(nearest, ", "))));
+    complain(say::no_instant_at(request.zoom, joined(nearest, ", ")));
     return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "draw/messages.h"
+#include "text/joined.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -109,7 +110,7 @@ void IndexColumn::draw(SchematicPens& pens, Point at) const {
         Owner owner{"index",
                     {{"net", std::string(view_->nets.netlist.names[entry.net])},
                      {"made-on", fmt::format("{}", entry.made_on)},
-                     {"read-on", fmt::format("{}", fmt::join(entry.read_on, " "))}},
+                     {"read-on", joined(entry.read_on, " ")}},
                     {}};
         row(pens.owned_by(std::move(owner)), view_->nets.names[index_of(entry.net)], made,
             sheets_in_words(entry.read_on), Label::Role::plain);

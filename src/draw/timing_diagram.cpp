@@ -10,6 +10,7 @@
 
 #include "draw/messages.h"
 #include "draw/moments.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -180,7 +181,7 @@ class TimingDiagram {
         for (const TimingCause& cause : how_.causes) {
             ShownCause shown;
             shown.moment = moment_at(cause.at);
-            shown.ended = fmt::format("{}", fmt::join(cause.ended, ", "));
+            shown.ended = joined(cause.ended, ", ");
             for (const std::size_t column : cause.columns) {
                 const std::size_t row = row_of(column);
                 if (row < rows_.size()) shown.rows.push_back(row);

@@ -13,6 +13,7 @@
 #include "draw/messages.h"
 #include "draw/moments.h"
 #include "draw/write_drawing.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -77,7 +78,7 @@ class Arrows {
                 const std::string_view shape = begin == to.second ? "->" : "|->";
                 for (const std::size_t column : cause.columns) add({column, begin}, shape, to, "");
                 if (cause.ended.empty()) continue;
-                add({times, begin}, shape, to, fmt::format("{}", fmt::join(cause.ended, ", ")));
+                add({times, begin}, shape, to, joined(cause.ended, ", "));
             }
         }
     }

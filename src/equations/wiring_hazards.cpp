@@ -12,13 +12,12 @@
 
 #include "equations/wiring_hazards.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "equations/concurrent_steps.h"
 #include "equations/messages.h"
 #include "grafcet/write_grafcet.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -249,7 +248,7 @@ class Warnings {
     std::string names_of(std::span<const StepId> steps) const {
         std::vector<std::string> names;
         for (const StepId step : steps) names.push_back(grafcet_.steps[step].name);
-        return fmt::format("{}", fmt::join(names, ", "));
+        return joined(names, ", ");
     }
     Location place_of(TransitionId id) const { return grafcet_.transitions[id].where; }
 

@@ -20,6 +20,7 @@
 #include "explain/messages.h"
 #include "grafcet/shown_transition.h"
 #include "grafcet/write_grafcet.h"
+#include "text/joined.h"
 #include "trace/input_values.h"
 
 namespace grafwire {
@@ -128,7 +129,7 @@ void ExplanationWriter::explain_changes() {
     if (set.empty()) {
         say(words::no_change_at, time);
     } else {
-        say(words::changes_at, time, fmt::format("{}", fmt::join(set, " ")));
+        say(words::changes_at, time, joined(set, " "));
     }
 }
 
@@ -140,7 +141,7 @@ std::string ExplanationWriter::situation_text(const BitTable& situation) const {
         }
     }
     if (active.empty()) return words::no_step.in(language_);
-    return fmt::format("{}", fmt::join(active, " "));
+    return joined(active, " ");
 }
 
 void ExplanationWriter::explain_reference() {
@@ -174,8 +175,7 @@ void ExplanationWriter::explain_scan(const ReferenceEnd::Scan& scan, std::size_t
     }
     std::vector<std::string> names;
     for (const TransitionId id : scan.cleared) names.push_back(shown_transition(grafcet_, id));
-    const std::string cleared =
-        fmt::format("{}", fmt::join(names, words::between_transitions.in(language_)));
+    const std::string cleared = joined(names, words::between_transitions.in(language_));
     if (is_numbered) {
         say(words::scan_clears, number, cleared, situation);
     } else {

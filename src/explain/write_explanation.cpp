@@ -18,10 +18,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "explain/explain.h"
 #include "explain/explanation_writer.h"
 #include "explain/messages.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -65,8 +67,8 @@ const CauseRow& row_of(CauseKind kind) {
 /// `X1, X2 and X3`
 std::string listed(const std::vector<std::string>& names, Language language) {
     if (names.size() < 2) return names.empty() ? "" : names[0];
-    return words::and_last.in(
-        language, fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", ")), names.back());
+    return words::and_last.in(language, joined(std::span(names).first(names.size() - 1), ", "),
+                              names.back());
 }
 
 /// A sentence with its names.
@@ -134,7 +136,7 @@ class ExplanationText {
                 digit_of(part.got));
         }
         if (!part.follows_from.empty()) {
-            say(words::follows_from, joined(part.follows_from));
+            say(words::follows_from, joined(part.follows_from, ", "));
             return;
         }
         for (const EquationPair& pair : part.equations) write_equation(part, pair);
@@ -155,11 +157,12 @@ class ExplanationText {
         if (pair.missing.empty() && pair.extra.empty()) {
             say(words::in_netlist, got);
         } else if (pair.extra.empty()) {
-            say(words::in_netlist_without, got, joined(pair.missing));
+            say(words::in_netlist_without, got, joined(pair.missing, ", "));
         } else if (pair.missing.empty()) {
-            say(words::in_netlist_with, got, joined(pair.extra));
+            say(words::in_netlist_with, got, joined(pair.extra, ", "));
         } else {
-            say(words::in_netlist_otherwise, got, joined(pair.missing), joined(pair.extra));
+            say(words::in_netlist_otherwise, got, joined(pair.missing, ", "),
+                joined(pair.extra, ", "));
         }
     }
 
@@ -169,7 +172,7 @@ class ExplanationText {
         for (const Explanation::Operand& operand : operands) {
             values.push_back(fmt::format("{}={}", operand.name, digit_of(operand.value)));
         }
-        return fmt::format("{}", fmt::join(values, " "));
+        return joined(values, " ");
     }
 
     /// What the equations do not show by themselves, when it shows, and where the gates stand.
@@ -199,10 +202,6 @@ class ExplanationText {
                         ? words::gates_in_lines.in(language_, count, ranges(part.lines))
                         : words::gates_in_lines_of.in(language_, count, ranges(part.lines),
                                                       options_.source));
-    }
-
-    static std::string joined(const std::vector<std::string>& names) {
-        return fmt::format("{}", fmt::join(names, ", "));
     }
 
     /// `3, 7-9`.
@@ -273,7 +272,7 @@ class ExplanationText {
         const std::string what = subject_of(link);
         const LinkWords sentences = words_for(link.value);
         if (!link.causes.empty()) {
-            say(sentences.after, when, what, joined(link.causes));
+            say(sentences.after, when, what, joined(link.causes, ", "));
         } else if (link.cell == no_cell) {
             say(sentences.alone, when, what);
         } else if (is_timer(netlist_.cells[link.cell].type)) {

@@ -11,6 +11,7 @@
 #include "explain/messages.h"
 #include "grafcet/write_grafcet.h"
 #include "story/messages.h"
+#include "text/joined.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -38,9 +39,7 @@ class GateStoryWriter {
     std::string shown(const GateLink& link) const;
     std::string oscillating(const std::vector<NetId>& nets) const;
 
-    static std::string list(const std::vector<std::string>& names) {
-        return fmt::format("{}", fmt::join(names, ", "));
-    }
+    static std::string list(const std::vector<std::string>& names) { return joined(names, ", "); }
     template <class... Arguments>
     void say(const Message<Arguments...>& message,
              const std::type_identity_t<Arguments>&... arguments) {
@@ -79,7 +78,7 @@ void GateStoryWriter::tell_beginning(const GateStory& story) {
         inputs.push_back(fmt::format("{}={}", quoted_where_needed(input_name(grafcet_, set.input)),
                                      set.value ? 1 : 0));
     }
-    if (!inputs.empty()) parts.push_back(fmt::format("{}", fmt::join(inputs, " ")));
+    if (!inputs.empty()) parts.push_back(joined(inputs, " "));
     for (const std::string& condition : story.ended) {
         parts.push_back(story_words::delay_is_over.in(language_, condition));
     }
@@ -90,8 +89,7 @@ void GateStoryWriter::tell_beginning(const GateStory& story) {
         parts.push_back(nothing.in(language_));
     }
     const std::string separator = story_words::separator.in(language_);
-    text_ += story_words::at.in(language_, format_milliseconds(story.at),
-                                fmt::format("{}", fmt::join(parts, separator)));
+    text_ += story_words::at.in(language_, format_milliseconds(story.at), joined(parts, separator));
 }
 
 void GateStoryWriter::tell_change(const GateChange& change) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text/joined.h"
+
 namespace grafwire {
 
 std::string shown_transition(const Grafcet& grafcet, TransitionId id) {
@@ -13,7 +15,7 @@ std::string shown_transition(const Grafcet& grafcet, TransitionId id) {
     const auto names = [&](std::span<const StepId> steps) {
         std::vector<std::string_view> list;
         for (const StepId step : steps) list.push_back(grafcet.steps[step].name);
-        return fmt::format("{}", fmt::join(list, ", "));
+        return joined(list, ", ");
     };
     const std::string before = names(grafcet.preceding(transition));
     const std::string after = names(grafcet.following(transition));

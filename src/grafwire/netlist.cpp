@@ -2,10 +2,9 @@
 
 #include "grafwire/netlist.h"
 
-#include <fmt/format.h>
-
 #include "grafwire/messages.h"
 #include "grafwire/parts.h"
+#include "text/joined.h"
 
 namespace grafwire::api {
 
@@ -19,8 +18,7 @@ Result<Netlist> make_netlist(const Chart& chart, const NetlistOptions& options) 
     const StyleRow* style = style_named(options.style);
     if (style == nullptr) {
         return {std::nullopt,
-                {error(messages::library::unknown_style(
-                    options.style, fmt::format("{}", fmt::join(styles(), ", "))))}};
+                {error(messages::library::unknown_style(options.style, joined(styles(), ", ")))}};
     }
     grafwire::NetlistOptions asked{style->style, std::nullopt, options.modes};
     if (options.cdx) asked.cdx = form_from(*options.cdx);

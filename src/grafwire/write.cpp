@@ -2,10 +2,9 @@
 
 #include "grafwire/write.h"
 
-#include <fmt/format.h>
-
 #include "grafwire/messages.h"
 #include "grafwire/parts.h"
+#include "text/joined.h"
 #include "workflow/programs.h"
 
 namespace grafwire::api {
@@ -48,8 +47,7 @@ namespace {
 
 /// Names what there is.
 Message no_format(std::string_view name, const std::vector<std::string_view>& names) {
-    return error(
-        messages::library::unknown_format(name, fmt::format("{}", fmt::join(names, ", "))));
+    return error(messages::library::unknown_format(name, joined(names, ", ")));
 }
 
 }  // namespace

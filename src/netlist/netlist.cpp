@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <unordered_set>
 
 namespace grafwire {
@@ -161,36 +160,35 @@ std::string cell_description(const Netlist& netlist, CellId id, Language languag
 //       X1 = nand(X1$set0, X1$q)
 std::string write_netlist_text(const Netlist& netlist) {
     std::string text = fmt::format("netlist {}\n", netlist.name);
-    const auto out = std::back_inserter(text);
-    for (const Port& port : netlist.inputs) fmt::format_to(out, "input {}\n", port.name);
+    for (const Port& port : netlist.inputs) text += fmt::format("input {}\n", port.name);
     for (const Port& port : netlist.outputs) {
-        fmt::format_to(out, "output {} = {}\n", port.name, netlist.names[port.net]);
+        text += fmt::format("output {} = {}\n", port.name, netlist.names[port.net]);
     }
     for (const Module& module : netlist.modules) {
-        fmt::format_to(out, "module {}{}{}\n", module.name, module.comment.empty() ? "" : " # ",
-                       module.comment);
+        text += fmt::format("module {}{}{}\n", module.name, module.comment.empty() ? "" : " # ",
+                            module.comment);
         for (std::uint32_t i = 0; i < module.cell_count; ++i) {
             const Cell& cell = netlist.cells[netlist.cells.id_at(module.first_cell + i)];
-            fmt::format_to(out, "  {} = {}(", netlist.names[cell.output], row_of(cell.type).name);
+            text += fmt::format("  {} = {}(", netlist.names[cell.output], row_of(cell.type).name);
             bool first = true;
             for (const NetId pin : netlist.pins_of(cell)) {
-                fmt::format_to(out, "{}{}", first ? "" : ", ", netlist.names[pin]);
+                text += fmt::format("{}{}", first ? "" : ", ", netlist.names[pin]);
                 first = false;
             }
             text += ')';
             if (row_of(cell.type).has_timing) {
                 const Timing& timing = netlist.timings[cell.timing];
-                fmt::format_to(out, " rise {} fall {}", format_duration(timing.rise),
-                               format_duration(timing.fall));
+                text += fmt::format(" rise {} fall {}", format_duration(timing.rise),
+                                    format_duration(timing.fall));
             }
             if (row_of(cell.type).has_memory && cell.initial != Logic::unknown) {
-                fmt::format_to(out, " initially {}", cell.initial == Logic::one ? 1 : 0);
+                text += fmt::format(" initially {}", cell.initial == Logic::one ? 1 : 0);
             }
             text += '\n';
         }
     }
     for (const Netlist::InitialValue& start : netlist.initial_values) {
-        fmt::format_to(out, "initially {} = {}\n", netlist.names[start.net], start.value ? 1 : 0);
+        text += fmt::format("initially {} = {}\n", netlist.names[start.net], start.value ? 1 : 0);
     }
     return text;
 }

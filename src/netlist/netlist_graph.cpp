@@ -8,6 +8,7 @@
 #include <boost/graph/strong_components.hpp>
 
 #include "netlist/netlist.h"
+#include "netlist/netlist_in_boost.h"
 
 namespace grafwire {
 
@@ -38,18 +39,25 @@ NetlistGraph::NetlistGraph(const Netlist& netlist, Edges edges)
     }
 }
 
+// R. Tarjan, "Depth-first search and linear graph algorithms", SIAM J. Comput. 1, 1972. Components
+// are numbered in the order in which they are left, that is, in reverse topological order.
+
+std::vector<std::uint32_t> strong_components(const NetlistGraph& graph) {
+    std::vector<std::uint32_t> component(graph.cell_count());
+    if (component.empty()) return component;
+    const auto index = get(boost::vertex_index_t{}, graph);
+    boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
+                             boost::vertex_index_map(index));
+    return component;
+}
+
 // A cell lies on a loop where its strongly connected component has more than one cell, or where it
-// reads itself (R. Tarjan, "Depth-first search and linear graph algorithms", SIAM J. Comput. 1,
-// 1972; Boost.Graph's strong_components).
+// reads itself.
 
 std::vector<std::uint8_t> cells_on_loops(const Netlist& netlist) {
     const NetlistGraph graph(netlist, NetlistGraph::Edges::at_once);
-    std::vector<std::uint32_t> component(graph.cell_count());
-    const auto index = get(boost::vertex_index_t{}, graph);
-    const auto count =
-        boost::strong_components(graph, boost::make_iterator_property_map(component.begin(), index),
-                                 boost::vertex_index_map(index));
-    std::vector<std::uint32_t> size(count);
+    const std::vector<std::uint32_t> component = strong_components(graph);
+    std::vector<std::uint32_t> size(graph.cell_count());
     for (const std::uint32_t c : component) ++size[c];
 
     std::vector<std::uint8_t> on_loop(graph.cell_count());

@@ -7,6 +7,7 @@
 #include "report/messages.h"
 #include "report/page_style.h"
 #include "report/report.h"
+#include "text/joined.h"
 #include "text/version.h"
 
 namespace grafwire {
@@ -206,8 +207,7 @@ class ReportWriter {
         begin_section("verdicts", say::verdicts);
         html_.element("p", in_words(say::verdicts_are));
         if (!report_.assumptions.empty()) {
-            html_.element("p", in_words(say::assumptions,
-                                        fmt::format("{}", fmt::join(report_.assumptions, ", "))));
+            html_.element("p", in_words(say::assumptions, joined(report_.assumptions, ", ")));
         }
         html_.open("table");
         heading_cells({&say::style_column, &say::verdict, &say::compared, &say::rests_on});

@@ -23,6 +23,7 @@
 #include "s7/write_listing.h"
 #include "s7check/candidate_networks.h"
 #include "s7check/messages.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -194,8 +195,7 @@ void explain_diagnosis(ExplanationWriter& writer, const s7::Listing& listing,
     const std::vector<std::uint32_t> others(diagnosis.networks.begin() + 1,
                                             diagnosis.networks.end());
     if (!others.empty()) {
-        writer.add(words::look_at_networks.in(language, others.size(),
-                                              fmt::format("{}", fmt::join(others, ", "))));
+        writer.add(words::look_at_networks.in(language, others.size(), joined(others, ", ")));
     }
     explain_instructions(writer, listing, diagnosis);
 }

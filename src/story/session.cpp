@@ -12,6 +12,7 @@
 #include "grafcet/write_grafcet.h"
 #include "story/messages.h"
 #include "story/write_story.h"
+#include "text/joined.h"
 #include "text/trimmed.h"
 #include "text/utf8.h"
 #include "trace/input_values.h"
@@ -61,7 +62,7 @@ Session::Session(const Grafcet& grafcet, std::optional<Time> period, Language la
 std::string Session::greeting() const {
     std::vector<std::string_view> inputs;
     for (const Input& input : grafcet_.inputs) inputs.push_back(input.name);
-    return words::greeting.in(language_, grafcet_.name, fmt::format("{}", fmt::join(inputs, ", ")));
+    return words::greeting.in(language_, grafcet_.name, joined(inputs, ", "));
 }
 
 std::string Session::prompt() const {
@@ -209,8 +210,7 @@ std::string Session::shown() const {
     for (std::size_t i = 0; i < run_.inputs().size(); ++i) {
         if (run_.inputs()[i] != 0) inputs.push_back(input_name(grafcet_, i));
     }
-    const std::string list = inputs.empty() ? words::no_output.in(language_)
-                                            : fmt::format("{}", fmt::join(inputs, ", "));
+    const std::string list = inputs.empty() ? words::no_output.in(language_) : joined(inputs, ", ");
     return words::shown_at.in(language_, format_milliseconds(run_.now()), list) +
            write_end(grafcet_, *run_.last(), language_);
 }

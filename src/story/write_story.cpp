@@ -13,6 +13,7 @@
 #include "grafcet/shown_transition.h"
 #include "grafcet/write_grafcet.h"
 #include "story/messages.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -61,9 +62,7 @@ class StoryWriter {
     }
     std::string changed_steps(const BitTable& before, const BitTable& after,
                               Range<StepId> among) const;
-    static std::string list(const std::vector<std::string>& names) {
-        return fmt::format("{}", fmt::join(names, ", "));
-    }
+    static std::string list(const std::vector<std::string>& names) { return joined(names, ", "); }
 
     template <class... Arguments>
     void say(const Message<Arguments...>& message,
@@ -102,7 +101,7 @@ std::string StoryWriter::values(const EnabledTransition& enabled) const {
                             : word(words::running_operand, operand.name, operand.value,
                                    format_milliseconds(operand.due)));
     }
-    return fmt::format(" ({})", fmt::join(texts, " "));
+    return fmt::format(" ({})", joined(texts, " "));
 }
 
 std::string StoryWriter::situation(const BitTable& table) const {
@@ -125,7 +124,7 @@ std::string StoryWriter::changed_steps(const BitTable& before, const BitTable& a
     if (!down.empty()) parts.push_back(word(words::deactivated, list(down)));
     if (!up.empty()) parts.push_back(word(words::activated, list(up)));
     if (parts.empty()) return word(words::no_step_changes);
-    return fmt::format("{}", fmt::join(parts, word(words::separator)));
+    return joined(parts, word(words::separator));
 }
 
 void StoryWriter::tell_beginning(const InstantStory& story) {
@@ -135,7 +134,7 @@ void StoryWriter::tell_beginning(const InstantStory& story) {
                                       set.value ? 1 : 0));
     }
     std::vector<std::string> parts;
-    if (!changes.empty()) parts.push_back(fmt::format("{}", fmt::join(changes, " ")));
+    if (!changes.empty()) parts.push_back(joined(changes, " "));
     for (const TimeConditionChange& ended : story.ended) {
         parts.push_back(word(words::delay_is_over, expression(ended.condition)));
     }
@@ -144,8 +143,7 @@ void StoryWriter::tell_beginning(const InstantStory& story) {
                              : story.is_first ? words::all_inputs_0
                                               : words::no_input_changes));
     }
-    say(words::at, format_milliseconds(story.at),
-        fmt::format("{}", fmt::join(parts, word(words::separator))));
+    say(words::at, format_milliseconds(story.at), joined(parts, word(words::separator)));
 }
 
 void StoryWriter::tell(const InstantStory& story) {

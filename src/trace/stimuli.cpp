@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <unordered_map>
 
 #include "grafcet/lexer.h"
@@ -283,7 +282,7 @@ std::string write_stimuli(const Stimuli& stimuli, const Grafcet& grafcet) {
         }
         out += '\n';
     }
-    fmt::format_to(std::back_inserter(out), "{} : end\n", format_duration(stimuli.end));
+    out += fmt::format("{} : end\n", format_duration(stimuli.end));
     return out;
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <utility>
 
 #include "text/escape.h"
@@ -61,7 +60,7 @@ std::string write_csv(const Trace& trace) {
             } else if (*value == 0 || *value == 1) {
                 out += *value == 0 ? ",0" : ",1";
             } else {
-                fmt::format_to(std::back_inserter(out), ",{}", *value);
+                out += fmt::format(",{}", *value);
             }
         }
         out += '\n';

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <utility>
 
 #include "text/utf8.h"
@@ -68,17 +67,15 @@ std::string_view timescale(Time tick) {
 }  // namespace
 
 VcdWriter::VcdWriter(std::string_view scope, Time tick) : scope_(one_word(scope)), tick_(tick) {
-    fmt::format_to(std::back_inserter(text_), "$version grafwire $end\n$timescale {} $end\n",
-                   timescale(tick));
+    text_ += fmt::format("$version grafwire $end\n$timescale {} $end\n", timescale(tick));
     tell_apart(scope, scope_);
-    fmt::format_to(std::back_inserter(text_), "$scope module {} $end\n", scope_);
+    text_ += fmt::format("$scope module {} $end\n", scope_);
 }
 
 /// Where a name is written otherwise than in the chart.
 void VcdWriter::tell_apart(std::string_view name, std::string_view written) {
     if (name == written) return;
-    fmt::format_to(std::back_inserter(comments_), "$comment {} is {} $end\n", written,
-                   in_comment(name));
+    comments_ += fmt::format("$comment {} is {} $end\n", written, in_comment(name));
 }
 
 /// `!`, `"`, … `~`, `!!`, `"!`, …: a number in base 94 whose digits count from 1, so that all
@@ -99,8 +96,7 @@ std::uint32_t VcdWriter::add_signal(std::string_view name, std::uint32_t width) 
     widths_.push_back(width);
     written_.push_back(names_.claim_word(one_word(name)));
     tell_apart(name, written_.back());
-    fmt::format_to(std::back_inserter(text_), "$var wire {} {} {} $end\n", width,
-                   identifier(signal), written_.back());
+    text_ += fmt::format("$var wire {} {} {} $end\n", width, identifier(signal), written_.back());
     return signal;
 }
 
@@ -118,7 +114,7 @@ void VcdWriter::begin() {
 void VcdWriter::move_to(Time at) {
     assert(at >= now_ && at % tick_ == 0);
     if (at == now_) return;
-    fmt::format_to(std::back_inserter(text_), "#{}\n", at / tick_);
+    text_ += fmt::format("#{}\n", at / tick_);
     now_ = at;
 }
 
@@ -201,19 +197,18 @@ constexpr std::pair<Trace::Column::Kind, std::string_view> groups[] = {
 
 std::string write_gtkw(const Waveform& waveform, std::string_view vcd_file) {
     std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n", vcd_file);
-    const auto out = std::back_inserter(text);
     for (const auto& [kind, title] : groups) {
         const auto is_of_group = [kind = kind](const Waveform::Signal& s) {
             return s.kind == kind;
         };
         if (std::none_of(waveform.signals.begin(), waveform.signals.end(), is_of_group)) continue;
-        fmt::format_to(out, "{}\n-{}\n", begin_group, title);
+        text += fmt::format("{}\n-{}\n", begin_group, title);
         for (const Waveform::Signal& signal : waveform.signals) {
             if (!is_of_group(signal)) continue;
-            fmt::format_to(out, "{}\n{}\n", signal.is_number ? as_signed_number : as_bit,
-                           signal.name);
+            text +=
+                fmt::format("{}\n{}\n", signal.is_number ? as_signed_number : as_bit, signal.name);
         }
-        fmt::format_to(out, "{}\n-{}\n", end_group, title);
+        text += fmt::format("{}\n-{}\n", end_group, title);
     }
     return text;
 }

@@ -5,8 +5,6 @@
 
 #include "workflow/check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "check/check_equivalence.h"
@@ -27,6 +25,7 @@
 #include "s7check/listing_device.h"
 #include "simulate/simulate.h"
 #include "story/instant_story.h"
+#include "text/joined.h"
 #include "text/utf8.h"
 #include "workflow/drawings.h"
 #include "workflow/messages.h"
@@ -211,16 +210,15 @@ std::optional<Judgement> check_device(
 /// Whether every step and output has its variable; what is missing goes into `messages`.
 bool can_compare(const CheckRequest& request, const LadderNames& names, Diagnostics& messages) {
     if (!names.missing.empty()) {
-        messages.error(code::bad_ladder, {},
-                       say::missing_variables(request.subject.against,
-                                              fmt::format("{}", fmt::join(names.missing, ", "))));
+        messages.error(
+            code::bad_ladder, {},
+            say::missing_variables(request.subject.against, joined(names.missing, ", ")));
         return false;
     }
     if (!names.missing_inputs.empty()) {
         messages.warning(
             code::bad_ladder, {},
-            say::missing_inputs(request.subject.against,
-                                fmt::format("{}", fmt::join(names.missing_inputs, ", "))));
+            say::missing_inputs(request.subject.against, joined(names.missing_inputs, ", ")));
     }
     return true;
 }

@@ -12,6 +12,7 @@
 #include "equations/report/write_equations.h"
 #include "grafcet/write_grafcet.h"
 #include "report/report.h"
+#include "text/joined.h"
 #include "workflow/check.h"
 #include "workflow/drawings.h"
 #include "workflow/messages.h"
@@ -125,7 +126,7 @@ ReportedStyle style_of(const Chart& chart, const StyleRow& row, const ReportRequ
     if (!judgement) {
         style.outcome = ReportedStyle::Outcome::not_made;
         style.remarks =
-            fmt::format("{}\n", fmt::join(texts_of(messages.items(), request.language), "\n"));
+            fmt::format("{}\n", joined(texts_of(messages.items(), request.language), "\n"));
         return style;
     }
     style.outcome = outcome_of(judgement->result.verdict);

@@ -11,6 +11,7 @@
 #include "explain/write_gate_story.h"
 #include "grafcet/write_grafcet.h"
 #include "story/write_story.h"
+#include "text/joined.h"
 #include "trace/input_values.h"
 #include "workflow/messages.h"
 
@@ -68,7 +69,7 @@ Localized oscillating_cells(const Netlist& netlist, const std::vector<NetId>& ne
         }
         const bool cut = names.size() > most;
         if (cut) names.resize(most);
-        return fmt::format("{}{}", fmt::join(names, ", "), cut ? ", …" : "");
+        return fmt::format("{}{}", joined(names, ", "), cut ? ", …" : "");
     };
     return {cells_in(Language::english), cells_in(Language::french)};
 }

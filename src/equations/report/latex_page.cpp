@@ -13,6 +13,7 @@
 #include "equations/report/latex_text.h"
 #include "equations/report/messages.h"
 #include "equations/report/page.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -117,7 +118,7 @@ class LatexPage : public Page {
         return text;
     }
     void add_row(const std::vector<std::string>& cells) {
-        text_ += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+        text_ += fmt::format("{} \\\\\n", joined(cells, " & "));
     }
     /// The beginning of a table that no page end breaks.
     void begin_block() {
@@ -257,7 +258,7 @@ void LatexPage::add_rows_as_paragraphs() {
 
 void LatexPage::begin_map(const std::string& rows, const std::vector<std::string>& columns,
                           const std::vector<std::string>& labels) {
-    map_columns_ = fmt::format("${}$", fmt::join(columns, "\\;"));
+    map_columns_ = fmt::format("${}$", joined(columns, "\\;"));
     rows_.assign(1, {"$" + rows + "$"});
     rows_.front().insert(rows_.front().end(), labels.begin(), labels.end());
 }

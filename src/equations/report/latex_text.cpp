@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "text/joined.h"
 #include "text/latex.h"
 #include "text/utf8.h"
 
@@ -58,7 +59,7 @@ std::string latex_words(std::string_view words) {
     std::string text;
     while (true) {
         const std::size_t end = std::min(words.find(' '), words.size());
-        text += fmt::format("{}", fmt::join(pieces_of(words.substr(0, end)), "\\allowbreak{}"));
+        text += joined(pieces_of(words.substr(0, end)), "\\allowbreak{}");
         if (end == words.size()) return text;
         text += ' ';
         words.remove_prefix(end + 1);

@@ -10,6 +10,7 @@
 #include "equations/report/report_parts.h"
 #include "grafcet/write_grafcet.h"
 #include "text/escape.h"
+#include "text/joined.h"
 #include "text/utf8.h"
 #include "text/wrapped.h"
 
@@ -84,7 +85,7 @@ class TextPage : public PlainPage {
     void begin_map(const std::string& rows, const std::vector<std::string>& columns,
                    const std::vector<std::string>& labels) override {
         separate();
-        above_ = fmt::format("{}", fmt::join(columns, " "));
+        above_ = joined(columns, " ");
         rows_.assign(1, {words(rows)});
         for (const std::string& label : labels) rows_.front().push_back(words(label));
     }
@@ -207,7 +208,7 @@ class MarkdownPage : public PlainPage {
     }
     void begin_map(const std::string& rows, const std::vector<std::string>& columns,
                    const std::vector<std::string>& labels) override {
-        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, fmt::join(columns, " ")))};
+        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, joined(columns, " ")))};
         for (const std::string& label : labels) head.push_back(words(label));
         begin_table(head);
     }
@@ -245,7 +246,7 @@ class HtmlPage : public PlainPage {
     }
     void begin_map(const std::string& rows, const std::vector<std::string>& columns,
                    const std::vector<std::string>& labels) override {
-        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, fmt::join(columns, " ")))};
+        std::vector<Cell> head{words(fmt::format("{} \\ {}", rows, joined(columns, " ")))};
         for (const std::string& label : labels) head.push_back(words(label));
         begin_table(head);
     }

@@ -1,8 +1,8 @@
 // A feedback loop is a strongly connected component of the netlist with more than one cell, or a
 // cell that reads itself (R. Tarjan, "Depth-first search and linear graph algorithms", SIAM J.
-// Comput. 1, 1972; Boost.Graph's strong_components). The components come in reverse topological
-// order, so one pass over them from the last to the first gives the depth of the logic outside.
-// What reaches a flip-flop waits there for the clock, so loops and paths end at it.
+// Comput. 1, 1972). The components come in reverse topological order, so one pass over them from
+// the last to the first gives the depth of the logic outside. What reaches a flip-flop waits there
+// for the clock, so loops and paths end at it.
 
 #include "formats/stats/write_stats.h"
 
@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/graph/strong_components.hpp>
-#include <iterator>
 
 #include "netlist/netlist_graph.h"
 
@@ -68,21 +66,17 @@ void Stats::write_cells() {
     for (const CellTypeRow& row : cell_table) {
         const std::size_t count = counts[static_cast<std::size_t>(row.type)];
         if (count != 0)
-            fmt::format_to(std::back_inserter(out_), "{:10} {}\n", count,
-                           row.description.in(Language::english));
+            out_ += fmt::format("{:10} {}\n", count, row.description.in(Language::english));
     }
 }
 
 /// Members of each component lie side by side (a counting sort by component).
 void Stats::find_components() {
     const std::size_t count = netlist_.cells.size();
-    component_.resize(count);
+    component_ = strong_components(graph_);
     std::size_t component_count = 0;
-    if (count != 0) {
-        const auto index = get(boost::vertex_index_t{}, graph_);
-        component_count = boost::strong_components(
-            graph_, boost::make_iterator_property_map(component_.begin(), index),
-            boost::vertex_index_map(index));
+    for (const std::uint32_t component : component_) {
+        component_count = std::max<std::size_t>(component_count, component + 1);
     }
     first_member_.assign(component_count + 1, 0);
     for (const std::uint32_t component : component_) ++first_member_[component + 1];
@@ -111,16 +105,15 @@ void Stats::write_loop(std::size_t component) {
     }
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
-    const auto out = std::back_inserter(out_);
-    fmt::format_to(out, "  {} cells: ", nets.size());
+    out_ += fmt::format("  {} cells: ", nets.size());
     const std::size_t count = origins.empty() ? nets.size() : origins.size();
     out_ += origins.empty() ? "nets " : "steps ";
     for (std::size_t i = 0; i < std::min(count, most_names); ++i) {
-        fmt::format_to(out, "{}{}", i == 0 ? "" : ", ",
-                       origins.empty() ? netlist_.names[nets[i]]
-                                       : std::string_view(netlist_.origins[origins[i]].name));
+        out_ += fmt::format("{}{}", i == 0 ? "" : ", ",
+                            origins.empty() ? netlist_.names[nets[i]]
+                                            : std::string_view(netlist_.origins[origins[i]].name));
     }
-    if (count > most_names) fmt::format_to(out, " and {} more", count - most_names);
+    if (count > most_names) out_ += fmt::format(" and {} more", count - most_names);
     out_ += '\n';
 }
 
@@ -134,10 +127,10 @@ void Stats::write_loops() {
         return members_[first_member_[a]] < members_[first_member_[b]];
     });
     constexpr std::size_t most_loops = 100;
-    fmt::format_to(std::back_inserter(out_), "\nfeedback loops: {}\n", loops.size());
+    out_ += fmt::format("\nfeedback loops: {}\n", loops.size());
     for (std::size_t i = 0; i < std::min(loops.size(), most_loops); ++i) write_loop(loops[i]);
     if (loops.size() > most_loops) {
-        fmt::format_to(std::back_inserter(out_), "  and {} more\n", loops.size() - most_loops);
+        out_ += fmt::format("  and {} more\n", loops.size() - most_loops);
     }
 }
 
@@ -147,8 +140,8 @@ void Stats::write_fan_out() {
     for (const NetId pin : netlist_.pins) ++pins[index_of(pin)];
     const auto most = std::max_element(pins.begin(), pins.end());
     if (most == pins.end()) return;
-    fmt::format_to(std::back_inserter(out_), "\nlargest fan-out: {} pins, of {}\n", *most,
-                   netlist_.names[static_cast<NetId>(most - pins.begin())]);
+    out_ += fmt::format("\nlargest fan-out: {} pins, of {}\n", *most,
+                        netlist_.names[static_cast<NetId>(most - pins.begin())]);
 }
 
 /// The longest way through cells that are in no loop, counted from inputs, constants and clocked
@@ -168,7 +161,7 @@ void Stats::write_depth() {
             depth[reader] = std::max(depth[reader], depth[cell]);
         }
     }
-    fmt::format_to(std::back_inserter(out_), "\ndepth outside the loops: {} cells\n", deepest);
+    out_ += fmt::format("\ndepth outside the loops: {} cells\n", deepest);
 }
 
 }  // namespace

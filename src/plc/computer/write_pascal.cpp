@@ -23,6 +23,7 @@
 #include "program/bit_names.h"
 #include "program/messages.h"
 #include "program/program.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -182,7 +183,7 @@ void PascalProgram::write_record(std::string_view name, const std::vector<std::s
                                  std::string_view type, const Message<>& comment) {
     if (fields.empty()) return;
     out_.comment(comment.in(language_));
-    out_.line(fmt::format("{}: record {}: {}; end;", name, fmt::join(fields, ", "), type));
+    out_.line(fmt::format("{}: record {}: {}; end;", name, joined(fields, ", "), type));
 }
 
 void PascalProgram::write_variables() {
