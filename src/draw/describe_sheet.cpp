@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "draw/messages.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -78,8 +79,7 @@ std::string describe_sheet(const Sheet& sheet, Language language) {
             }
         }
         if (names.empty()) return;
-        description +=
-            ' ' + sentence.in(language, names.size(), fmt::format("{}", fmt::join(names, ", ")));
+        description += ' ' + sentence.in(language, names.size(), joined(names, ", "));
     };
     for (const Told& told : all_told) tell(told.sentence, told, told.kind);
     tell(say::shown_active_steps, all_told[0], "active");

@@ -6,6 +6,7 @@
 #include "draw/describe_sheet.h"
 #include "draw/write_drawing.h"
 #include "text/escape.h"
+#include "text/joined.h"
 
 namespace grafwire {
 
@@ -227,7 +228,7 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
         fmt::format("<style>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n", style,
                     shows_values(sheets) ? style_of_values : "", paper.name,
                     sheets.front().lies ? " landscape" : "");
-    const Words words{title, fmt::format("{}", fmt::join(descriptions, "\n")), language, ""};
+    const Words words{title, joined(descriptions, "\n"), language, ""};
     return svg_element(width, height, sheets.front().unit, words, style_element, writer.take());
 }
 
