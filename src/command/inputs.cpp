@@ -9,6 +9,7 @@
 #include "command/help.h"
 #include "command/messages.h"
 #include "command/terminal.h"
+#include "schedule/delays_text.h"
 #include "text/joined.h"
 #include "text/nearest_name.h"
 
@@ -47,6 +48,13 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
     SourceFile source;
     return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
         return parse_stimuli(text, grafcet, diagnostics);
+    });
+}
+
+std::optional<DelaySchedule> load_delays(const std::string& path, const Netlist& netlist) {
+    SourceFile source;
+    return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
+        return read_delays(text, netlist, diagnostics);
     });
 }
 

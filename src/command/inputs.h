@@ -10,6 +10,8 @@
 #include "command/files.h"
 #include "command/option_uses.h"
 #include "command/standard_error.h"
+#include "netlist/delay_schedule.h"
+#include "netlist/netlist.h"
 #include "trace/stimuli.h"
 #include "trace/waveform.h"
 #include "workflow/chart.h"
@@ -29,6 +31,9 @@ void show_wiring_warnings(const Chart& chart, CdxForm cdx);
 
 /// Stimuli for a GRAFCET.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);
+
+/// How long single gates of the netlist take (`.delays`).
+std::optional<DelaySchedule> load_delays(const std::string& path, const Netlist& netlist);
 
 /// Whether both are to come from standard input, which can be read only once; shows it if so.
 bool share_standard_input(const std::string& path, const std::string& stimuli);

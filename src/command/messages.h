@@ -83,6 +83,10 @@ inline constexpr Message<> stimuli_share_standard_input{
     "GRAFCET and stimuli cannot both come from standard input: give a file for one",
     "le GRAFCET et les stimuli ne peuvent pas venir tous deux de l'entrée standard : donnez un "
     "fichier pour l'un des deux"};
+inline constexpr Message<> delays_share_standard_input{
+    "the delays cannot come from standard input, from which something else is read: give a file",
+    "les retards ne peuvent pas venir de l'entrée standard, d'où autre chose est lu : donnez un "
+    "fichier"};
 inline constexpr Message<> assignment_shares_standard_input{
     "GRAFCET and assignment cannot both come from standard input",
     "le GRAFCET et la table d'affectation ne peuvent pas venir tous deux de l'entrée standard"};
@@ -123,6 +127,11 @@ inline constexpr Message<> only_generated{"it is for a netlist made from the GRA
 inline constexpr Message<> only_clocked{
     "it is for the clocked style: the others have no scans",
     "cette option est pour le style clocked : les autres n'ont pas de scrutation"};
+inline constexpr Message<> only_asynchronous{
+    "it is for netlists without a clock: what a clocked one does does not depend on its gates, as "
+    "long as they are faster than the clock",
+    "cette option est pour les câblages sans horloge : ce que fait un câblage à horloge ne dépend "
+    "pas de ses portes, tant qu'elles sont plus rapides que l'horloge"};
 inline constexpr Message<> stimuli_by_bench{
     "this format takes stimuli with --bench, as a test bench",
     "ce format prend les stimuli avec --bench, comme banc d'essai"};

@@ -55,6 +55,7 @@ constexpr OptionUse option_uses[] = {
     {"simulate", "--power-up", fact::elsewhere, &say::only_netlist_from_file},
     {"simulate", "--power-up", fact::open_start, &say::only_open_start},
     {"simulate", "--scan", fact::clocked, &say::only_clocked},
+    {"simulate", "--delays", fact::asynchronous, &say::only_asynchronous},
     {"simulate", "--zoom", by_format},
 
     {"check", "--style", fact::generated, &say::only_generated},

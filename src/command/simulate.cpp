@@ -15,6 +15,7 @@
 #include "text/joined.h"
 #include "text/wrapped.h"
 #include "workflow/check.h"
+#include "workflow/gate_delays.h"
 #include "workflow/runs.h"
 #include "workflow/zoom.h"
 
@@ -32,6 +33,7 @@ struct SimulateArguments {
     NetlistRequest netlist;
     std::string against;
     std::string power_up;  ///< empty: unknown
+    std::string delays;    ///< empty: as the model says
     std::string scan;
     bool explain = false;
     std::string zoom;  ///< empty: the whole run
@@ -71,6 +73,30 @@ std::optional<Netlist> netlist_for(const SimulateArguments& request, const Chart
     return netlist;
 }
 
+/// How long its gates take.
+std::optional<GateDelays> delays_for(const SimulateArguments& request, const Netlist& netlist) {
+    if (request.delays.empty()) return request.netlist.delays();
+    auto schedule = load_delays(request.delays, netlist);
+    if (!schedule) return std::nullopt;
+    return GateDelays(request.netlist.delays(), std::move(*schedule));
+}
+
+/// Whether the delays are to come from standard input, as something else is; shows it if so.
+bool shares_delays(const SimulateArguments& request) {
+    if (request.delays != "-" || (request.path != "-" && request.stimuli != "-")) return false;
+    complain(say::delays_share_standard_input());
+    return true;
+}
+
+/// What is simulated.
+struct Simulation {
+    const Chart& chart;
+    const Netlist& netlist;
+    const GateDelays& delays;
+    const Stimuli& stimuli;
+    std::optional<Time> period;
+};
+
 /// What the gates did.
 struct Work {
     SimulateResult result;
@@ -79,25 +105,24 @@ struct Work {
 };
 
 /// `zoom`: empty for the whole run.
-Work let_work(const SimulateArguments& request, const Chart& chart, const Netlist& netlist,
-              const Stimuli& stimuli, std::optional<Time> period, std::optional<Time> zoom,
+Work let_work(const SimulateArguments& request, const Simulation& run, std::optional<Time> zoom,
               Language language) {
     const bool with_waveform = !request.output.vcd.empty();
-    const DelayModel delays = request.netlist.delays();
     Work work;
     if (zoom) {
-        work.zoomed =
-            zoom_into(chart, netlist, stimuli, delays, period, with_waveform, *zoom, language);
+        work.zoomed = zoom_into(run.chart, run.netlist, run.stimuli, run.delays, run.period,
+                                with_waveform, *zoom, language);
         work.result = std::move(work.zoomed->simulation);
     }
     if (request.explain) {
         // Its observers are others than those of an instant.
-        ExplainedSimulation explained =
-            explain_gates(chart, netlist, stimuli, delays, period, with_waveform, language);
+        ExplainedSimulation explained = explain_gates(
+            run.chart, run.netlist, run.stimuli, run.delays, run.period, with_waveform, language);
         work.result = std::move(explained.result);
         work.story = std::move(explained.text);
     } else if (!zoom) {
-        work.result = simulate_gates(chart, netlist, stimuli, delays, period, with_waveform);
+        work.result = simulate_gates(run.chart, run.netlist, run.stimuli, run.delays, run.period,
+                                     with_waveform);
     }
     return work;
 }
@@ -114,16 +139,16 @@ std::optional<std::string> zoomed_picture(const SimulateArguments& request,
 }
 
 /// The trace or the picture; empty, and shown, where there is no such instant.
-std::optional<std::string> text_of(const SimulateArguments& request, const Work& work,
-                                   const Chart& chart, const Stimuli& stimuli,
-                                   std::optional<Time> period, Language language) {
-    if (work.zoomed) return zoomed_picture(request, *work.zoomed, chart, language);
+std::optional<std::string> text_of(const SimulateArguments& request, const Simulation& run,
+                                   const Work& work, Language language) {
+    if (work.zoomed) return zoomed_picture(request, *work.zoomed, run.chart, language);
     const Trace& trace = work.result.trace;
-    ShownRun shown{trace, title_of(chart.grafcet)};
+    ShownRun shown{trace, title_of(run.chart.grafcet)};
     if (request.output.is_picture()) {
-        shown.causes = causes_of(trace, chart.grafcet, tell_reference(chart, stimuli, period));
+        shown.causes =
+            causes_of(trace, run.chart.grafcet, tell_reference(run.chart, run.stimuli, run.period));
     }
-    return request.output.text_of(shown, chart, language);
+    return request.output.text_of(shown, run.chart, language);
 }
 
 /// Assumptions that the stimuli break are warned of: the gates then do what no check has looked at.
@@ -139,7 +164,9 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
         if (!zoom) return ExitStatus::bad_request;
     }
     // Read the GRAFCET and the stimuli.
-    if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
+    if (share_standard_input(request.path, request.stimuli) || shares_delays(request)) {
+        return ExitStatus::bad_request;
+    }
     const auto chart = load_chart(request.path);
     if (!chart) return ExitStatus::bad_request;
     const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
@@ -147,23 +174,25 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     // Make the netlist, or read it.
     const auto netlist = netlist_for(request, *chart, line);
     if (!netlist) return ExitStatus::bad_request;
+    const auto delays = delays_for(request, *netlist);
+    if (!delays) return ExitStatus::bad_request;
     for (const auto& broken : broken_assumptions(chart->grafcet, *stimuli)) {
         warn(broken_assumption_text(chart->grafcet, broken));
     }
     const Period period = parse_period(request.scan);
     if (period.is_wrong) return ExitStatus::bad_request;
     // Let the gates work.
-    const Work work =
-        let_work(request, *chart, *netlist, *stimuli, period.value, zoom, line.language());
+    const Simulation run{*chart, *netlist, *delays, *stimuli, period.value};
+    const Work work = let_work(request, run, zoom, line.language());
     const SimulateResult& result = work.result;
     // Write the trace, up to the instant at which they do not settle if there is one.
     if (result.unsettled_at) {
         complain(say::netlist_does_not_settle(format_milliseconds(*result.unsettled_at),
                                               oscillating_cells(*netlist, result.oscillating)));
     }
-    const auto trace = text_of(request, work, *chart, *stimuli, period.value, line.language());
+    const auto trace = text_of(request, run, work, line.language());
     if (!trace) return ExitStatus::bad_request;
-    OutputFiles files({request.path, request.stimuli, request.against});
+    OutputFiles files({request.path, request.stimuli, request.against, request.delays});
     if (request.explain) files.add("-", wrapped(work.story, width_of_output()));
     if (!request.output.add_files(files, *trace, result.waveform, request.explain)) {
         return ExitStatus::bad_request;
@@ -181,6 +210,7 @@ Task declare_simulate(const CommandLine& line) {
     line.add("--against", request->against, help::simulate_against());
     line.add("--power-up", request->power_up, help::power_up()).one_of({"unknown", "initial"});
     request->netlist.declare_delay(line);
+    line.add("--delays", request->delays, help::simulate_delays());
     line.add("--scan", request->scan, help::simulate_scan());
     line.add_flag("--explain", request->explain, help::simulate_explain());
     line.add("--zoom", request->zoom, help::simulate_zoom());

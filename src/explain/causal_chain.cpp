@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 #include "simulate/netlist_machine.h"
 #include "trace/input_values.h"
@@ -73,7 +74,8 @@ namespace {
 /// the history.
 class CauseWalk {
   public:
-    CauseWalk(const Netlist& netlist, const CellDelays& delays, const NetHistory& history)
+    CauseWalk(const Netlist& netlist, const CellDelays& delays, const NetHistory& history,
+              const DelaySchedule& schedule)
         : netlist_(netlist),
           delays_(delays),
           history_(history),
@@ -82,6 +84,7 @@ class CauseWalk {
         for (std::size_t i = 0; i < history.changes.size(); ++i) {
             of_net_[index_of(history.changes[i].net)].push_back(i);
         }
+        for (const DelayChange& change : schedule.changes) schedule_[change.cell].push_back(change);
     }
 
     /// None where a chain begins.
@@ -90,21 +93,19 @@ class CauseWalk {
         const CellId driver = drivers_[change.net];
         if (driver == no_cell) return {};
         const Cell& cell = netlist_.cells[driver];
-        const Time delay = change.value == Logic::zero ? delays_.fall[index_of(driver)]
-                                                       : delays_.rise[index_of(driver)];
         switch (cell.type) {
             case CellType::flip_flop:
             case CellType::scan_timer:
                 return of_data(cell, index);
             case CellType::timer:
             case CellType::scan_timer_next:
-                return at_once(cell, change.at - delay, index);
+                return at_once(cell, evaluated_at(driver, index), index);
             case CellType::rise_pulse:
             case CellType::fall_pulse:
                 return change.value == Logic::zero ? list(last_before(change.net, index))
                                                    : list(last_before(pin_of(cell, 0), index));
             default:
-                return of_gate(cell, change, change.at - delay, index);
+                return of_gate(cell, change, evaluated_at(driver, index), index);
         }
     }
 
@@ -136,6 +137,34 @@ class CauseWalk {
         auto found = last_before(net, index);
         while (found && history_.changes[*found].at > time) found = last_before(net, *found);
         return found;
+    }
+
+    bool has_pin_changed(CellId cell, Time at, std::size_t index) const {
+        const auto pins = netlist_.pins_of(netlist_.cells[cell]);
+        return std::any_of(pins.begin(), pins.end(), [&](NetId pin) {
+            const auto last = last_until(pin, at, index);
+            return last && history_.changes[*last].at == at;
+        });
+    }
+
+    /// When a cell was evaluated that changed its output then: one delay before. Under a schedule
+    /// that is the delay in force at that earlier moment; of several that may have been, the one at
+    /// whose moment a pin changed.
+    Time evaluated_at(CellId cell, std::size_t index) const {
+        const NetChange& change = history_.changes[index];
+        const bool falls = change.value == Logic::zero;
+        const Time by_itself = (falls ? delays_.fall : delays_.rise)[index_of(cell)];
+        const auto scheduled = schedule_.find(cell);
+        if (scheduled == schedule_.end()) return change.at - by_itself;
+        Time until = never;
+        for (auto delays = scheduled->second.rbegin(); delays != scheduled->second.rend();
+             ++delays) {
+            const Time at = change.at - (falls ? delays->fall : delays->rise);
+            const bool in_force = (delays->at <= 0 || delays->at <= at) && at < until;
+            if (in_force && has_pin_changed(cell, at, index)) return at;
+            until = delays->at;
+        }
+        return change.at - by_itself;
     }
 
     /// The data; the clock where that has never changed.
@@ -203,14 +232,16 @@ class CauseWalk {
     const NetHistory& history_;
     Table<NetId, CellId> drivers_;
     std::vector<std::vector<std::size_t>> of_net_;
+    std::unordered_map<CellId, std::vector<DelayChange>> schedule_;
 };
 
 }  // namespace
 
 std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& delays,
                                      const NetHistory& history,
-                                     const std::vector<std::size_t>& targets) {
-    const CauseWalk walk(netlist, delays, history);
+                                     const std::vector<std::size_t>& targets,
+                                     const DelaySchedule& schedule) {
+    const CauseWalk walk(netlist, delays, history, schedule);
     std::vector<bool> seen(history.changes.size(), false);
     std::vector<std::size_t> waiting;
     const auto add = [&](std::size_t change) {

@@ -4,6 +4,7 @@
 
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
+#include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
 #include "simulate/simulate.h"
 
@@ -54,8 +55,10 @@ struct CausalLink {
 
 /// Everything that led to some changes (`targets`, as indices into the history), in the order in
 /// which it happened: a tree read from its leaves. What has several parts in it comes once.
+/// `schedule`: on the clock of the history.
 std::vector<CausalLink> causal_chain(const Netlist& netlist, const CellDelays& delays,
                                      const NetHistory& history,
-                                     const std::vector<std::size_t>& targets);
+                                     const std::vector<std::size_t>& targets,
+                                     const DelaySchedule& schedule = {});
 
 }  // namespace grafwire

@@ -23,9 +23,10 @@ constexpr std::size_t most_links = 8;     ///< of a way
 class SimulationTeller {
   public:
     SimulationTeller(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
-                     const Stimuli& stimuli, bool by_scans)
+                     const DelaySchedule& schedule, const Stimuli& stimuli, bool by_scans)
         : netlist_(netlist),
           delays_(delays),
+          schedule_(schedule),
           player_(stimuli, grafcet.all_input_count()),
           by_scans_(by_scans),
           inputs_(grafcet.all_input_count(), 0),
@@ -100,6 +101,7 @@ class SimulationTeller {
 
     const Netlist& netlist_;
     const CellDelays& delays_;
+    const DelaySchedule& schedule_;
     StimuliPlayer player_;
     bool by_scans_;
     InputValues inputs_;
@@ -117,7 +119,8 @@ void SimulationTeller::finish_instant() {
     if (story_.oscillating.empty()) {
         std::vector<std::size_t> ends = timer_changes();
         for (const std::size_t target : changed) ends.push_back(targets_[target].change);
-        const std::vector<CausalLink> links = causal_chain(netlist_, delays_, history_, ends);
+        const std::vector<CausalLink> links =
+            causal_chain(netlist_, delays_, history_, ends, schedule_);
         note_ended_delays(links);
         for (const std::size_t target : changed) {
             if (story_.changes.size() == most_changes) break;
@@ -245,7 +248,7 @@ ToldSimulation tell_simulation(const Grafcet& grafcet, const Netlist& netlist,
                                const CellDelays& delays, const Stimuli& stimuli,
                                SimulateOptions options) {
     const bool by_scans = netlist.is_clocked() && options.scan_period > 0;
-    SimulationTeller teller(grafcet, netlist, delays, stimuli, by_scans);
+    SimulationTeller teller(grafcet, netlist, delays, options.schedule, stimuli, by_scans);
     options.observer = [&](Time at, NetId net, Logic value) { teller.note(at, net, value); };
     options.instant = [&](Time at, const Simulator& simulator) { teller.begin(at, simulator); };
     ToldSimulation told;

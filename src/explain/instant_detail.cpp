@@ -83,13 +83,14 @@ void cut(InstantDetail& detail) {
     }
 }
 
-void find_causes(const Netlist& netlist, const CellDelays& delays, InstantDetail& detail) {
+void find_causes(const Netlist& netlist, const CellDelays& delays, const DelaySchedule& schedule,
+                 InstantDetail& detail) {
     NetHistory history;
     history.changes = detail.changes;
     std::vector<std::size_t> all(history.changes.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     const DirectCauses causes(netlist, detail.changes);
-    for (const CausalLink& link : causal_chain(netlist, delays, history, all)) {
+    for (const CausalLink& link : causal_chain(netlist, delays, history, all, schedule)) {
         detail.causes.push_back(causes.of(link));
     }
 }
@@ -122,7 +123,8 @@ DetailedSimulation simulate_in_detail(const Grafcet& grafcet, const Netlist& net
     if (!detail) return simulation;
     detail->is_settled = simulation.result.unsettled_at != at;
     if (!detail->is_settled) cut(*detail);
-    find_causes(netlist, delays, *detail);
+    for (DelayChange& change : options.schedule.changes) change.at -= begin;
+    find_causes(netlist, delays, options.schedule, *detail);
     return simulation;
 }
 

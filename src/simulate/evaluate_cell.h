@@ -143,10 +143,6 @@ constexpr Logic hold_latch_value(Logic data, Logic enable, Logic held) {
     return enable == Logic::zero ? held : agreed(data, held);
 }
 
-constexpr bool is_pulse(CellType type) {
-    return type == CellType::rise_pulse || type == CellType::fall_pulse;
-}
-
 /// Whether a net that went from one value to another has risen.
 enum class Edge : std::uint8_t { absent, certain, possible };
 

@@ -32,8 +32,10 @@ std::string explain_run(const Chart& chart, const ToldRun& run, Language languag
 
 namespace {
 
-SimulateOptions options_for(std::optional<Time> period, bool with_waveform) {
+SimulateOptions options_for(const GateDelays& delays, std::optional<Time> period,
+                            bool with_waveform) {
     SimulateOptions options;
+    options.schedule = delays.schedule;
     options.waveform = with_waveform;
     options.scan_period = period.value_or(0);
     return options;
@@ -42,18 +44,19 @@ SimulateOptions options_for(std::optional<Time> period, bool with_waveform) {
 }  // namespace
 
 SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                              const DelayModel& delays, std::optional<Time> period,
+                              const GateDelays& delays, std::optional<Time> period,
                               bool with_waveform) {
-    return simulate(chart.grafcet, netlist, cell_delays(netlist, delays), stimuli,
-                    options_for(period, with_waveform));
+    return simulate(chart.grafcet, netlist, cell_delays(netlist, delays.model), stimuli,
+                    options_for(delays, period, with_waveform));
 }
 
 ExplainedSimulation explain_gates(const Chart& chart, const Netlist& netlist,
-                                  const Stimuli& stimuli, const DelayModel& delays,
+                                  const Stimuli& stimuli, const GateDelays& delays,
                                   std::optional<Time> period, bool with_waveform,
                                   Language language) {
-    ToldSimulation told = tell_simulation(chart.grafcet, netlist, cell_delays(netlist, delays),
-                                          stimuli, options_for(period, with_waveform));
+    ToldSimulation told =
+        tell_simulation(chart.grafcet, netlist, cell_delays(netlist, delays.model), stimuli,
+                        options_for(delays, period, with_waveform));
     return {std::move(told.result),
             write_gate_stories(chart.grafcet, netlist, told.stories, language)};
 }

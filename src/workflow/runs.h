@@ -14,6 +14,7 @@
 #include "text/time.h"
 #include "trace/stimuli.h"
 #include "workflow/chart.h"
+#include "workflow/gate_delays.h"
 #include "workflow/programs.h"
 
 namespace grafwire {
@@ -26,10 +27,10 @@ RunResult run_reference(const Chart& chart, const Stimuli& stimuli, std::optiona
 ToldRun tell_reference(const Chart& chart, const Stimuli& stimuli, std::optional<Time> period);
 std::string explain_run(const Chart& chart, const ToldRun& run, Language language);
 
-/// The gates over stimuli under a delay model: a clocked netlist scan by scan with that period, or
+/// The gates over stimuli under these delays: a clocked netlist scan by scan with that period, or
 /// until stable (none). With a waveform of every net if asked for.
 SimulateResult simulate_gates(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                              const DelayModel& delays, std::optional<Time> period,
+                              const GateDelays& delays, std::optional<Time> period,
                               bool with_waveform);
 
 /// The same run, and in words: what the gates did at each instant, from what began it to every step
@@ -39,7 +40,7 @@ struct ExplainedSimulation {
     std::string text;
 };
 ExplainedSimulation explain_gates(const Chart& chart, const Netlist& netlist,
-                                  const Stimuli& stimuli, const DelayModel& delays,
+                                  const Stimuli& stimuli, const GateDelays& delays,
                                   std::optional<Time> period, bool with_waveform,
                                   Language language);
 

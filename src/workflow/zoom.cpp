@@ -173,13 +173,14 @@ std::vector<Time> nearest_to(Time at, const std::vector<Time>& instants) {
 }  // namespace
 
 ZoomResult zoom_into(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                     const DelayModel& delays, std::optional<Time> period, bool with_waveform,
+                     const GateDelays& delays, std::optional<Time> period, bool with_waveform,
                      Time at, Language language) {
     SimulateOptions options;
     options.waveform = with_waveform;
     options.scan_period = period.value_or(0);
+    options.schedule = delays.schedule;
     DetailedSimulation simulation = simulate_in_detail(
-        chart.grafcet, netlist, cell_delays(netlist, delays), stimuli, options, at);
+        chart.grafcet, netlist, cell_delays(netlist, delays.model), stimuli, options, at);
     ZoomedInstant instant;
     instant.title = title_of(chart.grafcet) + " – " +
                     heading(simulation.detail)(shown_duration(at)).in(language);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "draw/timing_cause.h"
-#include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "simulate/simulate.h"
 #include "text/message.h"
@@ -14,6 +13,7 @@
 #include "trace/trace.h"
 #include "workflow/chart.h"
 #include "workflow/drawings.h"
+#include "workflow/gate_delays.h"
 
 namespace grafwire {
 
@@ -40,7 +40,7 @@ struct ZoomResult {
 /// The simulation of simulate_gates(), with a look into the instant at `at`, or into the scan. Of
 /// an instant in which the gates do not settle, the beginning.
 ZoomResult zoom_into(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli,
-                     const DelayModel& delays, std::optional<Time> period, bool with_waveform,
+                     const GateDelays& delays, std::optional<Time> period, bool with_waveform,
                      Time at, Language language);
 
 }  // namespace grafwire

@@ -58,6 +58,7 @@ class Files {
         const Ran listing = grafwire_with({"plc", sequence_chart, "--to", "s7-200", "--addresses",
                                            folder_.path("a.io"), "-o", folder_.path("a.awl")});
         CHECK(listing.status == 0);
+        folder_.file("init.delays", "* 2\n");
         folder_.file("by-address.stim", "0ms : E0.0=1\n+1ms : end\n");
     }
     std::string path(const std::string& name) const { return folder_.path(name); }
@@ -218,6 +219,7 @@ TEST_CASE("options of simulate") {
              {"--against", {files.path("init.blif")}},
              {"--power-up", {"initial"}},
              {"--delay", {"unit"}},
+             {"--delays", {files.path("init.delays")}},
              {"--scan", {"10ms"}},
              {"--explain", {}},
              {"--zoom", {"0"}},
@@ -230,8 +232,9 @@ TEST_CASE("options of simulate") {
              {{sequence_chart, sequence_stimuli, "--against", files.path("bare.blif")},
               {"--style", "--cdx", "--modes", "--scan", "--zoom"}},
              {{sequence_chart, sequence_stimuli, "--against", files.path("clocked.blif")},
-              {"--style", "--cdx", "--modes", "--power-up", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--style", "clocked"}, {"--power-up", "--zoom"}},
+              {"--style", "--cdx", "--modes", "--power-up", "--delays", "--zoom"}},
+             {{sequence_chart, sequence_stimuli, "--style", "clocked"},
+              {"--power-up", "--delays", "--zoom"}},
              {{sequence_chart, sequence_stimuli, "--to", "svg"}, {"--power-up", "--scan"}},
              {{sequence_chart, sequence_stimuli, "--to", "wavedrom"}, {"--power-up", "--scan"}}});
 }
