@@ -181,7 +181,7 @@ class TimingDiagram {
         for (const TimingCause& cause : how_.causes) {
             ShownCause shown;
             shown.moment = moment_at(cause.at);
-            shown.ended = joined(cause.ended, ", ");
+            shown.ended = grafwire::joined(cause.ended, ", ");
             for (const std::size_t column : cause.columns) {
                 const std::size_t row = row_of(column);
                 if (row < rows_.size()) shown.rows.push_back(row);
