@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "netlist/netlist_graph.h"
+#include "netlist/netlist_in_boost.h"
 #include "support/small_netlists.h"
 
 namespace grafwire::testing {
