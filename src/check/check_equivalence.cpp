@@ -15,6 +15,7 @@
 #include "check/netlist_case.h"
 #include "check/netlist_witness.h"
 #include "check/path.h"
+#include "check/racing_case.h"
 #include "evolution/evolution.h"
 #include "evolution/run.h"
 #include "grafcet/plant_conditions.h"
@@ -39,7 +40,11 @@ CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
 ExplorationResult explore_netlist(const Grafcet& grafcet, const Netlist& netlist,
                                   const CheckOptions& options, const ExplorationPlan& plan) {
     const CellDelays delays = cell_delays(netlist, options.delays);
-    NetlistCases cases(grafcet, netlist, delays, options.keep_going);
+    if (options.delays.is_fixed()) {
+        NetlistCases cases(grafcet, netlist, delays, options.keep_going);
+        return explore(grafcet, cases, options, plan);
+    }
+    RacingCases cases(grafcet, netlist, delays, options.delays, options.keep_going);
     return explore(grafcet, cases, options, plan);
 }
 

@@ -96,6 +96,8 @@ struct CheckResult {
     bool depends_on_period = false;
     /// undecided though complete: a difference in three values was found that no run shows.
     bool is_unexplained = false;
+    /// undecided: there is a case in which gates can change in more orders than were gone through.
+    bool has_unexplored_orders = false;
     /// Some state was reached in which a memory has never been given a value. Every X and output is
     /// right all the same; whether everything comes to rest three values cannot tell.
     bool has_uninitialised_memory = false;

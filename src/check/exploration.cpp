@@ -106,8 +106,8 @@ class Exploration {
         CheckResult& result = explored_.result;
         result.never = coverage_.never_exercised();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
-        const bool is_complete =
-            waiting_.empty() && !done_ && !explored_.result.is_unexplained && !no_period_shows_it_;
+        const bool is_complete = waiting_.empty() && !done_ && !result.is_unexplained &&
+                                 !result.has_unexplored_orders && !no_period_shows_it_;
         conclude(result, is_complete, waiting_.size());
         return std::move(explored_);
     }
@@ -267,6 +267,10 @@ void Exploration::compare(const Edge& edge, const ReferenceOutcome& expected) {
 void Exploration::follow(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
                          NetlistOutcomes& outcomes) {
     for (NetlistOutcome& outcome : outcomes) {
+        if (outcome.kind == NetlistOutcome::Kind::not_explored) {
+            explored_.result.has_unexplored_orders = true;
+            continue;
+        }
         if (outcome.kind == NetlistOutcome::Kind::differs) {
             if (show_difference(edge, step)) return;
             continue;

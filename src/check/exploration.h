@@ -31,10 +31,11 @@ struct UnknownCause {
 /// One thing that a netlist can do in a case.
 struct NetlistOutcome {
     enum class Kind : std::uint8_t {
-        agrees,      ///< what is compared is as it should be
-        differs,     ///< it is not, or is unknown, or never comes to rest
-        unassigned,  ///< it depends on the input that `unknown` names
-        broken_off,  ///< the check is to stop
+        agrees,        ///< what is compared is as it should be
+        differs,       ///< it is not, or is unknown, or never comes to rest
+        unassigned,    ///< it depends on the input that `unknown` names
+        not_explored,  ///< there is more that it can do than can be gone through
+        broken_off,    ///< the check is to stop
     };
     Kind kind = Kind::agrees;
     /// unassigned: the input. differs: what is compared is unknown. agrees: a memory is unknown,

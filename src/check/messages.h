@@ -25,6 +25,10 @@ inline constexpr Message<std::string> netlist{"netlist {}", "câblage {}"};
 inline constexpr Message<> separator{"; ", " ; "};
 inline constexpr Message<std::string> delays{"delays: every gate {} ns",
                                              "retards : {} ns par porte"};
+inline constexpr Message<std::string, std::string> bounded_delays{
+    "delays: every change of a gate {} to {} ns", "retards : {} à {} ns par changement de porte"};
+inline constexpr Message<> any_delays{"delays: any finite one of every gate",
+                                      "retards : finis et quelconques, de chaque porte"};
 inline constexpr Message<> one_change{"changes: one input at a time",
                                       "changements : une entrée à la fois"};
 inline constexpr Message<> many_changes{"changes: many inputs at once",
@@ -68,6 +72,13 @@ inline constexpr Message<> depends_on_memory{
     "that shows one: give it an initial value\n",
     "  une mémoire dont la valeur à la mise sous tension est inconnue peut faire une différence, "
     "sans qu'un essai la montre : lui donner une valeur initiale\n"};
+inline constexpr Message<> depends_on_orders{
+    "  there is a case in which gates can change in more orders than were gone through\n",
+    "  il y a un cas où les portes peuvent changer dans plus d'ordres qu'il n'en a été essayé\n"};
+inline constexpr Message<> depends_on_delays{
+    "  delays of gates may make a difference, and none were found that show one\n",
+    "  des retards de portes peuvent faire une différence, sans qu'on en ait trouvé qui la "
+    "montrent\n"};
 inline constexpr CountedMessage<> states_waiting{
     {"  exploration incomplete within the bounds given: {} state reached is still to be left\n",
      "  exploration incomplète dans les limites données : {} état atteint reste à quitter\n"},

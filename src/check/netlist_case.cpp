@@ -150,17 +150,9 @@ std::optional<SimulatorState> NetlistCases::abstracted(const SimulatorState& sta
     return abstracted;
 }
 
-/// Power-up, initialisation, and the inputs of the first instant.
-Settling NetlistCases::start_up(const PathStep& step) {
-    const std::vector<Logic> inputs = logic_of(step.inputs);
-    Settling settling = machine_.start(inputs);
-    begin_instant(inputs);
-    return settling;
-}
-
-/// The state left, with the change of the case.
-void NetlistCases::apply(const SimulatorState& start, const PartialInputs& left,
-                         const PathStep& step) {
+/// The state left, with the delays that are due, under the inputs before the case.
+void NetlistCases::prepare(const SimulatorState& start, const PartialInputs& left,
+                           const PathStep& step) {
     if (step.ended.timers.empty()) {
         simulator_.restore(start);
     } else {
@@ -169,8 +161,6 @@ void NetlistCases::apply(const SimulatorState& start, const PartialInputs& left,
         simulator_.restore(with_due);
     }
     if (step.before != left) machine_.rest_under(logic_of(step.before));
-    begin_instant(logic_of(step.inputs));
-    if (!netlist_.is_clocked()) machine_.end_delays();
 }
 
 void NetlistCases::begin_instant(const std::vector<Logic>& inputs) {
@@ -230,8 +220,13 @@ UnknownCause NetlistCases::cause_of(const std::vector<NetId>& nets, const PathSt
     return {};
 }
 
+NetlistOutcome NetlistCases::undetermined(const std::vector<NetId>& nets,
+                                          const PathStep& step) const {
+    return outcome_of_unknown(cause_of(nets, step));
+}
+
 NetlistOutcome NetlistCases::not_settled(const Settling& settling, const PathStep& step) const {
-    if (!settling.broken_off) return outcome_of_unknown(cause_of(settling.oscillating, step));
+    if (!settling.broken_off) return undetermined(settling.oscillating, step);
     NetlistOutcome outcome;
     outcome.kind = NetlistOutcome::Kind::broken_off;
     return outcome;
@@ -270,24 +265,33 @@ NetlistOutcomes NetlistCases::run(const SimulatorState* start, const PartialInpu
 
 NetlistOutcome NetlistCases::outcome_of(const SimulatorState* start, const PartialInputs& left,
                                         const PathStep& step, const ReferenceOutcome& expected) {
-    Settling settling;
-    if (start == nullptr) {
-        settling = start_up(step);
-        if (!settling.settled) return not_settled(settling, step);
-    } else {
-        apply(*start, left, step);
-    }
+    Settling settling = begin(start, left, step);
+    if (!settling.settled) return not_settled(settling, step);
     if (netlist_.is_clocked()) return clock(step, expected);
     settling = machine_.settle();
     if (!settling.settled) return not_settled(settling, step);
     return after_gates(step, expected);
 }
 
+Settling NetlistCases::begin(const SimulatorState* start, const PartialInputs& left,
+                             const PathStep& step, std::vector<Logic>* values_left) {
+    const std::vector<Logic> inputs = logic_of(step.inputs);
+    Settling settling;
+    if (start == nullptr) {
+        settling = machine_.start(inputs);
+    } else {
+        prepare(*start, left, step);
+    }
+    if (values_left != nullptr) *values_left = simulator_.save().values;
+    begin_instant(inputs);
+    if (start != nullptr && !netlist_.is_clocked()) machine_.end_delays();
+    return settling;
+}
+
 std::optional<Witness> NetlistCases::replay(const Stimuli& stimuli, Time period) const {
     return grafwire::replay(grafcet_, netlist_, delays_, stimuli, period);
 }
 
-/// What is to be compared, and kept, once the gates have come to rest.
 NetlistOutcome NetlistCases::after_gates(const PathStep& step, const ReferenceOutcome& expected) {
     NetlistOutcome outcome = compare(expected.state.situation, expected.outputs, step);
     if (outcome.kind == NetlistOutcome::Kind::agrees) outcome.state = kept_state();

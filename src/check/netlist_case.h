@@ -43,19 +43,36 @@ class NetlistCases : public ExploredNetlist {
     void encode(std::string& encoding, const SimulatorState& state) const override;
     std::optional<Witness> replay(const Stimuli& stimuli, Time period) const override;
 
+  protected:
+    const Grafcet& grafcet() const { return grafcet_; }
+    const Netlist& netlist() const { return netlist_; }
+    Simulator& simulator() { return simulator_; }
+    const CellDelays& delays_of_gates() const { return delays_; }
+    const std::vector<std::uint8_t>& relevant_nets() const { return is_relevant_; }
+    const std::vector<NetId>& remembered_nets() const { return remembered_; }
+    Time instant() const { return instant_; }
+
+    /// Everything of a case but what the gates do in it: from `start`, or from power-up, to the
+    /// moment at which the inputs have changed and delays that are due have ended. Not settled:
+    /// power-up does not come to rest. `values_left`, if given, are the values before that change.
+    Settling begin(const SimulatorState* start, const PartialInputs& left, const PathStep& step,
+                   std::vector<Logic>* values_left = nullptr);
+    /// What is to be compared, and kept, once the gates have come to rest.
+    NetlistOutcome after_gates(const PathStep& step, const ReferenceOutcome& expected);
+    /// What it means that some nets are not known, or never come to rest.
+    NetlistOutcome undetermined(const std::vector<NetId>& nets, const PathStep& step) const;
+    NetlistOutcome not_settled(const Settling& settling, const PathStep& step) const;
+
   private:
     NetlistOutcome outcome_of(const SimulatorState* start, const PartialInputs& left,
                               const PathStep& step, const ReferenceOutcome& expected);
-    Settling start_up(const PathStep& step);
-    void apply(const SimulatorState& start, const PartialInputs& left, const PathStep& step);
+    void prepare(const SimulatorState& start, const PartialInputs& left, const PathStep& step);
     void begin_instant(const std::vector<Logic>& inputs);
     SimulatorState kept_state() const;
     NetlistOutcome compare(const BitTable& situation, const OutputValues& outputs,
                            const PathStep& step) const;
-    NetlistOutcome after_gates(const PathStep& step, const ReferenceOutcome& expected);
     NetlistOutcome clock(const PathStep& step, const ReferenceOutcome& expected);
     std::optional<NetlistOutcome> unassigned_input_of_loops(const PathStep& step) const;
-    NetlistOutcome not_settled(const Settling& settling, const PathStep& step) const;
     bool same(const BitTable& situation, const OutputValues& outputs) const;
     UnknownCause cause_of(const std::vector<NetId>& nets, const PathStep& step) const;
     std::optional<std::uint32_t> unassigned_input_behind(const std::vector<NetId>& nets,

@@ -90,15 +90,18 @@ Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::Initial
 }
 
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli, Time period) {
+                              const CellDelays& delays, const Stimuli& stimuli, Time period,
+                              const DelaySchedule& schedule) {
     const RunResult expected =
         period == 0 ? run_until_stable(grafcet, stimuli) : run_scans(grafcet, stimuli, period);
     SimulateOptions options;
     options.scan_period = period;
+    options.schedule = schedule;
     const SimulateResult got = simulate(grafcet, netlist, delays, stimuli, options);
     auto witness = first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at);
     if (!witness) return std::nullopt;
     witness->scan_period = period;
+    witness->delays = schedule;
     if (witness->kind == DifferenceKind::race) {
         if (!is_left_open(grafcet, netlist, delays, stimuli, expected, period)) return std::nullopt;
         if (witness->stimuli.end == 0) witness->kind = DifferenceKind::power_up;
@@ -175,7 +178,7 @@ class Reduction {
         if (trials_ == most_trials || (options_.keep_going && !options_.keep_going())) return false;
         if (!tidy(trial)) return false;
         ++trials_;
-        auto witness = replay(grafcet_, netlist_, delays_, trial, best_.scan_period);
+        auto witness = replay(grafcet_, netlist_, delays_, trial, best_.scan_period, best_.delays);
         if (!witness) return false;
         best_ = std::move(*witness);
         return true;
@@ -199,6 +202,10 @@ Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, Witness
                             std::any_of(netlist.cells.begin(), netlist.cells.end(),
                                         [](const Cell& cell) { return is_timer(cell.type); });
     if (has_delays && options.changes == Changes::one && !netlist.is_clocked()) return witness;
+    const auto& delays = witness.delays.changes;
+    const bool are_constant = std::all_of(delays.begin(), delays.end(),
+                                          [](const DelayChange& change) { return change.at <= 0; });
+    if (!are_constant) return witness;
     return Reduction(grafcet, netlist, options, std::move(witness)).make();
 }
 

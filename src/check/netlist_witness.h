@@ -6,6 +6,7 @@
 #include "check/check_result.h"
 #include "check/witness.h"
 #include "grafcet/grafcet.h"
+#include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
 #include "simulate/simulator.h"
 #include "trace/stimuli.h"
@@ -20,11 +21,14 @@ Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::Initial
 
 /// Runs reference and netlist over stimuli, from power-up, and reports the first difference;
 /// nothing where none shows. `period`: of a clocked netlist, which is run scan by scan; else 0.
+/// `schedule`: delays of single gates that differ.
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
-                              const CellDelays& delays, const Stimuli& stimuli, Time period);
+                              const CellDelays& delays, const Stimuli& stimuli, Time period,
+                              const DelaySchedule& schedule = {});
 
 /// A witness of the same netlist that changes as few inputs as possible: none of its changes can be
-/// left out. `options` say what may happen in one instant of it, and how long to look.
+/// left out; one whose delays change in time is left as it is. `options` say what may happen in one
+/// instant of it, and how long to look.
 Witness smallest_witness(const Grafcet& grafcet, const Netlist& netlist, Witness witness,
                          const CheckOptions& options);
 

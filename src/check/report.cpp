@@ -106,6 +106,7 @@ class TextReport {
 
     const Message<std::string, std::string>& verdict() const;
     std::string compared_with() const;
+    std::string delays() const;
     std::string assumptions() const;
     const Message<>& power_up() const;
     void write_verdict();
@@ -173,10 +174,24 @@ void TextReport::write_verdict() {
     say(verdict(), visible(subject_.file), compared_with());
 }
 
+std::string TextReport::delays() const {
+    const DelayBand& gate = subject_.delays.gate;
+    switch (subject_.delays.kind) {
+        case DelayModel::Kind::fixed:
+            return in_words(words::delays, format_nanoseconds(gate.max));
+        case DelayModel::Kind::bounded:
+            return in_words(words::bounded_delays, format_nanoseconds(gate.min),
+                            format_nanoseconds(gate.max));
+        case DelayModel::Kind::any:
+            return in_words(words::any_delays);
+    }
+    return {};
+}
+
 void TextReport::write_foundation() {
     std::vector<std::string> parts;
     if (!subject_.is_program) {
-        parts.push_back(in_words(words::delays, format_nanoseconds(subject_.delays.gate)));
+        parts.push_back(delays());
     }
     if (subject_.changes) {
         parts.push_back(
@@ -236,7 +251,9 @@ void TextReport::write_why_undecided() {
     if (result_.depends_on_period) {
         say(words::depends_on_period);
     } else if (result_.is_unexplained) {
-        say(words::depends_on_memory);
+        say(subject_.delays.is_fixed() ? words::depends_on_memory : words::depends_on_delays);
+    } else if (result_.has_unexplored_orders) {
+        say(words::depends_on_orders);
     } else {
         text_ += words::states_waiting.in(language_, result_.coverage.waiting);
     }

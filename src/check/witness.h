@@ -6,6 +6,7 @@
 
 #include "evolution/run.h"
 #include "grafcet/grafcet.h"
+#include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
 #include "text/time.h"
 #include "trace/stimuli.h"
@@ -30,6 +31,8 @@ struct Witness {
     Time scan_period = 0;
     /// What memories that nothing is known of hold at power-up, where that matters.
     std::vector<Netlist::InitialValue> power_up;
+    /// The delays of gates that the difference needs; the others are nominal.
+    DelaySchedule delays;
     struct Value {
         std::string name;
         Logic expected = Logic::unknown;

@@ -49,10 +49,17 @@ AddedOption AddedOption::required() const {
 }
 
 AddedOption AddedOption::one_of(const std::vector<std::string>& values) const {
-    const std::string set = fmt::format("{{{}}}", joined(values, ","));
-    const auto check = [values, set, language = language_](const std::string& text) {
-        const bool is_one = std::find(values.begin(), values.end(), text) != values.end();
-        return is_one ? std::string() : say::not_one_of.in(language, text, set);
+    const auto is_one = [values](std::string_view text) {
+        return std::find(values.begin(), values.end(), text) != values.end();
+    };
+    return one_that(is_one, {values.begin(), values.end()});
+}
+
+AddedOption AddedOption::one_that(const std::function<bool(std::string_view)>& passes,
+                                  const std::vector<std::string_view>& words) const {
+    const std::string set = fmt::format("{{{}}}", joined(words, ","));
+    const auto check = [passes, set, language = language_](const std::string& text) {
+        return passes(text) ? std::string() : say::not_one_of.in(language, text, set);
     };
     option_->check(check, set);
     return *this;

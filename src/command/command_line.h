@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command/help.h"
@@ -43,6 +44,9 @@ class AddedOption {
         for (const auto& row : rows) names.emplace_back(row.name);
         return one_of(names);
     }
+    /// A word that passes a check; `words` say what does.
+    AddedOption one_that(const std::function<bool(std::string_view)>& passes,
+                         const std::vector<std::string_view>& words) const;
     /// The help says the value that its target has now.
     AddedOption shows_default() const;
 

@@ -91,8 +91,12 @@ inline constexpr Message<> cdx_by_style{
 inline constexpr Message<> cdx{"form of CDX", "forme de CDX"};
 inline constexpr Message<> modes{"with Init, AUdur and AUdoux, or without",
                                  "avec Init, AUdur et AUdoux, ou sans"};
-inline constexpr Message<std::string_view, std::string_view> delay{
-    "delay of every gate: {} ({} ns)", "retard de chaque porte : {} ({} ns)"};
+inline constexpr Message<> delay{
+    "delays of gates: unit (1 ns each); MIN..MAX in ns, as 1..2 (each change anywhere between); "
+    "any "
+    "(any finite time)",
+    "retards des portes : unit (1 ns chacune) ; MIN..MAX en ns, comme 1..2 (chaque "
+    "changement entre les deux) ; any (tout retard fini)"};
 inline constexpr Message<> power_up{
     "netlists from elsewhere without Init: how their steps start: unknown (the default), or "
     "initial, taken as given",
@@ -184,9 +188,9 @@ inline constexpr Message<> simulate_delays{
     "how long single gates take, from a .delays file: a line 'X1$set 3 5' gives the gate that "
     "drives this net 3 ns to rise and 5 ns to fall, '*' stands for every other gate; delays may "
     "change in time",
-    "retards de certaines portes, lus dans un fichier .delays : une ligne « X1$set 3 5 » donne 3 "
-    "ns pour monter et 5 ns pour descendre à la porte qui commande ce fil, « * » désigne toutes "
-    "les autres portes ; les retards peuvent changer avec le temps"};
+    "retards de certaines portes, lus dans un fichier .delays : une ligne « X1$set 3 5 » donne "
+    "3 ns pour monter et 5 ns pour descendre à la porte qui commande ce fil, « * » désigne "
+    "toutes les autres portes ; les retards peuvent changer avec le temps"};
 inline constexpr Message<> simulate_zoom{
     "in place of the run, draw this instant of it, such as 500ms, gate by gate on a scale of "
     "nanoseconds (--to svg, wavedrom)",

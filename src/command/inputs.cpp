@@ -130,15 +130,14 @@ void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
 }
 
 void NetlistRequest::declare_delay(const CommandLine& line) {
-    line.add("--delay", delay,
-             help::delay(DelayModel().name, format_nanoseconds(DelayModel().gate)))
-        .one_of_names(delay_models)
+    line.add("--delay", delay, help::delay())
+        .one_that([](std::string_view text) { return delay_model_of(text).has_value(); },
+                  delay_model_names())
         .shows_default();
 }
 
 DelayModel NetlistRequest::delays() const {
-    const DelayModel* model = row_named(delay_models, delay);
-    return model != nullptr ? *model : DelayModel();
+    return delay_model_of(delay).value_or(DelayModel());
 }
 
 NetlistOptions NetlistRequest::options() const {

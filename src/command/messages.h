@@ -83,9 +83,14 @@ inline constexpr Message<> stimuli_share_standard_input{
     "GRAFCET and stimuli cannot both come from standard input: give a file for one",
     "le GRAFCET et les stimuli ne peuvent pas venir tous deux de l'entrée standard : donnez un "
     "fichier pour l'un des deux"};
+inline constexpr Message<std::string_view> delays_are_open{
+    "--delay {} leaves the delays of gates open: say with --delays FILE which circuit is simulated",
+    "--delay {} laisse les retards des portes ouverts : indiquez par --delays FICHIER le "
+    "circuit à "
+    "simuler"};
 inline constexpr Message<> delays_share_standard_input{
     "the delays cannot come from standard input, from which something else is read: give a file",
-    "les retards ne peuvent pas venir de l'entrée standard, d'où autre chose est lu : donnez un "
+    "les retards ne peuvent pas venir de l'entrée standard, d'où autre chose est lu : donnez un "
     "fichier"};
 inline constexpr Message<> assignment_shares_standard_input{
     "GRAFCET and assignment cannot both come from standard input",
@@ -130,7 +135,7 @@ inline constexpr Message<> only_clocked{
 inline constexpr Message<> only_asynchronous{
     "it is for netlists without a clock: what a clocked one does does not depend on its gates, as "
     "long as they are faster than the clock",
-    "cette option est pour les câblages sans horloge : ce que fait un câblage à horloge ne dépend "
+    "cette option est pour les câblages sans horloge : ce que fait un câblage à horloge ne dépend "
     "pas de ses portes, tant qu'elles sont plus rapides que l'horloge"};
 inline constexpr Message<> stimuli_by_bench{
     "this format takes stimuli with --bench, as a test bench",

@@ -65,6 +65,8 @@ constexpr OptionUse option_uses[] = {
     {"check", "--io", fact::listing, &say::only_listing},
     {"check", "--cpu", fact::listing, &say::only_listing},
     {"check", "--delay", fact::generated | fact::elsewhere, &say::program_has_no_gates},
+    {"check", "--delay", fact::asynchronous | fact::listing | fact::ladder,
+     &say::only_asynchronous},
     {"check", "--changes", fact::asynchronous, &say::inputs_are_sampled},
     {"check", "--power-up", fact::open_start, &say::only_open_start},
     {"check", "--scan", fact::clocked | fact::listing | fact::ladder, &say::nothing_is_scanned},

@@ -75,10 +75,15 @@ std::optional<Netlist> netlist_for(const SimulateArguments& request, const Chart
 
 /// How long its gates take.
 std::optional<GateDelays> delays_for(const SimulateArguments& request, const Netlist& netlist) {
-    if (request.delays.empty()) return request.netlist.delays();
+    const DelayModel model = request.netlist.delays();
+    if (request.delays.empty() && !model.is_fixed()) {
+        complain(say::delays_are_open(model.name));
+        return std::nullopt;
+    }
+    if (request.delays.empty()) return model;
     auto schedule = load_delays(request.delays, netlist);
     if (!schedule) return std::nullopt;
-    return GateDelays(request.netlist.delays(), std::move(*schedule));
+    return GateDelays(model, std::move(*schedule));
 }
 
 /// Whether the delays are to come from standard input, as something else is; shows it if so.

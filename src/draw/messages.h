@@ -78,7 +78,7 @@ inline constexpr Message<> inputs{"inputs", "entrées"};
 inline constexpr Message<> steps{"steps", "étapes"};
 inline constexpr Message<> outputs{"outputs", "sorties"};
 /// On an axis within an instant, and what was there before it.
-inline constexpr Message<std::string> nanoseconds{"{}ns", "{}\u00a0ns"};
+inline constexpr Message<std::string> nanoseconds{"{}ns", "{} ns"};
 inline constexpr Message<> before{"before", "avant"};
 /// Vars and counters; inner nets.
 inline constexpr Message<> internals{"internal", "internes"};

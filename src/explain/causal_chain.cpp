@@ -31,10 +31,10 @@ namespace {
 /// What there is before the first change: the values of all nets once the netlist has been
 /// initialised with the inputs of time 0.
 std::vector<Logic> start_values(const Grafcet& grafcet, const Netlist& netlist,
-                                const CellDelays& delays, const Stimuli& stimuli) {
-    StimuliPlayer player(stimuli, grafcet.all_input_count());
+                                const CellDelays& delays, const Witness& witness) {
+    StimuliPlayer player(witness.stimuli, grafcet.all_input_count());
     player.advance(0);
-    NetlistMachine machine(grafcet, netlist, delays);
+    NetlistMachine machine(grafcet, netlist, delays, witness.delays);
     machine.start(known_inputs(player.inputs()));
     std::vector<Logic> values;
     for (std::size_t net = 0; net < netlist.net_count(); ++net) {
@@ -47,9 +47,10 @@ std::vector<Logic> start_values(const Grafcet& grafcet, const Netlist& netlist,
 
 NetHistory::NetHistory(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& delays,
                        const Witness& witness)
-    : start(start_values(grafcet, netlist, delays, witness.stimuli)) {
+    : start(start_values(grafcet, netlist, delays, witness)) {
     SimulateOptions options;
     options.scan_period = witness.scan_period;
+    options.schedule = witness.delays;
     options.observer = [&](Time at, NetId net, Logic value) {
         changes.push_back({at, net, value});
     };

@@ -57,6 +57,13 @@ class CauseSearch {
                 return Cause{CauseKind::reset_priority, name_of(step.step), {}, {}};
             }
         }
+        if (!facts_.witness.delays.changes.empty()) {
+            const bool is_of_step = !facts_.steps.empty();
+            return Cause{CauseKind::gate_race,
+                         is_of_step ? name_of(facts_.steps.front().step) : std::string(),
+                         {},
+                         {}};
+        }
         using Search = std::optional<Cause> (CauseSearch::*)(const WrongStep&) const;
         constexpr Search searches[] = {&CauseSearch::step_loop, &CauseSearch::two_tokens,
                                        &CauseSearch::long_pulse, &CauseSearch::fleeting_follower,

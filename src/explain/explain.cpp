@@ -305,7 +305,7 @@ class Explainer {
             if (changes.size() == most_rounds) break;
         }
         for (const std::size_t change : changes) {
-            const auto chain = causal_chain(netlist_, delays_, history_, {change});
+            const auto chain = causal_chain(netlist_, delays_, history_, {change}, witness_.delays);
             const bool has_earlier =
                 std::any_of(chain.begin(), chain.end(), [&](const CausalLink& link) {
                     const NetChange& other = history_.changes[link.change];
@@ -320,7 +320,8 @@ class Explainer {
 
     /// The chain with names in the place of numbers.
     void make_chain() {
-        for (const CausalLink& link : causal_chain(netlist_, delays_, history_, targets())) {
+        for (const CausalLink& link :
+             causal_chain(netlist_, delays_, history_, targets(), witness_.delays)) {
             const NetChange& change = history_.changes[link.change];
             Explanation::Link shown;
             shown.after = change.at - witness_.stimuli.end;

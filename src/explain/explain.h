@@ -21,6 +21,7 @@ enum class CauseKind {
     reset_priority,     ///< deactivation wins over activation
     set_and_reset,      ///< a memory of gates is set and reset at once, and both end together
     input_race,         ///< inputs that change together are read together
+    gate_race,          ///< the delays of gates decide, and with those of the witness it goes wrong
 };
 
 /// Such a reason, with the names it is told with.

@@ -251,4 +251,21 @@ inline constexpr CauseMessage input_race_remedy{
     "par assume ; écrire dans chaque réceptivité ce qui exclut l'autre (a./b et b./a) ; ou choisir "
     "le style synchrone (clocked)."};
 
+inline constexpr CauseMessage gate_race{
+    "A race of gates: which of them is faster decides, and with these delays it goes wrong.",
+    "Course entre portes : la plus rapide décide, et avec ces retards le résultat est faux."};
+inline constexpr CauseMessage gate_race_remedy{
+    "Use a wiring whose gates wait for one another (style handshake), or the clocked style; or see "
+    "to it that the slow gates above are fast.",
+    "Choisir un câblage dont les portes s'attendent (style handshake) ou le style synchrone "
+    "(clocked) ; ou veiller à ce que les portes lentes ci-dessus soient rapides."};
+
+/// The circuit of a witness that depends on delays.
+inline constexpr Message<> delays_needed{
+    "The delays that it takes (every other gate is as fast as can be):\n",
+    "Les retards qu'il faut (toute autre porte étant aussi rapide que possible) :\n"};
+inline constexpr Message<std::string, std::string> delay_of_gate{"  {}: {} ns\n", "  {} : {} ns\n"};
+inline constexpr Message<std::string, std::string, std::string> delay_of_gate_later{
+    "  {}: {} ns from {} on\n", "  {} : {} ns à partir de {}\n"};
+
 }  // namespace grafwire::messages::explain

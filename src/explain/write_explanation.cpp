@@ -54,6 +54,7 @@ constexpr CauseRow rows[] = {
      words::reset_priority_remedy},
     {CauseKind::set_and_reset, "set-and-reset", words::set_and_reset, words::set_and_reset_remedy},
     {CauseKind::input_race, "input-race", words::input_race, words::input_race_remedy},
+    {CauseKind::gate_race, "gate-race", words::gate_race, words::gate_race_remedy},
 };
 
 /// There is a row for every kind.
@@ -105,6 +106,7 @@ class ExplanationText {
           writer_(grafcet, witness, options.language) {}
 
     std::string make() {
+        write_delays();
         writer_.explain_changes();
         writer_.explain_reference();
         write_parts();
@@ -119,6 +121,22 @@ class ExplanationText {
     void say(const Message<Arguments...>& message,
              const std::type_identity_t<Arguments>&... arguments) {
         writer_.say(message, arguments...);
+    }
+
+    /// The circuit that the witness is about, gate by gate; a gate may take another time later on.
+    void write_delays() {
+        const std::vector<DelayChange>& changes = witness_.delays.changes;
+        if (changes.empty()) return;
+        say(words::delays_needed);
+        for (const DelayChange& change : changes) {
+            const std::string gate = cell_description(netlist_, change.cell, language_);
+            const std::string time = format_nanoseconds(change.rise);
+            if (change.at <= 0) {
+                say(words::delay_of_gate, gate, time);
+            } else {
+                say(words::delay_of_gate_later, gate, time, format_duration(change.at));
+            }
+        }
     }
 
     void write_parts() {

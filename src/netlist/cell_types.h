@@ -81,6 +81,10 @@ constexpr bool is_timer(CellType type) {
            type == CellType::scan_timer_next;
 }
 
+constexpr bool is_pulse(CellType type) {
+    return type == CellType::rise_pulse || type == CellType::fall_pulse;
+}
+
 /// Whether it counts its delays in clock cycles.
 constexpr bool counts_scans(CellType type) {
     return type == CellType::scan_timer || type == CellType::scan_timer_next;

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "netlist/netlist.h"
+#include "netlist/part_families.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -17,13 +19,28 @@ namespace grafwire {
 /// (pulses last as long as a step needs to be set, and buffers bring signals together), and is
 /// simulated, checked and written under one; a netlist made for one model may fail under another.
 /// The model that nothing else is said about is the default one.
+///
+/// Where a model leaves delays open, a verdict is about every circuit that could be built: every
+/// change of a gate takes a time of its own, as the model allows.
 struct DelayModel {
-    std::string_view name = "unit";  ///< as users ask for it and as reports call it
-    Time gate = nanosecond;          ///< of every cell; positive
+    enum class Kind : std::uint8_t {
+        fixed,    ///< every gate takes the same
+        bounded,  ///< between two bounds
+        any,      ///< any finite time; all that reads a net sees it change at once
+    };
+    std::string name = "unit";  ///< as users ask for it and as reports call it
+    Kind kind = Kind::fixed;
+    /// Of every cell. For `any` it is what its netlists are made for.
+    DelayBand gate{nanosecond, nanosecond};
+
+    bool is_fixed() const { return kind == Kind::fixed; }
 
     /// From a change of an input of a cell of that type to the change of its output, either way.
     /// Timers and pulse cells add their own timing.
-    Time of(CellType /*type*/) const { return gate; }
+    DelayBand band(CellType /*type*/) const { return gate; }
+
+    /// What a netlist is made for: the longest.
+    Time of(CellType type) const { return band(type).max; }
 
     /// Through these cells one after the other.
     Time of_path(std::span<const CellType> path) const {
@@ -41,12 +58,15 @@ struct DelayModel {
     /// Longer than any netlist of so many cells takes to settle, unless it oscillates; and never
     /// less than what a thousand gates take.
     Time of_settling(std::size_t cells) const {
-        return std::max<Time>(1'000, static_cast<Time>(cells)) * gate;
+        return std::max<Time>(1'000, static_cast<Time>(cells)) * gate.max;
     }
 };
 
-/// The models that can be asked for by name.
-inline constexpr std::array<DelayModel, 1> delay_models{{{}}};
+/// The model that a text asks for: a name, or bounds in ns, as `1..2` or `0.4..1.6`. Nothing where
+/// it asks for none.
+std::optional<DelayModel> delay_model_of(std::string_view text);
+/// The names there are, and how bounds are written.
+std::vector<std::string_view> delay_model_names();
 
 /// The delay of every cell of a netlist, per edge of its output. Timers and pulse cells add their
 /// own timing.
@@ -55,13 +75,7 @@ struct CellDelays {
     std::vector<Time> fall;
 };
 
-/// Every cell of the netlist under a model, which gives both edges the same delay.
-inline CellDelays cell_delays(const Netlist& netlist, const DelayModel& model) {
-    CellDelays delays;
-    delays.rise.reserve(netlist.cells.size());
-    for (const Cell& cell : netlist.cells) delays.rise.push_back(model.of(cell.type));
-    delays.fall = delays.rise;
-    return delays;
-}
+/// Every cell of the netlist as fast as a model allows.
+CellDelays cell_delays(const Netlist& netlist, const DelayModel& model);
 
 }  // namespace grafwire

@@ -17,12 +17,14 @@
 #include "explain/write_explanation.h"
 #include "grafcet/messages.h"
 #include "laddercheck/ladder_device.h"
+#include "netlist/styles/messages.h"
 #include "plcopen/messages.h"
 #include "plcopen/read_ladder.h"
 #include "s7/addresses/messages.h"
 #include "s7check/explain_listing.h"
 #include "s7check/fault_localization.h"
 #include "s7check/listing_device.h"
+#include "schedule/delays_text.h"
 #include "simulate/simulate.h"
 #include "story/instant_story.h"
 #include "text/joined.h"
@@ -95,6 +97,30 @@ void add_witness_files(Judgement& judgement, const Grafcet& grafcet, const std::
                                {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
 }
 
+/// The same delays, with every gate named that does not take 1 ns from the start.
+DelaySchedule all_delays(const Netlist& netlist, const CellDelays& delays,
+                         const DelaySchedule& schedule) {
+    DelaySchedule all;
+    for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
+        const DelayChange from_start{0, netlist.cells.id_at(i), delays.rise[i], delays.fall[i], 0};
+        if (from_start.rise != nanosecond || from_start.fall != nanosecond) {
+            all.changes.push_back(from_start);
+        }
+    }
+    for (const DelayChange& change : schedule.changes) {
+        const auto known =
+            std::find_if(all.changes.begin(), all.changes.end(), [&](const DelayChange& other) {
+                return other.at == change.at && other.cell == change.cell;
+            });
+        if (known != all.changes.end()) {
+            *known = change;
+        } else {
+            all.changes.push_back(change);
+        }
+    }
+    return all;
+}
+
 /// What the netlist makes of the stimuli of a witness, beside the reference.
 void add_files_of_gates(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
                         const CellDelays& delays, const std::string& explanation,
@@ -104,9 +130,14 @@ void add_files_of_gates(Judgement& judgement, const Grafcet& grafcet, const Netl
     SimulateOptions options;
     options.waveform = true;
     options.scan_period = witness.scan_period;
+    options.schedule = witness.delays;
     const SimulateResult simulated = simulate(grafcet, netlist, delays, stimuli, options);
     add_witness_files(judgement, grafcet, explanation, {simulated.trace, simulated.waveform},
                       language);
+    if (!witness.delays.changes.empty()) {
+        judgement.witness_files.push_back(
+            {"witness.delays", write_delays(all_delays(netlist, delays, witness.delays), netlist)});
+    }
 }
 
 /// Explains the witness, with its files beside it if they are wanted.
@@ -147,6 +178,10 @@ PowerUp power_up_of(const Chart& chart, const Netlist& netlist, bool is_from_els
 std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlist,
                                        const CheckRequest& request, Diagnostics& messages) {
     if (!is_worth_checking(chart, request.subject.file, netlist.has_modes, messages)) {
+        return std::nullopt;
+    }
+    if (netlist.is_clocked() && !request.subject.delays.is_fixed()) {
+        messages.error(code::unsupported_by_style, {}, say::clocked_has_no_races());
         return std::nullopt;
     }
     Judgement judgement{request.subject, {}, {}, {}};

@@ -47,7 +47,7 @@ struct NamedText {
 /// The names of the files that show a witness.
 inline constexpr std::string_view witness_file_names[] = {
     "witness.stim",  "witness.txt", "witness.svg", "expected.csv", "expected.vcd",
-    "expected.gtkw", "got.csv",     "got.vcd",     "got.gtkw"};
+    "expected.gtkw", "got.csv",     "got.vcd",     "got.gtkw",     "witness.delays"};
 
 /// What a check came to, and all that its reports say.
 struct Judgement {

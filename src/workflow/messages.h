@@ -11,6 +11,14 @@ inline constexpr Message<> clocked_has_transition_form{
     "the clocked style has the transition form of CDX only: leave out --cdx successor",
     "le style clocked n'existe qu'avec la forme transition de CDX : enlevez --cdx successor"};
 
+inline constexpr Message<> clocked_has_no_races{
+    "between two edges of its clock everything in a clocked netlist rests, whatever the delays: "
+    "leave "
+    "out --delay",
+    "entre deux fronts de l'horloge tout est au repos dans un câblage synchrone, quels que soient "
+    "les "
+    "retards : enlevez --delay"};
+
 inline constexpr Message<std::string_view> nothing_ever_happens{
     "{}: no step is initial and no source transition activates any, so nothing ever happens in "
     "this GRAFCET: make a step initial",

@@ -25,9 +25,9 @@ CdxForm cdx_form(const NetlistOptions& options) {
 }
 
 std::optional<Localized> conflict_in(const NetlistOptions& options) {
-    if (options.style != Style::clocked || cdx_form(options) == CdxForm::transition) {
-        return std::nullopt;
-    }
+    if (options.style != Style::clocked) return std::nullopt;
+    if (!options.delays.is_fixed()) return messages::workflow::clocked_has_no_races();
+    if (cdx_form(options) == CdxForm::transition) return std::nullopt;
     return messages::workflow::clocked_has_transition_form();
 }
 

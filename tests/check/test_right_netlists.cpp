@@ -45,7 +45,7 @@ graph G {
 )");
     const Equations equations = equations_from(grafcet, {});
     CheckOptions options;
-    options.delays.gate = 3 * nanosecond;
+    options.delays.gate = {3 * nanosecond, 3 * nanosecond};
     for (const Style style : asynchronous_styles()) {
         Diagnostics diagnostics;
         const auto right = netlist_from(grafcet, equations, style, diagnostics, options.delays);

@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "command/charts.h"
+#include "support/files.h"
 #include "support/run_program.h"
 
 namespace grafwire::testing {
@@ -53,6 +55,54 @@ TEST_CASE("delays of single gates are told in words") {
                    "  X1 becomes 1 after 4 ns: m=1, NAND gate X1$set0=0 (+3 ns)\n"
                    "  X0 becomes 0 after 10 ns: X1=1, NAND gate X0$reset0=0 (+5 ns), NAND gate\n"
                    "      X0$q=1 (+9 ns)\n"));
+}
+
+TEST_CASE("delays: a check about every circuit ends with one that fails, and it can be run") {
+    const ScratchFolder folder;
+    const Ran check = grafwire_with({"check", sequence_chart, "--style", "nand", "--delay", "any",
+                                     "--witness", folder.path("witness")});
+    CHECK(check.status == 1);
+    CHECK(contains(check.out, "delays: any finite one of every gate;"));
+    CHECK(
+        contains(check.out, "The delays that it takes (every other gate is as fast as can be):\n"));
+    CHECK(contains(check.out, "A race of gates: "));
+    const std::vector<std::string> request = {
+        "simulate", sequence_chart, folder.path("witness/witness.stim"), "--style", "nand",
+        "--delay",  "any"};
+    const Ran open = grafwire_with(request);
+    CHECK(open.status == 2);
+    CHECK(contains(open.err, "--delay any leaves the delays of gates open"));
+    std::vector<std::string> with_delays = request;
+    with_delays.insert(with_delays.end(), {"--delays", folder.path("witness/witness.delays")});
+    const Ran run = grafwire_with(with_delays);
+    CHECK(run.status == 0);
+    CHECK(run.out == text_of(folder.path("witness/got.csv")));
+    CHECK(run.out != text_of(folder.path("witness/expected.csv")));
+    // Those of a difference that is no more go with it.
+    CHECK(grafwire_with(
+              {"check", sequence_chart, "--style", "nand", "--witness", folder.path("witness")})
+              .status == 0);
+    CHECK(!std::filesystem::exists(folder.path("witness/witness.delays")));
+}
+
+TEST_CASE("delays: the clocked style has none to be open, and a model has to be one") {
+    const Ran clocked =
+        grafwire_with({"check", sequence_chart, "--style", "clocked", "--delay", "any"});
+    CHECK(clocked.status == 2);
+    CHECK(contains(clocked.err, "clock"));
+    const Ran wrong = grafwire_with({"check", sequence_chart, "--delay", "2..1"});
+    CHECK(wrong.status == 2);
+    CHECK(contains(wrong.err, "--delay: 2..1 not in {unit,MIN..MAX,any}"));
+}
+
+TEST_CASE("delays: bounds in JSON and in French") {
+    const Ran json = grafwire_with(
+        {"check", sequence_chart, "--style", "nand", "--delay", "1..1.5", "--to", "json"});
+    CHECK(json.status == 0);
+    CHECK(nlohmann::json::parse(json.out)["delay"] == "1..1.5");
+    const Ran french = grafwire_with(
+        {"check", sequence_chart, "--style", "nand", "--delay", "1..1.5", "--lang", "fr"});
+    CHECK(contains(french.out, "retards\u00a0: 1 à 1.5\u00a0ns par changement de porte"));
 }
 
 TEST_CASE("delays of single gates are in the waveform") {

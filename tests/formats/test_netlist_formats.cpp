@@ -78,7 +78,7 @@ TEST_CASE("the stimuli and the scan period are heeded where the row says so") {
 
 TEST_CASE("gates have the delay of the model, as a parameter with one default") {
     const Netlist netlist = all_asynchronous_cells();
-    const DelayModel slow{.name = "slow", .gate = 2500};
+    const DelayModel slow{.name = "slow", .gate = {2500, 2500}};
     const std::string verilog =
         write_netlist(*netlist_format_named("verilog"), netlist, {.delays = slow});
     CHECK(verilog.find("module all_cells #(parameter GATE_NS = 2.5) (") != std::string::npos);
@@ -98,7 +98,7 @@ TEST_CASE("gates have the delay of the model, as a parameter with one default") 
 }
 
 TEST_CASE("times in gate delays") {
-    const DelayModel slow{.name = "slow", .gate = 2500};
+    const DelayModel slow{.name = "slow", .gate = {2500, 2500}};
     CHECK(in_gate_delays(2500, slow, "g") == "g");
     CHECK(in_gate_delays(7500, slow, "g") == "3 * g");
     CHECK(in_gate_delays(4000, slow, "g") == "(4000.0 / 2500) * g");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulate/small_netlist.h"
+#include "support/small_netlist.h"
 
 namespace grafwire::testing {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 #include "two_steps.h"
 
 using namespace grafwire;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <random>
 
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "simulate/delay_ends.h"
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 using namespace grafwire;
 using namespace grafwire::testing;

@@ -5,7 +5,7 @@
 
 #include "grafcet/parse_grafcet.h"
 #include "simulate/simulate.h"
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 #include "trace/stimuli.h"
 
 namespace grafwire::testing {

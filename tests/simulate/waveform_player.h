@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulate/delay_ends.h"
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 namespace grafwire::testing {
 

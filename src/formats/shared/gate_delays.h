@@ -13,10 +13,10 @@ namespace grafwire {
 /// parameter for that: `gate`, `3 * gate`. The unit is that of the parameter.
 inline std::string in_gate_delays(Time time, const DelayModel& delays, std::string_view parameter) {
     std::string text;
-    if (time % delays.gate != 0) {
-        append(text, '(', time, ".0 / ", delays.gate, ") * ");
-    } else if (time != delays.gate) {
-        append(text, time / delays.gate, " * ");
+    if (time % delays.gate.max != 0) {
+        append(text, '(', time, ".0 / ", delays.gate.max, ") * ");
+    } else if (time != delays.gate.max) {
+        append(text, time / delays.gate.max, " * ");
     }
     return text += parameter;
 }

@@ -258,9 +258,10 @@ void DeckWriter::list_inner_nodes() {
 
 /// What a user may change: all other delays follow.
 void DeckWriter::write_parameters() {
-    append(
-        out_, "\n* How long a gate takes and the netlist may take to settle, in ps\n.param gate=",
-        delays_.gate, "\n.param settle={", in_gate_delays(bench_.settling, delays_, "gate"), "}\n");
+    append(out_,
+           "\n* How long a gate takes and the netlist may take to settle, in ps\n.param gate=",
+           delays_.gate.max, "\n.param settle={", in_gate_delays(bench_.settling, delays_, "gate"),
+           "}\n");
 }
 
 void DeckWriter::write_cells() {

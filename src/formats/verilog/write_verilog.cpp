@@ -196,7 +196,7 @@ void VerilogWriter::write_parameters(bool has_scan_timer, bool with_values) {
     std::string_view separator = " #(parameter ";
     if (has_delays_) {
         append(out_, separator, gate_parameter_, " = ",
-               with_values ? format_nanoseconds(delays_.gate) : "1");
+               with_values ? format_nanoseconds(delays_.gate.max) : "1");
         separator = ", parameter ";
     }
     if (has_scan_timer) {

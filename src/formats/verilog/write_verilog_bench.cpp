@@ -111,7 +111,7 @@ std::string BenchWriter::scaled(Time time, std::string_view gate_parameter) cons
 /// What the simulator may be told, and the same in picoseconds.
 void BenchWriter::write_parameters() {
     if (has_delays_) {
-        append(out_, " #(parameter GATE_NS = ", format_nanoseconds(delays_.gate),
+        append(out_, " #(parameter GATE_NS = ", format_nanoseconds(delays_.gate.max),
                ",\n    parameter [63:0] SETTLE_NS = ", scaled(bench_.settling, "GATE_NS"), ")");
     }
     append(out_, ";\n  localparam [63:0] START = 64'd1000 * ", scaled(start_, "GATE_NS"), ";\n");

@@ -90,8 +90,12 @@ std::optional<NetlistOptions> asked_options(const Arguments& arguments, Json& an
         if (cdx == nullptr) return std::nullopt;
         options.cdx = cdx->form;
     }
-    const DelayModel* delays = asked_row(arguments, "delay", delay_models, answer);
-    if (delays == nullptr) return std::nullopt;
+    const std::string delay = arguments.text("delay", options.delays.name);
+    const auto delays = delay_model_of(delay);
+    if (!delays) {
+        answer = unknown_value_answer(arguments, "delay");
+        return std::nullopt;
+    }
     options.delays = *delays;
     options.modes = arguments.flag("modes", true);
     if (const auto conflict = conflict_in(options)) {

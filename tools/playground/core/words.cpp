@@ -70,7 +70,7 @@ Json answer_words(const Arguments& arguments, const Asked&) {
                 {"modes", {"Init", "AUdur", "AUdoux"}},
                 {"styles", styles},
                 {"cdx", names_of(cdx_table)},
-                {"delays", names_of(delay_models)},
+                {"delays", {DelayModel().name, "1..2", "1..4", "any"}},
                 {"notations", names_of(notation_table)},
                 {"papers", names_of(papers)},
                 {"symbols", names_of(gate_shapes_table)},

@@ -1,4 +1,4 @@
-#include "small_netlist.h"
+#include "support/small_netlist.h"
 
 #include "text/time.h"
 

@@ -1,0 +1,91 @@
+// A netlist whose gates take times that are not known, in one case after the other.
+//
+// The simulator, with nominal delays, does what does not depend on delays: power-up (Init works its
+// way through three values, of which none ever changes back), and unassigned inputs that are known
+// to matter to no memory. Between the change of the inputs and rest the delay model takes over: it
+// gives every state of rest that can come about, each of which is compared, and followed where it
+// agrees.
+//
+// That a model never misses a rest is what a verdict "equivalent" stands on. Where it has to give
+// up (too many orders), the case is left open, and so is the verdict.
+
+#include "check/racing_case.h"
+
+#include <algorithm>
+
+#include "check/race_search.h"
+#include "check/racing_witness.h"
+
+namespace grafwire {
+
+namespace {
+
+constexpr std::size_t states_before_split = 2'000;
+
+}  // namespace
+
+RacingCases::RacingCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
+                         const DelayModel& model, const KeepGoing& keep_going)
+    : NetlistCases(grafcet, netlist, nominal, keep_going),
+      delay_model_(model),
+      keep_going_(keep_going),
+      circuit_(netlist, relevant_nets()),
+      model_(make_settling_model(model, circuit_, keep_going)) {}
+
+NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInputs& left,
+                                 const PathStep& step, const ReferenceOutcome& expected) {
+    NetlistOutcomes outcomes;
+    std::vector<Logic> values_left;
+    const Settling settling = begin(start, left, step, &values_left);
+    if (!settling.settled) {
+        outcomes.push_back(not_settled(settling, step));
+        return outcomes;
+    }
+    const SimulatorState before = simulator().save();
+    const CircuitState from = circuit_state(circuit_, values_left, before, instant());
+    // Unassigned inputs can make much of little: if the case is not soon done, it is split first.
+    Rests rests = model_->settle(from, false, states_before_split);
+    if (rests.is_too_large) {
+        NetlistOutcome open = undetermined(remembered_nets(), step);
+        if (open.kind == NetlistOutcome::Kind::unassigned) {
+            outcomes.push_back(std::move(open));
+            return outcomes;
+        }
+        rests = model_->settle(from, false, SettlingModel::usual_states);
+    }
+    if (rests.broken_off || rests.is_too_large) {
+        NetlistOutcome open;
+        open.kind = rests.broken_off ? NetlistOutcome::Kind::broken_off
+                                     : NetlistOutcome::Kind::not_explored;
+        outcomes.push_back(open);
+    }
+    for (const Rest& rest : rests.rests) {
+        outcomes.push_back(outcome_of(rest, before, step, expected));
+    }
+    return outcomes;
+}
+
+/// What is remembered and not known at rest.
+std::vector<NetId> RacingCases::unknown_memory(const CircuitState& state) const {
+    std::vector<NetId> unknown;
+    for (const NetId net : remembered_nets()) {
+        if (state.values[index_of(net)] == Logic::unknown) unknown.push_back(net);
+    }
+    return unknown;
+}
+
+NetlistOutcome RacingCases::outcome_of(const Rest& rest, const SimulatorState& before,
+                                       const PathStep& step, const ReferenceOutcome& expected) {
+    if (rest.kind == Rest::Kind::oscillates) return undetermined(rest.changing, step);
+    const std::vector<NetId> unknown = unknown_memory(rest.state);
+    if (!unknown.empty()) return undetermined(unknown, step);
+    simulator().restore(simulator_state(circuit_, before, rest.state, instant()));
+    return after_gates(step, expected);
+}
+
+std::optional<Witness> RacingCases::replay(const Stimuli& stimuli, Time /*period*/) const {
+    return racing_witness(grafcet(), netlist(), delays_of_gates(), circuit_, delay_model_, stimuli,
+                          keep_going_);
+}
+
+}  // namespace grafwire

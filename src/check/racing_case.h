@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "check/netlist_case.h"
+#include "netlist/delay_model.h"
+#include "settling/circuit.h"
+#include "settling/settling_model.h"
+
+namespace grafwire {
+
+/// A netlist whose delays are not known exactly, case by case: restores the state left, applies the
+/// change, and compares everything that the delay model lets become of it. What it is made of must
+/// outlive it.
+class RacingCases : public NetlistCases {
+  public:
+    RacingCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
+                const DelayModel& model, const KeepGoing& keep_going);
+
+    NetlistOutcomes run(const SimulatorState* start, const PartialInputs& left,
+                        const PathStep& step, const ReferenceOutcome& expected) override;
+    std::optional<Witness> replay(const Stimuli& stimuli, Time period) const override;
+
+  private:
+    NetlistOutcome outcome_of(const Rest& rest, const SimulatorState& before, const PathStep& step,
+                              const ReferenceOutcome& expected);
+    std::vector<NetId> unknown_memory(const CircuitState& state) const;
+
+    const DelayModel delay_model_;
+    const KeepGoing keep_going_;
+    const Circuit circuit_;
+    const std::unique_ptr<SettlingModel> model_;
+};
+
+}  // namespace grafwire

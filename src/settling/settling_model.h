@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "netlist/delay_model.h"
+#include "netlist/netlist.h"
+#include "settling/circuit.h"
+#include "text/keep_going.h"
+
+namespace grafwire {
+
+/// Gates that change at one moment; mostly a single one.
+using Firing = std::vector<CellAction>;
+
+/// One thing that can become of a netlist within an instant.
+struct Rest {
+    enum class Kind : std::uint8_t {
+        settles,
+        oscillates,  ///< never comes to rest, although every gate takes a finite time
+    };
+    Kind kind = Kind::settles;
+    CircuitState state;           ///< settles: at the end; what cannot be told is unknown
+    std::vector<NetId> changing;  ///< oscillates: the nets that keep changing
+    /// What leads there from the start, one after the other; only if it was asked for, and the
+    /// model knows. Oscillates: then the firings of one turn, after which all is as before.
+    std::vector<Firing> firings;
+    std::vector<Firing> turn;
+};
+
+/// All that can become of a netlist within an instant.
+struct Rests {
+    std::vector<Rest> rests;    ///< never empty where the search was complete
+    bool broken_off = false;    ///< the caller said so
+    bool is_too_large = false;  ///< there are more orders than are gone through; the rests are some
+    std::size_t states = 0;     ///< that were gone through
+};
+
+/// What is known of the delays of gates, as a question: from a state on, what can happen? A row of
+/// the delay models that leaves delays open (delay_model.h) is a class of its own behind this.
+class SettlingModel {
+  public:
+    virtual ~SettlingModel() = default;
+
+    /// From a state whose inputs have just changed. `with_firings`: tell how each rest comes about.
+    /// `most_states`: how many are gone through before the search is given up.
+    virtual Rests settle(const CircuitState& start, bool with_firings, std::size_t most_states) = 0;
+
+    /// Enough for nearly everything that can be answered at all.
+    static constexpr std::size_t usual_states = 100'000;
+};
+
+/// The model for a circuit, which must outlive it; nothing for delays that are fixed (the simulator
+/// plays these). `keep_going` is asked often.
+std::unique_ptr<SettlingModel> make_settling_model(const DelayModel& model, const Circuit& circuit,
+                                                   KeepGoing keep_going);
+
+}  // namespace grafwire

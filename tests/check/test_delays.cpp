@@ -1,0 +1,197 @@
+// Verdicts about every circuit that delays allow: what they say holds in a simulation of any of
+// these circuits.
+
+#include <random>
+
+#include "check/check_equivalence.h"
+#include "check/netlist_witness.h"
+#include "evolution/run.h"
+#include "random/random_grafcet.h"
+#include "random/read_text.h"
+#include "simulate/simulate.h"
+#include "support/small_netlists.h"
+#include "support/styles.h"
+
+namespace grafwire::testing {
+
+namespace {
+
+constexpr const char* sequence = R"(
+input a, b
+output v
+graph G {
+  initial 0
+  step 1 : v
+  step 2
+  0 -> 1 : a
+  1 -> 2 : b
+  2 -> 0 : /a
+}
+)";
+
+constexpr const char* alone = R"(
+input a
+output v
+graph G {
+  initial 0 : v if a
+}
+)";
+
+CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::string_view delays,
+                    std::uint64_t max_cases = 0) {
+    CheckOptions options;
+    options.delays = *delay_model_of(delays);
+    options.looks_at_many = false;
+    options.max_cases = max_cases;
+    return check_equivalence(grafcet, netlist, options);
+}
+
+/// The netlist made for a delay model.
+Netlist made_for(const Grafcet& grafcet, Style style, std::string_view delays) {
+    const Equations equations = equations_from(grafcet, {CdxForm::successor, true});
+    Diagnostics diagnostics;
+    auto netlist = netlist_from(grafcet, equations, style, diagnostics, *delay_model_of(delays));
+    REQUIRE(netlist);
+    return std::move(*netlist);
+}
+
+/// Whether the delays of a witness show it in a simulation.
+bool replays(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
+             std::string_view delays) {
+    const CellDelays nominal = cell_delays(netlist, *delay_model_of(delays));
+    const Netlist powered = with_power_up(netlist, witness.power_up);
+    const auto again = replay(grafcet, powered, nominal, witness.stimuli, 0, witness.delays);
+    return again && again->kind == witness.kind;
+}
+
+/// One change of an input every 10 ms.
+Stimuli single_changes(std::mt19937& random, const Grafcet& grafcet) {
+    Stimuli stimuli;
+    stimuli.changes.push_back({0, {}, {}});
+    std::vector<bool> values(grafcet.inputs.size());
+    for (Time at = 1; at <= 12; ++at) {
+        const auto input = static_cast<std::uint32_t>(random() % values.size());
+        values[input] = !values[input];
+        stimuli.end = at * 10 * millisecond;
+        stimuli.changes.push_back({stimuli.end, {{input, values[input]}}, {}});
+    }
+    return stimuli;
+}
+
+/// Gates that take anything between two times, each edge for itself.
+CellDelays random_delays(std::mt19937& random, const Netlist& netlist, Time least, Time most) {
+    CellDelays delays = cell_delays(netlist, {});
+    std::uniform_int_distribution<Time> between(least, most);
+    for (Time& delay : delays.rise) delay = between(random);
+    for (Time& delay : delays.fall) delay = between(random);
+    return delays;
+}
+
+}  // namespace
+
+TEST_CASE("delays: models by the words that ask for them") {
+    CHECK(delay_model_of("unit")->is_fixed());
+    CHECK(delay_model_of("any")->kind == DelayModel::Kind::any);
+    const auto bounds = delay_model_of("0.4..1.6");
+    REQUIRE(bounds);
+    CHECK(bounds->kind == DelayModel::Kind::bounded);
+    CHECK(bounds->gate == DelayBand{400, 1600});
+    CHECK(delay_model_of("1..2")->gate == DelayBand{1000, 2000});
+    for (const char* text :
+         {"", "..", "1..", "..2", "2..1", "0..1", "-1..2", "1..2..3", "1.0000..2", "a..b", "1 .. 2",
+          "Any", "1..99999999999999999999", "."}) {
+        CAPTURE(text);
+        CHECK(!delay_model_of(text));
+    }
+}
+
+TEST_CASE("delays: a step that never moves is right whatever they are") {
+    const Grafcet grafcet = grafcet_of(alone);
+    for (const Style style : asynchronous_styles()) {
+        const CheckResult result = checked(grafcet, netlist_of(grafcet, style), "any");
+        CHECK(result.verdict == Verdict::equivalent);
+        CHECK(result.complete);
+    }
+}
+
+TEST_CASE(
+    "delays: a sequence of phase modules loses its step where gates may be as slow as they like") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    for (const Style style : {Style::gates, Style::nand, Style::nor}) {
+        const Netlist netlist = netlist_of(grafcet, style);
+        const CheckResult result = checked(grafcet, netlist, "any");
+        CHECK(result.verdict == Verdict::different);
+        REQUIRE(result.witness);
+        CHECK(!result.witness->delays.changes.empty());
+        CHECK(replays(grafcet, netlist, *result.witness, "any"));
+    }
+}
+
+TEST_CASE("delays: the same sequence is right between bounds that are close") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    for (const Style style : {Style::gates, Style::nand}) {
+        CHECK(checked(grafcet, made_for(grafcet, style, "1..1.5"), "1..1.5").verdict ==
+              Verdict::equivalent);
+        const Netlist netlist = made_for(grafcet, style, "1..8");
+        const CheckResult result = checked(grafcet, netlist, "1..8");
+        REQUIRE(result.verdict == Verdict::different);
+        for (const DelayChange& change : result.witness->delays.changes) {
+            CHECK(change.rise >= nanosecond);
+            CHECK(change.rise <= 8 * nanosecond);
+        }
+        CHECK(replays(grafcet, netlist, *result.witness, "1..8"));
+    }
+}
+
+TEST_CASE("delays: no circuit within the bounds contradicts an equivalence") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    std::mt19937 random(17);
+    for (const Style style : {Style::gates, Style::nand}) {
+        const Netlist netlist = made_for(grafcet, style, "1..1.5");
+        REQUIRE(checked(grafcet, netlist, "1..1.5").verdict == Verdict::equivalent);
+        for (int number = 0; number < 300; ++number) {
+            const Stimuli stimuli = single_changes(random, grafcet);
+            const CellDelays delays = random_delays(random, netlist, 1000, 1500);
+            CHECK(!replay(grafcet, netlist, delays, stimuli, 0));
+        }
+    }
+}
+
+TEST_CASE("delays: random charts; a difference replays, an equivalence is not contradicted") {
+    std::mt19937 random(23);
+    int differences = 0;
+    int equivalences = 0;
+    Features features = Features::plain_chart();
+    features.steps = 5;
+    features.graphs = 1;
+    features.inputs = 2;
+    features.outputs = 1;
+    features.assumptions = false;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        RandomSource source(seed);
+        const std::string text = random_grafcet(source, features);
+        CAPTURE(text);
+        const auto grafcet = read_grafcet(text);
+        REQUIRE(grafcet);
+        const Netlist netlist = netlist_of(*grafcet, seed % 2 == 0 ? Style::nand : Style::gates);
+        for (const std::string delays : {"any", "1..1.2"}) {
+            CAPTURE(delays);
+            const CheckResult result = checked(*grafcet, netlist, delays, 400);
+            if (result.verdict == Verdict::different) {
+                ++differences;
+                CHECK(replays(*grafcet, netlist, *result.witness, delays));
+            }
+            if (result.verdict != Verdict::equivalent) continue;
+            ++equivalences;
+            for (int number = 0; number < 20; ++number) {
+                const Stimuli stimuli = single_changes(random, *grafcet);
+                const CellDelays circuit = random_delays(random, netlist, 1000, 1200);
+                CHECK(!replay(*grafcet, netlist, circuit, stimuli, 0));
+            }
+        }
+    }
+    CHECK(differences > 10);
+    CHECK(equivalences > 3);
+}
+
+}  // namespace grafwire::testing
