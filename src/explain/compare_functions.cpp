@@ -65,6 +65,13 @@ bool is_readable(const FunctionVariables& variables, const std::optional<TruthTa
     });
 }
 
+/// Whether gates of the style handshake are among them. These wait for gates of their neighbours,
+/// and say more than CAX and CDX do.
+bool is_of_handshake(const NetReader& reader, const Cone& cone) {
+    return std::any_of(cone.inner.begin(), cone.inner.end(),
+                       [&](NetId net) { return reader.netlist().names[net].ends_with("$give"); });
+}
+
 /// The right-hand side as it should be.
 struct Wanted {
     std::string name;  ///< `CAX4`
@@ -141,7 +148,8 @@ class StepComparison {
         reader_.locate(variables);
         result_.expected = function_of(grafcet_, pool_, whole_, is_clocked_, variables);
         if (result_.expected && net != no_net) result_.got = reader_.function(cone, variables);
-        if (!is_readable(variables, result_.got, cone, from_equations)) {
+        if (is_of_handshake(reader_, cone) ||
+            !is_readable(variables, result_.got, cone, from_equations)) {
             result_.got.reset();
             result_.fault = Fault::unread;
             add_plain("CAX", table_.cax);

@@ -25,9 +25,13 @@ CdxForm cdx_form(const NetlistOptions& options) {
 }
 
 std::optional<Localized> conflict_in(const NetlistOptions& options) {
+    const bool is_successor = cdx_form(options) == CdxForm::successor;
+    if (options.style == Style::handshake && !is_successor) {
+        return messages::workflow::handshake_has_successor_form();
+    }
     if (options.style != Style::clocked) return std::nullopt;
     if (!options.delays.is_fixed()) return messages::workflow::clocked_has_no_races();
-    if (cdx_form(options) == CdxForm::transition) return std::nullopt;
+    if (!is_successor) return std::nullopt;
     return messages::workflow::clocked_has_transition_form();
 }
 

@@ -118,7 +118,7 @@ std::optional<Netlist> netlist_of(const Grafcet& grafcet, const StyleRow& row) {
     CHECK(netlist.has_value() != diagnostics.has_errors());
     if (!netlist) {
         CHECK(row.style != Style::clocked);
-        CHECK(!grafcet.counters.empty());
+        CHECK((!grafcet.counters.empty() || row.style == Style::handshake));
     }
     return netlist;
 }

@@ -115,7 +115,7 @@ TEST_CASE("ngspice gives the reference's situations and outputs") {
         if (has_clocked_timers(item)) ++with_clocked_timers;
         if (is_slow_build && count == 4) break;
     }
-    CHECK(count == (is_slow_build ? 4U : 39U));
+    CHECK(count == (is_slow_build ? 4U : 55U));
     if (!is_slow_build) CHECK(with_clocked_timers == 4);
 }
 

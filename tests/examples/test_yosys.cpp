@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "examples/example.h"
 #include "formats/netlist_formats.h"
 #include "support/run_program.h"
@@ -9,6 +11,12 @@
 namespace grafwire::testing {
 
 namespace {
+
+/// Yosys reads no table of more than 12 inputs in a BLIF file.
+bool has_wide_gate(const Netlist& netlist) {
+    return std::any_of(netlist.cells.begin(), netlist.cells.end(),
+                       [](const Cell& cell) { return cell.pin_count > 12; });
+}
 
 /// All examples in a style, each read by the commands that `script` gives for its file.
 template <typename Script>
@@ -20,14 +28,14 @@ void read_all(const StyleRow& row, std::string_view format, Script script) {
     std::size_t count = 0;
     for (const Example& example : examples()) {
         const auto netlist = netlist_of(example.grafcet, row);
-        if (!netlist) continue;
+        if (!netlist || (format == "blif" && has_wide_gate(*netlist))) continue;
         const std::string text = write_netlist(*written, *netlist);
         const std::string file = example.name + std::string(written->extension);
         commands += "log ### " + file + "\n" + script(folder.file(file, text)) + "tee -a " +
                     folder.path("log") + " log read\ndesign -reset\n";
         ++count;
     }
-    CHECK(count >= 10);
+    CHECK(count >= (row.style == Style::handshake ? 6 : 10));
     const Ran ran = run_program({"yosys", "-Q", "-T", "-s", folder.file("script", commands)});
     const std::size_t last = ran.out.rfind("###");
     INFO("Yosys stopped at: " << (last == std::string::npos ? ran.out : ran.out.substr(last)));

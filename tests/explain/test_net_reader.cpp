@@ -32,6 +32,13 @@ void compare_all(const Grafcet& grafcet, const StyleRow& style, Count& count) {
     const auto netlist = netlist_from(grafcet, equations, style.style, diagnostics);
     if (!netlist) return;  // counters need the clocked style
     const NetReader reader(grafcet, *netlist);
+    if (style.style == Style::handshake) {  // its gates wait for each other
+        for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
+            const auto comparison = compare_step(reader, equations, grafcet.steps.id_at(i));
+            CHECK(comparison.fault == Explanation::Fault::unread);
+        }
+        return;
+    }
     const auto note = [&](const FunctionComparison& comparison, const std::string& name) {
         if (comparison.fault == Explanation::Fault::unread) {
             ++count.unread;

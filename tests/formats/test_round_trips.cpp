@@ -174,14 +174,18 @@ TEST_CASE("Yosys reads what is written, and what it writes is read") {
         const auto json = tools.run(
             "yosys -q -p 'read_json in.json; hierarchy -check; check; stat; write_json out.json'");
         CHECK(json.status == 0);
+        const Netlist from_json = read_back_json(tools.read("out.json"));
+        CHECK(from_json.cells.size() == netlist.cells.size());
+        CHECK(from_json.timings.size() == netlist.timings.size());
+        // Yosys reads no table of more than 12 inputs in a BLIF file.
+        const bool is_wide = std::any_of(netlist.cells.begin(), netlist.cells.end(),
+                                         [](const Cell& cell) { return cell.pin_count > 12; });
+        if (is_wide) return;
         const auto blif = tools.run(
             "yosys -q -p 'read_blif in.blif; hierarchy -check; check; simplemap; write_blif -attr "
             "out.blif'");
         CHECK(blif.status == 0);
-        const Netlist from_json = read_back_json(tools.read("out.json"));
         const Netlist from_blif = read_back_blif(tools.read("out.blif"));
-        CHECK(from_json.cells.size() == netlist.cells.size());
-        CHECK(from_json.timings.size() == netlist.timings.size());
         CHECK(from_blif.outputs.size() == netlist.outputs.size());
         CHECK(from_blif.timings.size() == netlist.timings.size());
     });

@@ -18,6 +18,13 @@ inline Grafcet grafcet_of(const std::string& text) {
     return std::move(*grafcet);
 }
 
+/// Whether the style handshake, which does not take every construct, refuses the GRAFCET.
+inline bool refused_by_handshake(const Grafcet& grafcet) {
+    const Equations equations = equations_from(grafcet, {});
+    Diagnostics diagnostics;
+    return !netlist_from(grafcet, equations, Style::handshake, diagnostics);
+}
+
 /// Its netlist, with the form of CDX that the style takes by itself.
 inline Netlist netlist_of(const Grafcet& grafcet, Style style, bool modes = true) {
     const CdxForm cdx = style_table[static_cast<std::size_t>(style)].default_cdx;

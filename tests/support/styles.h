@@ -20,4 +20,9 @@ inline std::vector<Style> asynchronous_styles() {
     return styles;
 }
 
+/// Those that take every chart without counters.
+inline bool takes_stored_actions(Style style) {
+    return style != Style::handshake;
+}
+
 }  // namespace grafwire::testing

@@ -22,11 +22,6 @@ namespace grafwire {
 
 namespace {
 
-VariableNets add_ports(ChartNetlist& chart, bool modes) {
-    // Braces keep this order.
-    return {chart.add_inputs(modes), chart.add_steps(), chart.add_outputs(), chart.add_vars()};
-}
-
 /// Per step: 1 where its activation, or the clearing of a transition before it, writes a stored
 /// output or var.
 std::vector<std::uint8_t> steps_with_writes(const Grafcet& grafcet, const Equations& equations) {
@@ -53,7 +48,7 @@ AsynchronousBuild::AsynchronousBuild(const Grafcet& chart_of, const Equations& e
       equations(equations_of),
       delays(delays_for),
       chart(grafcet),
-      nets(add_ports(chart, equations.options.modes)),
+      nets(chart.add_ports(equations.options.modes)),
       logic(grafcet, equations, chart, nets, delays, pulse_width),
       links(transitions_by_step(grafcet)),
       clearing_(grafcet.transitions.size(), no_net),

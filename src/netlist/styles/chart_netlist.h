@@ -50,6 +50,11 @@ class ChartNetlist {
     std::vector<NetId> add_steps();
     std::vector<NetId> add_outputs();
     std::vector<NetId> add_vars();
+    /// All of them.
+    VariableNets add_ports(bool modes) {
+        // Braces keep this order.
+        return {add_inputs(modes), add_steps(), add_outputs(), add_vars()};
+    }
 
     /// `clock`: no_net for an asynchronous netlist.
     Netlist finish(bool modes, NetId clock);

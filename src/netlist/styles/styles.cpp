@@ -41,6 +41,21 @@ constexpr auto rows = std::to_array<StyleRow>({
      CdxForm::transition,
      true,
      make_clocked},
+    {Style::rs,
+     "rs",
+     {"RS latches of two NAND gates, set and reset at once",
+      "bascules RS de deux portes NON-ET, sans blocage"},
+     CdxForm::successor,
+     false,
+     make_rs},
+    {Style::handshake,
+     "handshake",
+     {"NAND gates, right under any delay of the gates",
+      "portes NON-ET, juste quels que soient les temps des portes"},
+     CdxForm::successor,
+     false,
+     make_handshake,
+     refuse_handshake},
 });
 
 constexpr bool stand_in_order() {
@@ -66,6 +81,8 @@ std::optional<Netlist> netlist_from(const Grafcet& grafcet, const Equations& equ
                                     Diagnostics& diagnostics, const DelayModel& delays) {
     const StyleRow& row = style_table[static_cast<std::size_t>(style)];
     if (!row.has_registers) refuse_counters(grafcet, row, diagnostics);
+    if (row.refuse != nullptr && !diagnostics.has_errors())
+        row.refuse(grafcet, equations, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     Netlist netlist = row.make(grafcet, equations, delays);
     annotate(netlist, grafcet, equations);

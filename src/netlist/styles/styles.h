@@ -14,10 +14,12 @@ namespace grafwire {
 
 /// How the equations become cells.
 enum class Style {
-    gates,    ///< a step module of AND, OR and NOT gates with feedback per step
-    nand,     ///< a set-priority latch of NAND gates per step
-    nor,      ///< the reset-priority latch of NOR gates that the course warns of
-    clocked,  ///< a D flip-flop per step; transition form of CDX
+    gates,      ///< a step module of AND, OR and NOT gates with feedback per step
+    nand,       ///< a set-priority latch of NAND gates per step
+    nor,        ///< the reset-priority latch of NOR gates that the course warns of
+    clocked,    ///< a D flip-flop per step; transition form of CDX
+    rs,         ///< the plain latch of two NAND gates per step, as the course draws it
+    handshake,  ///< NAND gates that answer each other: right under any delay of the gates
 };
 
 // The makers of style_table, each in a file of its own: style_NAME.cpp.
@@ -26,6 +28,11 @@ Netlist make_gates(const Grafcet& grafcet, const Equations& equations, const Del
 Netlist make_nand(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 Netlist make_nor(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
 Netlist make_clocked(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
+Netlist make_rs(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
+Netlist make_handshake(const Grafcet& grafcet, const Equations& equations,
+                       const DelayModel& delays);
+/// Reports what that style cannot hold.
+void refuse_handshake(const Grafcet& grafcet, const Equations& equations, Diagnostics& diagnostics);
 
 /// What the program knows of a style.
 struct StyleRow {
@@ -36,6 +43,9 @@ struct StyleRow {
     bool has_registers;     ///< for counters
     /// From equations to a netlist without comments.
     Netlist (*make)(const Grafcet& grafcet, const Equations& equations, const DelayModel& delays);
+    /// Reports what the style cannot hold beside counters; nullptr where there is nothing.
+    void (*refuse)(const Grafcet& grafcet, const Equations& equations,
+                   Diagnostics& diagnostics) = nullptr;
 };
 
 /// In the order of Style.
