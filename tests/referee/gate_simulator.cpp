@@ -27,7 +27,7 @@ NetId net_named(const std::vector<Port>& ports, std::string_view name) {
     return no_net;
 }
 
-bool is_pulse(CellType type) {
+bool gives_pulses(CellType type) {
     return type == CellType::rise_pulse || type == CellType::fall_pulse;
 }
 
@@ -74,7 +74,7 @@ GateSimulator::GateSimulator(const Grafcet& grafcet, const Netlist& netlist)
     for (const Output& output : grafcet.outputs) {
         shown_.push_back(net_named(netlist.outputs, output.name));
     }
-    for (const Cell& cell : netlist.cells) has_pulses_ = has_pulses_ || is_pulse(cell.type);
+    for (const Cell& cell : netlist.cells) has_pulses_ = has_pulses_ || gives_pulses(cell.type);
 }
 
 std::vector<bool> GateSimulator::shown() const {
@@ -100,14 +100,14 @@ void GateSimulator::power_up(const std::vector<bool>& values) {
         state_.values[index_of(net)] = value ? 1 : 0;
     }
     for (const Cell& cell : netlist_.cells) {
-        if (is_pulse(cell.type)) state_.values[index_of(cell.output)] = 0;
+        if (gives_pulses(cell.type)) state_.values[index_of(cell.output)] = 0;
     }
     state_.pulse_left.assign(netlist_.cells.size(), 0);
     state_.due.assign(netlist_.cells.size(), never);
     state_.seen.resize(netlist_.cells.size());
     for (std::size_t i = 0; i < netlist_.cells.size(); ++i) {
         const Cell& cell = netlist_.cells.items()[i];
-        if (is_gate(cell) || (is_pulse(cell.type) && pulses_remember_)) continue;
+        if (is_gate(cell) || (gives_pulses(cell.type) && pulses_remember_)) continue;
         state_.seen[i].clear();
         for (const NetId net : netlist_.pins_of(cell)) {
             state_.seen[i].push_back(state_.values[index_of(net)]);
@@ -287,8 +287,8 @@ bool GateSimulator::tick() {
         const std::size_t net = index_of(cell.output);
         const bool value = held_[net] != 0 ? state_.values[net] != 0 : next_value(i, cell);
         next[net] = value ? 1 : 0;
-        is_alive = is_alive || next[net] != state_.values[net] || (is_pulse(cell.type) && value);
-        if (state_.seen[i].empty() || (is_pulse(cell.type) && pulses_held_ && pulses_remember_)) {
+        is_alive = is_alive || next[net] != state_.values[net] || (gives_pulses(cell.type) && value);
+        if (state_.seen[i].empty() || (gives_pulses(cell.type) && pulses_held_ && pulses_remember_)) {
             continue;
         }
         for (std::size_t p = 0; p < cell.pin_count; ++p) state_.seen[i][p] = pin(cell, p) ? 1 : 0;
