@@ -12,7 +12,7 @@ inline constexpr Message<> clocked_has_transition_form{
     "le style clocked n'existe qu'avec la forme transition de CDX : enlevez --cdx successor"};
 inline constexpr Message<> handshake_has_successor_form{
     "the handshake style has the successor form of CDX only: leave out --cdx transition",
-    "le style handshake n'existe qu'avec la forme successor de CDX : enlevez --cdx transition"};
+    "le style handshake n'existe qu'avec la forme successor de CDX : enlevez --cdx transition"};
 
 inline constexpr Message<> clocked_has_no_races{
     "between two edges of its clock everything in a clocked netlist rests, whatever the delays: "

@@ -83,7 +83,10 @@ TEST_CASE("mistakes in the small examples are explained") {
             const Equations equations = equations_from(*grafcet, {style.default_cdx, true});
             Diagnostics diagnostics;
             const auto netlist = netlist_from(*grafcet, equations, style.style, diagnostics);
-            REQUIRE(netlist);
+            if (!netlist) {
+                CHECK((style.refuse != nullptr));
+                continue;
+            }
             const std::vector<Mutation> mutations = mutations_of(*netlist);
             for (std::size_t i = 0; i < mutations.size(); i += every) {
                 explain_mutant(*grafcet, *netlist, mutations[i], counts);

@@ -123,7 +123,7 @@ bool try_mutant(const Grafcet& grafcet, const Netlist& netlist, const Mutation& 
 Row try_mutants(const std::string& example, const std::string& text, Style style) {
     const std::string_view style_name = style_table[static_cast<std::size_t>(style)].name;
     Row row;
-    row.head = fmt::format("{:<22}{:<9}", example, style_name);
+    row.head = fmt::format("{:<22}{:<10}", example, style_name);
     const Sampling sampling = sampling_for(example, style);
     std::optional<Grafcet> grafcet = read_grafcet(text);
     REQUIRE(grafcet);
@@ -164,7 +164,7 @@ TEST_CASE("the check finds wrong wiring of the examples") {
     }
     REQUIRE(texts.size() == 13);
     const std::vector<std::string> reviewed = reviewed_lines(file_name);
-    std::string table = fmt::format("{:<31}{:>7}{:>7}{:>10}{:>11}\n", "", "mutants", "tried",
+    std::string table = fmt::format("{:<32}{:>7}{:>7}{:>10}{:>11}\n", "", "mutants", "tried",
                                     "different", "equivalent");
     std::size_t line = 0;
     for (const auto& [name, text] : texts) {
