@@ -287,8 +287,10 @@ bool GateSimulator::tick() {
         const std::size_t net = index_of(cell.output);
         const bool value = held_[net] != 0 ? state_.values[net] != 0 : next_value(i, cell);
         next[net] = value ? 1 : 0;
-        is_alive = is_alive || next[net] != state_.values[net] || (gives_pulses(cell.type) && value);
-        if (state_.seen[i].empty() || (gives_pulses(cell.type) && pulses_held_ && pulses_remember_)) {
+        is_alive =
+            is_alive || next[net] != state_.values[net] || (gives_pulses(cell.type) && value);
+        if (state_.seen[i].empty() ||
+            (gives_pulses(cell.type) && pulses_held_ && pulses_remember_)) {
             continue;
         }
         for (std::size_t p = 0; p < cell.pin_count; ++p) state_.seen[i][p] = pin(cell, p) ? 1 : 0;
