@@ -93,8 +93,7 @@ inline constexpr Message<> modes{"with Init, AUdur and AUdoux, or without",
                                  "avec Init, AUdur et AUdoux, ou sans"};
 inline constexpr Message<> delay{
     "delays of gates: unit (1 ns each); MIN..MAX in ns, as 1..2 (each change anywhere between); "
-    "any "
-    "(any finite time)",
+    "any (any finite time)",
     "retards des portes : unit (1 ns chacune) ; MIN..MAX en ns, comme 1..2 (chaque "
     "changement entre les deux) ; any (tout retard fini)"};
 inline constexpr Message<> power_up{
@@ -248,8 +247,7 @@ inline constexpr Message<> changes{
     "asynchronous netlists: what changes in one instant: one input, or delays end, and the netlist "
     "settles before the next (the default); or many",
     "câblages asynchrones : ce qui change à un même instant : one, une seule entrée, ou des fins "
-    "de "
-    "temporisation, et le câblage se stabilise avant la suite (par défaut) ; many, plusieurs "
+    "de temporisation, et le câblage se stabilise avant la suite (par défaut) ; many, plusieurs "
     "entrées"};
 inline constexpr Message<> check_scan{
     "clocked netlists: the only time from one scan to the next that the verdict is for (default: "

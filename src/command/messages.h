@@ -86,8 +86,7 @@ inline constexpr Message<> stimuli_share_standard_input{
 inline constexpr Message<std::string_view> delays_are_open{
     "--delay {} leaves the delays of gates open: say with --delays FILE which circuit is simulated",
     "--delay {} laisse les retards des portes ouverts : indiquez par --delays FICHIER le "
-    "circuit à "
-    "simuler"};
+    "circuit à simuler"};
 inline constexpr Message<> delays_share_standard_input{
     "the delays cannot come from standard input, from which something else is read: give a file",
     "les retards ne peuvent pas venir de l'entrée standard, d'où autre chose est lu : donnez un "

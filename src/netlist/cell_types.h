@@ -81,6 +81,7 @@ constexpr bool is_timer(CellType type) {
            type == CellType::scan_timer_next;
 }
 
+/// Whether it gives a pulse after an edge of its input.
 constexpr bool is_pulse(CellType type) {
     return type == CellType::rise_pulse || type == CellType::fall_pulse;
 }

@@ -8,11 +8,6 @@
 
 namespace grafwire {
 
-/// Whether the output is a pulse after each edge of the input, which has a width besides its delay.
-constexpr bool gives_pulses(CellType type) {
-    return type == CellType::rise_pulse || type == CellType::fall_pulse;
-}
-
 /// From a moment on, a cell takes these times. A change of its output that is already under way
 /// keeps its own.
 struct DelayChange {

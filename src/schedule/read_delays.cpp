@@ -93,7 +93,7 @@ class DelaysReader {
             const bool is_named = given_at_[i].is_known();
             if (!is_named && !others_at_.is_known()) continue;
             GateTimes times = is_named ? times_[i] : others_;
-            if (gives_pulses(netlist_.cells[cell].type)) times.fall = times.rise;
+            if (is_pulse(netlist_.cells[cell].type)) times.fall = times.rise;
             schedule_.changes.push_back({now_, cell, times.rise, times.fall, times.width});
         }
     }
@@ -237,7 +237,7 @@ class DelaysReader {
             const std::optional<Time> fall = read_delay(cursor);
             if (!fall) return std::nullopt;
             times.fall = *fall;
-            if (cell != nullptr && gives_pulses(cell->type)) {
+            if (cell != nullptr && is_pulse(cell->type)) {
                 error(code::unexpected_token, second_at, say::pulse_has_one_delay(quoted(name)));
                 return std::nullopt;
             }
@@ -258,7 +258,7 @@ class DelaysReader {
         const std::optional<Time> width = read_delay(cursor);
         if (!width) return std::nullopt;
         const bool is_every_other = name == "*";
-        if (is_every_other || (cell != nullptr && !gives_pulses(cell->type))) {
+        if (is_every_other || (cell != nullptr && !is_pulse(cell->type))) {
             error(code::unexpected_token, where, say::has_no_width(quoted(name)));
             return std::nullopt;
         }

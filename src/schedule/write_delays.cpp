@@ -44,7 +44,7 @@ class DelaysWriter {
             const Time width = change.width == 0 ? place.width : change.width;
             place = change;
             place.width = width;
-            if (gives_pulses(netlist_.cells[change.cell].type)) place.fall = place.rise;
+            if (is_pulse(netlist_.cells[change.cell].type)) place.fall = place.rise;
         }
         for (const auto& [at, section] : sections) append_section(at, section);
         return std::move(out_);

@@ -8,8 +8,6 @@
 
 #include "settling/any_order.h"
 
-#include <algorithm>
-
 #include "settling/ternary.h"
 
 namespace grafwire {
@@ -42,10 +40,7 @@ bool AnyOrder::append_endless(Rests& rests, bool with_firings) const {
         Rest rest;
         rest.kind = Rest::Kind::oscillates;
         rest.state = graph_.state(loop.nodes[0]);
-        for (const std::uint32_t cell : graph_.firing_in(loop)) {
-            rest.changing.push_back(circuit_.output(cell));
-        }
-        std::sort(rest.changing.begin(), rest.changing.end());
+        rest.changing = graph_.changing_in(loop);
         if (with_firings) {
             rest.firings = graph_.way_to(loop.nodes[0]);
             rest.turn = graph_.turn_of(loop);
@@ -56,15 +51,10 @@ bool AnyOrder::append_endless(Rests& rests, bool with_firings) const {
 }
 
 Rests AnyOrder::settle(const CircuitState& start, bool with_firings, std::size_t most_states) {
-    Rests rests;
     if (!with_firings) {
-        CircuitState rest = ternary_rest(circuit_, start);
-        rests.states = 1;
-        if (is_known(circuit_, rest)) {
-            rests.rests.emplace_back().state = std::move(rest);
-            return rests;
-        }
+        if (auto rest = rest_of_all_delays(circuit_, start)) return std::move(*rest);
     }
+    Rests rests;
     for (const bool reduced : {true, false}) {
         const FiringGraph::End end = build(start, reduced, most_states);
         rests.rests.clear();

@@ -19,8 +19,6 @@ class FiringDomain {
     /// All begin at one moment, each for itself.
     explicit FiringDomain(std::span<const DelayBand> bands);
 
-    std::size_t size() const { return size_; }
-
     /// Where a firing of a later domain comes from.
     struct Origin {
         static constexpr std::size_t begins = static_cast<std::size_t>(-1);

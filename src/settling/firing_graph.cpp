@@ -1,7 +1,7 @@
 // The states of a circuit within an instant, and what can never end among them.
 //
 // Breadth first, so that the way to a state is one of the shortest. Endless runs are the strongly
-// connected parts of the graph (R. Tarjan, 1972; here with a stack of its own, as paths are long).
+// connected parts of the graph (strong_parts.h).
 // Of these only the fair ones count: a gate takes a finite time, so a run in which it is excited
 // from some state on and never fires is none. A strongly connected part holds a fair run exactly if
 // each cell fires on one of its edges or is quiet in one of its states, since a run can visit them
@@ -10,9 +10,9 @@
 #include "settling/firing_graph.h"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 #include <deque>
+
+#include "settling/strong_parts.h"
 
 namespace grafwire {
 
@@ -93,15 +93,13 @@ bool FiringGraph::is_fair(const Loop& loop, const std::vector<std::uint32_t>& lo
 }
 
 std::vector<FiringGraph::Loop> FiringGraph::loops() const {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-    Graph graph(nodes_.size());
+    std::vector<std::vector<std::uint32_t>> successors(nodes_.size());
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
-        for (const Edge& edge : nodes_[node].edges) boost::add_edge(node, edge.to, graph);
+        for (const Edge& edge : nodes_[node].edges) successors[node].push_back(edge.to);
     }
-    std::vector<std::uint32_t> loop_of(nodes_.size());
-    const auto count = boost::strong_components(
-        graph, boost::make_iterator_property_map(loop_of.begin(), get(boost::vertex_index, graph)));
-    std::vector<Loop> parts(count);
+    const StrongParts found = strong_parts(successors);
+    const std::vector<std::uint32_t>& loop_of = found.of_node;
+    std::vector<Loop> parts(found.count);
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
         parts[loop_of[node]].nodes.push_back(node);
     }
@@ -128,18 +126,15 @@ std::vector<std::uint8_t> marks(std::size_t size, const std::vector<std::uint32_
 
 }  // namespace
 
-std::vector<std::uint32_t> FiringGraph::firing_in(const Loop& loop) const {
+std::vector<NetId> FiringGraph::changing_in(const Loop& loop) const {
     const std::vector<std::uint8_t> is_in = marks(nodes_.size(), loop.nodes);
-    std::vector<std::uint32_t> cells;
+    ChangedNets changed(circuit_);
     for (const std::uint32_t node : loop.nodes) {
         for (const Edge& edge : nodes_[node].edges) {
-            if (is_in[edge.to] == 0) continue;
-            for (const CellAction& action : firings_[edge.firing]) cells.push_back(action.cell);
+            if (is_in[edge.to] != 0) changed.add(firings_[edge.firing]);
         }
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
+    return changed.take();
 }
 
 /// Goes round in a loop, noting which cells still starve: those that have been excited all the way

@@ -45,8 +45,8 @@ class FiringGraph {
         bool is_fair = false;
     };
     std::vector<Loop> loops() const;
-    /// The cells that fire within a loop, in order.
-    std::vector<std::uint32_t> firing_in(const Loop& loop) const;
+    /// The nets that change within a loop, in order.
+    std::vector<NetId> changing_in(const Loop& loop) const;
     /// A way round within a fair loop in which no cell starves, from its first state back to it.
     std::vector<Firing> turn_of(const Loop& loop) const;
 

@@ -2,11 +2,23 @@
 
 #include "settling/settling_model.h"
 
+#include <algorithm>
+
 #include "settling/any_order.h"
 #include "settling/cell_bands.h"
 #include "settling/timed_order.h"
 
 namespace grafwire {
+
+void ChangedNets::add(const Firing& firing) {
+    for (const CellAction& action : firing) nets_.push_back(circuit_.output(action.cell));
+}
+
+std::vector<NetId> ChangedNets::take() {
+    std::sort(nets_.begin(), nets_.end());
+    nets_.erase(std::unique(nets_.begin(), nets_.end()), nets_.end());
+    return std::move(nets_);
+}
 
 std::unique_ptr<SettlingModel> make_settling_model(const DelayModel& model, const Circuit& circuit,
                                                    KeepGoing keep_going) {

@@ -29,6 +29,18 @@ struct Rest {
     std::vector<Firing> turn;
 };
 
+/// The nets that some firings change, each once and in order.
+class ChangedNets {
+  public:
+    explicit ChangedNets(const Circuit& circuit) : circuit_(circuit) {}
+    void add(const Firing& firing);
+    std::vector<NetId> take();
+
+  private:
+    const Circuit& circuit_;
+    std::vector<NetId> nets_;
+};
+
 /// All that can become of a netlist within an instant.
 struct Rests {
     std::vector<Rest> rests;    ///< never empty where the search was complete

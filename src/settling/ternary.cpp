@@ -106,4 +106,13 @@ bool is_known(const Circuit& circuit, const CircuitState& state) {
     });
 }
 
+std::optional<Rests> rest_of_all_delays(const Circuit& circuit, const CircuitState& start) {
+    CircuitState rest = ternary_rest(circuit, start);
+    if (!is_known(circuit, rest)) return std::nullopt;
+    Rests rests;
+    rests.rests.emplace_back().state = std::move(rest);
+    rests.states = 1;
+    return rests;
+}
+
 }  // namespace grafwire

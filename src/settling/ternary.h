@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "settling/circuit.h"
 #include "settling/settling_model.h"
 
@@ -12,5 +14,8 @@ CircuitState ternary_rest(const Circuit& circuit, const CircuitState& start);
 
 /// Whether nothing in a state is unknown, as far as it is relevant.
 bool is_known(const Circuit& circuit, const CircuitState& state);
+
+/// The one rest of a start, where no delay makes a difference; nothing where some may.
+std::optional<Rests> rest_of_all_delays(const Circuit& circuit, const CircuitState& start);
 
 }  // namespace grafwire

@@ -15,9 +15,8 @@
 #include "settling/timed_order.h"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 
+#include "settling/strong_parts.h"
 #include "settling/ternary.h"
 
 namespace grafwire {
@@ -186,53 +185,42 @@ void TimedOrder::append_rests(Rests& rests, bool with_firings) const {
 /// The states that can be gone through again and again. As a class may stand for others that it
 /// includes, that is more than can be, and for a replay to decide.
 void TimedOrder::append_endless(Rests& rests) const {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-    Graph graph(classes_.size());
+    std::vector<std::vector<std::uint32_t>> successors(classes_.size());
     for (std::uint32_t number = 0; number < classes_.size(); ++number) {
-        for (const Edge& edge : classes_[number].edges) boost::add_edge(number, edge.to, graph);
+        for (const Edge& edge : classes_[number].edges) successors[number].push_back(edge.to);
     }
-    std::vector<std::uint32_t> part(classes_.size());
-    const auto count = boost::strong_components(
-        graph, boost::make_iterator_property_map(part.begin(), get(boost::vertex_index, graph)));
-    std::vector<std::vector<NetId>> changing(count);
-    std::vector<std::uint32_t> first(count, static_cast<std::uint32_t>(classes_.size()));
+    const StrongParts parts = strong_parts(successors);
+    std::vector<ChangedNets> changed(parts.count, ChangedNets(circuit_));
+    std::vector<std::uint32_t> first(parts.count, nowhere);
     for (std::uint32_t number = 0; number < classes_.size(); ++number) {
+        const std::uint32_t part = parts.of_node[number];
         for (const Edge& edge : classes_[number].edges) {
-            if (part[edge.to] != part[number]) continue;
-            first[part[number]] = std::min(first[part[number]], number);
-            for (const CellAction& action : edge.firing) {
-                changing[part[number]].push_back(circuit_.output(action.cell));
-            }
+            if (parts.of_node[edge.to] != part) continue;
+            first[part] = std::min(first[part], number);
+            changed[part].add(edge.firing);
         }
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        if (changing[i].empty()) continue;
-        std::sort(changing[i].begin(), changing[i].end());
-        changing[i].erase(std::unique(changing[i].begin(), changing[i].end()), changing[i].end());
-        Rest rest;
-        rest.kind = Rest::Kind::oscillates;
-        rest.state = state(first[i]);
-        rest.firings = way_to(first[i]);
-        rest.changing = std::move(changing[i]);
-        rests.rests.push_back(std::move(rest));
+    for (std::size_t part = 0; part < parts.count; ++part) {
+        if (first[part] != nowhere) append_oscillation(first[part], changed[part].take(), rests);
     }
+}
+
+void TimedOrder::append_oscillation(std::uint32_t number, std::vector<NetId> changing,
+                                    Rests& rests) const {
+    Rest rest;
+    rest.kind = Rest::Kind::oscillates;
+    rest.state = state(number);
+    rest.firings = way_to(number);
+    rest.changing = std::move(changing);
+    rests.rests.push_back(std::move(rest));
 }
 
 /// Where a state comes back again and again with other times: one part of the circuit goes round
 /// while another waits. It may be that it can do so for ever.
 void TimedOrder::append_drifting(Rests& rests) const {
-    Rest rest;
-    rest.kind = Rest::Kind::oscillates;
-    rest.state = state(drifting_);
-    rest.firings = way_to(drifting_);
-    for (const Firing& firing : rest.firings) {
-        for (const CellAction& action : firing)
-            rest.changing.push_back(circuit_.output(action.cell));
-    }
-    std::sort(rest.changing.begin(), rest.changing.end());
-    rest.changing.erase(std::unique(rest.changing.begin(), rest.changing.end()),
-                        rest.changing.end());
-    rests.rests.push_back(std::move(rest));
+    ChangedNets changed(circuit_);
+    for (const Firing& firing : way_to(drifting_)) changed.add(firing);
+    append_oscillation(drifting_, changed.take(), rests);
 }
 
 TimedOrder::End TimedOrder::build(const CircuitState& start, std::size_t most_classes) {
@@ -255,13 +243,7 @@ TimedOrder::End TimedOrder::build(const CircuitState& start, std::size_t most_cl
 
 Rests TimedOrder::settle(const CircuitState& start, bool with_firings, std::size_t most_states) {
     if (!with_firings) {
-        CircuitState rest = ternary_rest(circuit_, start);
-        if (is_known(circuit_, rest)) {
-            Rests known;
-            known.rests.emplace_back().state = std::move(rest);
-            known.states = 1;
-            return known;
-        }
+        if (auto rest = rest_of_all_delays(circuit_, start)) return std::move(*rest);
     }
     const End end = build(start, most_states);
     // Gates of any delay do all that these do, and more.

@@ -49,6 +49,7 @@ class TimedOrder : public SettlingModel {
     void append_rests(Rests& rests, bool with_firings) const;
     void append_endless(Rests& rests) const;
     void append_drifting(Rests& rests) const;
+    void append_oscillation(std::uint32_t number, std::vector<NetId> changing, Rests& rests) const;
     std::vector<Firing> way_to(std::uint32_t number) const;
 
     const Circuit& circuit_;

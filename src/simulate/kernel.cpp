@@ -59,7 +59,7 @@ void Simulator::Kernel::choose_tick(const Netlist& netlist, const CellDelays& de
     }
     const Time longest_gate = longest;
     for (const Cell& cell : netlist.cells) {
-        if (gives_pulses(cell.type) && netlist.timings[cell.timing].fall > 0) {
+        if (grafwire::is_pulse(cell.type) && netlist.timings[cell.timing].fall > 0) {
             include(netlist.timings[cell.timing].fall);
         }
     }
@@ -99,7 +99,7 @@ void Simulator::Kernel::add_memory(const Netlist& netlist, const CellDelays& del
     memory.data = static_cast<std::uint32_t>(pins.front());
     memory.control = static_cast<std::uint32_t>(pins.back());
     const auto number = static_cast<std::uint32_t>(memories_.size());
-    if (gives_pulses(cell.type)) {
+    if (grafwire::is_pulse(cell.type)) {
         Pulse pulse;
         pulse.memory = number;
         pulse.delay = delays.rise[index_of(id)] / tick_length_;
@@ -135,7 +135,7 @@ void Simulator::Kernel::add_schedule(const Netlist& netlist, const CellDelays& d
         const Cell& cell = netlist.cells[change.cell];
         const std::size_t index = index_of(change.cell);
         add(0, change.cell, delays.rise[index], delays.fall[index],
-            gives_pulses(cell.type) ? netlist.timings[cell.timing].fall : 0);
+            grafwire::is_pulse(cell.type) ? netlist.timings[cell.timing].fall : 0);
     }
     for (const DelayChange& change : schedule.changes) {
         add(std::max<Time>(change.at, 0), change.cell, change.rise, change.fall, change.width);

@@ -179,7 +179,7 @@ class Simulator::Kernel {
     static void append_coming(const Pulse& pulse, std::uint32_t net, Tick now,
                               std::vector<ComingChange>& coming);
 
-    bool is_pulse(std::uint32_t net) const { return gives_pulses(types_[net]); }
+    bool is_pulse(std::uint32_t net) const { return grafwire::is_pulse(types_[net]); }
     Pulse& pulse_of(std::uint32_t net) { return pulses_[memories_[memory_of_[net]].detail]; }
 
     template <typename Visit>

@@ -97,27 +97,14 @@ void add_witness_files(Judgement& judgement, const Grafcet& grafcet, const std::
                                {"got.gtkw", write_gtkw(got.waveform, "got.vcd")}};
 }
 
-/// The same delays, with every gate named that does not take 1 ns from the start.
+/// The same delays, with every gate named from the start.
 DelaySchedule all_delays(const Netlist& netlist, const CellDelays& delays,
                          const DelaySchedule& schedule) {
     DelaySchedule all;
     for (std::size_t i = 0; i < netlist.cells.size(); ++i) {
-        const DelayChange from_start{0, netlist.cells.id_at(i), delays.rise[i], delays.fall[i], 0};
-        if (from_start.rise != nanosecond || from_start.fall != nanosecond) {
-            all.changes.push_back(from_start);
-        }
+        all.changes.push_back({0, netlist.cells.id_at(i), delays.rise[i], delays.fall[i], 0});
     }
-    for (const DelayChange& change : schedule.changes) {
-        const auto known =
-            std::find_if(all.changes.begin(), all.changes.end(), [&](const DelayChange& other) {
-                return other.at == change.at && other.cell == change.cell;
-            });
-        if (known != all.changes.end()) {
-            *known = change;
-        } else {
-            all.changes.push_back(change);
-        }
-    }
+    all.changes.insert(all.changes.end(), schedule.changes.begin(), schedule.changes.end());
     return all;
 }
 
