@@ -1,12 +1,18 @@
 // grafwire: from a GRAFCET (IEC 60848) to checked wiring.
 
+#include <unistd.h>
+
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
+#include <new>
+#include <stdexcept>
 #include <string_view>
 
 #include "command/command_line.h"
 #include "command/files.h"
 #include "command/help.h"
+#include "command/new_file.h"
 #include "command/standard_error.h"
 
 namespace {
@@ -52,9 +58,7 @@ Language language_of_locale() {
     return Language::english;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+ExitStatus run(int argc, char** argv) {
     const Language language =
         language_asked_for({argv, static_cast<std::size_t>(argc)}, language_of_locale());
     show_messages_in(language);
@@ -69,6 +73,34 @@ int main(int argc, char** argv) {
         status = finish(files, ExitStatus::done);
     } else {
         complain(*line.problem);
+    }
+    return status;
+}
+
+/// Memory has run out where no exception can go on: in a destructor, or while one is made.
+[[noreturn]] void end_without_memory() {
+    remove_unfinished_files();
+    complain_of_memory();
+    _exit(static_cast<int>(ExitStatus::bad_request));
+}
+
+/// Tables are made before main() begins, and they need memory too.
+[[gnu::constructor(101)]] void prepare_for_want_of_memory() {
+    std::set_terminate(end_without_memory);
+}
+
+}  // namespace
+
+// No code of ours throws; what comes up to here is the want of memory, and on the way all that was
+// begun has been undone.
+int main(int argc, char** argv) {
+    ExitStatus status = ExitStatus::bad_request;
+    try {
+        status = run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        complain_of_memory();
+    } catch (const std::length_error&) {  // more than any memory could hold
+        complain_of_memory();
     }
     return static_cast<int>(status);
 }

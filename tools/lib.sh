@@ -118,11 +118,15 @@ need() {
         quietly "${as_root[@]}" install --no-install-recommends "${missing[@]}"
 }
 
-# locked NAME COMMAND…: one caller at a time in this work tree.
+# locked NAME COMMAND…: one caller at a time in this work tree, which must be one to write to.
 locked() {
     local name=$1 status=0 lock
     shift
-    mkdir -p "$root/build"
+    # A redirection of `exec` that fails would end the script, and not as it should.
+    if ! { mkdir -p "$root/build" && : >>"$root/build/.$name.lock"; } 2>/dev/null; then
+        say "cannot write to $root/build: is it read-only, or was it made by another user?"
+        return "$cannot_build"
+    fi
     exec {lock}>"$root/build/.$name.lock"
     flock "$lock"
     # The lock is not for the command's children to keep.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <new>
 
 #include "command/command_line.h"
 #include "command/help.h"
@@ -281,7 +282,12 @@ ExitStatus check(const CheckArguments& request, const CommandLine& line) {
     if (period.is_wrong) return refused();
     session.period = period.value;
     // Judge what is to be compared with it, and report.
-    auto judgement = judge(session);
+    std::optional<Judgement> judgement;
+    try {
+        judgement = judge(session);
+    } catch (const std::bad_alloc&) {
+        complain(say::check_takes_too_much_memory());
+    }
     if (!judgement) return refused();
     return report(request, *chart, *judgement, seconds(), line.language());
 }

@@ -22,13 +22,34 @@ namespace {
 
 namespace say = messages::command;
 
-/// Reads to the end; false on an error.
-bool read_all(std::FILE* file, std::string& text) {
-    char buffer[1 << 16];
-    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file)) {
-        text.append(buffer, count);
+/// Closes an open file in the end.
+class OpenFile {
+  public:
+    explicit OpenFile(int file) : file_(file) {}
+    ~OpenFile() {
+        if (file_ >= 0) close(file_);
     }
-    return std::ferror(file) == 0;
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    operator int() const { return file_; }
+
+  private:
+    int file_;
+};
+
+/// Reads to the end; false, with errno set, on an error.
+bool read_all(int file, std::string& text) {
+    char buffer[1 << 16];
+    while (true) {
+        const ssize_t count = read(file, buffer, sizeof buffer);
+        if (count == 0) return true;
+        if (count > 0) {
+            text.append(buffer, static_cast<std::size_t>(count));
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
 }
 
 /// `cannot write out.csv: it is read-only`
@@ -39,8 +60,7 @@ Localized cannot_write(const std::string& path, const Localized& reason) {
 /// Writes to what cannot be replaced by a file: standard output, a device, a pipe.
 bool write_stream(const Place& place, const std::string& text) {
     if (place.kind == Place::Kind::std_output) {
-        return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
-               std::fflush(stdout) == 0;
+        return std::fflush(stdout) == 0 && write_fully(STDOUT_FILENO, text);
     }
     const int file = open(place.asked.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
     if (file < 0) return false;
@@ -53,7 +73,7 @@ bool write_stream(const Place& place, const std::string& text) {
 SourceFile read_source(const std::string& path, Diagnostics& diagnostics) {
     SourceFile source{path == "-" ? "<stdin>" : path, {}};
     if (path == "-") {
-        if (!read_all(stdin, source.text)) {
+        if (!read_all(STDIN_FILENO, source.text)) {
             diagnostics.error(code::unreadable_file, {}, say::cannot_read_standard_input());
         }
         return source;
@@ -63,11 +83,10 @@ SourceFile read_source(const std::string& path, Diagnostics& diagnostics) {
         diagnostics.error(code::unreadable_file, {}, say::is_a_directory());
         return source;
     }
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr || !read_all(file, source.text)) {
+    const OpenFile file(open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
+    if (file < 0 || !read_all(file, source.text)) {
         diagnostics.error(code::unreadable_file, {}, say::cannot_read(reason_of(errno)));
     }
-    if (file != nullptr) std::fclose(file);
     return source;
 }
 
@@ -141,7 +160,9 @@ std::optional<Localized> OutputFiles::write() {
     std::vector<std::string> old;
     if (auto problem = find_places(places)) return problem;
     if (auto problem = find_old_files(places, old)) return problem;
-    // The files in full, under other names.
+    // The files in full, under other names; until these are undone signals must be held, once they
+    // are.
+    std::optional<HeldSignals> held;
     std::vector<std::pair<std::size_t, NewFile>> new_files;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].is_file()) continue;
@@ -156,15 +177,17 @@ std::optional<Localized> OutputFiles::write() {
         return cannot_write(places[i].asked, reason_of(errno));
     }
     // All files under their own names; no signal comes in between.
-    const HeldSignals held;
+    held.emplace();
     for (auto& [i, file] : new_files) {
-        if (!file.put_in_place()) return cannot_write(places[i].asked, reason_of(errno));
+        const bool is_last = &file == &new_files.back().second && old.empty();
+        if (!file.put_in_place(is_last)) return cannot_write(places[i].asked, reason_of(errno));
     }
-    new_folders.keep();
     for (const std::string& path : old) {
         if (unlink(path.c_str()) == 0 || errno == ENOENT) continue;
         return say::cannot_remove(shown_place(path), reason_of(errno));
     }
+    for (auto& [i, file] : new_files) file.keep();
+    new_folders.keep();
     return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include "schedule/delays_text.h"
 #include "text/joined.h"
 #include "text/nearest_name.h"
+#include "trace/trace.h"
 
 namespace grafwire {
 
@@ -107,6 +108,16 @@ Period parse_period(const std::string& text) {
         return {std::nullopt, true};
     }
     return {period, false};
+}
+
+bool has_too_many_scans(const Grafcet& grafcet, const Stimuli& stimuli, const Period& period) {
+    constexpr std::size_t most_values = 100'000'000;  // of 8 bytes each
+    if (!period.value) return false;
+    const std::size_t columns = empty_trace(grafcet).columns.size();
+    const Time scans = stimuli.end / *period.value + 1;
+    if (static_cast<std::size_t>(scans) <= most_values / columns) return false;
+    complain(say::too_many_scans(scans, columns, most_values));
+    return true;
 }
 
 void complain_of_format(std::string_view name, const std::vector<std::string_view>& names) {

@@ -57,6 +57,10 @@ struct Period {
 };
 Period parse_period(const std::string& text);
 
+/// Whether a run with one row per scan is refused, since its trace would take more memory than
+/// there may be; shows it if so. No period: it is none.
+bool has_too_many_scans(const Grafcet& grafcet, const Stimuli& stimuli, const Period& period);
+
 /// A moment of a run: a duration, or 0. Empty, and shown, where it is neither.
 std::optional<Time> parse_moment(const std::string& text);
 

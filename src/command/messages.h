@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "text/message.h"
+#include "text/time.h"
 
 namespace grafwire::messages::command {
 
@@ -177,6 +178,13 @@ inline constexpr Message<> nothing_is_scanned{"nothing is scanned", "il n'y a pa
 inline constexpr Message<std::string_view, std::string_view> no_stable_situation{
     "no stable situation at {} ms; these keep changing: {}",
     "pas de situation stable à {} ms ; changent sans cesse : {}"};
+inline constexpr Message<Time, std::size_t, std::size_t> too_many_scans{
+    "{} scans with {} columns each are more than a trace may hold, {} values; take a longer "
+    "period, "
+    "or end the stimuli earlier",
+    "{} scrutations de {} colonnes dépassent ce qu'une trace peut contenir, {} valeurs ; prenez "
+    "une "
+    "période plus longue, ou arrêtez les stimuli plus tôt"};
 inline constexpr Message<std::string_view, Localized> netlist_does_not_settle{
     "the netlist does not settle at {} ms; these keep changing: {}",
     "le câblage ne se stabilise pas à {} ms ; changent sans cesse : {}"};
@@ -197,6 +205,18 @@ inline constexpr Message<> lines_share_standard_input{
     "the GRAFCET comes from standard input, so nothing can be typed there: give a STIM",
     "le GRAFCET vient de l'entrée standard, on ne peut donc rien y taper : donnez un STIM"};
 inline constexpr Message<std::string> saved{"saved: {}", "enregistré : {}"};
+
+// Memory.
+
+/// A whole line, which takes no memory to be made.
+inline constexpr Message<> line_where_memory_is_out{
+    "grafwire: error: there is not enough memory\n",
+    "grafwire: erreur : il n'y a pas assez de mémoire\n"};
+inline constexpr Message<> check_takes_too_much_memory{
+    "there is not enough memory for this check; with --max-memory it ends before that, undecided",
+    "il n'y a pas assez de mémoire pour cette vérification ; avec --max-memory elle s'arrête "
+    "avant, "
+    "indécise"};
 
 // Files.
 
@@ -242,6 +262,7 @@ inline constexpr Message<> no_such_file{"No such file or directory",
 inline constexpr Message<> input_output_error{"Input/output error", "erreur d'entrée/sortie"};
 inline constexpr Message<> no_such_address{"No such device or address",
                                            "aucun périphérique ou aucune adresse de ce nom"};
+inline constexpr Message<> no_memory{"Cannot allocate memory", "mémoire insuffisante"};
 inline constexpr Message<> permission_denied{"Permission denied", "permission non accordée"};
 inline constexpr Message<> busy{"Device or resource busy",
                                 "périphérique ou ressource déjà utilisé"};

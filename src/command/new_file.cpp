@@ -38,9 +38,7 @@ constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIG
 std::vector<std::string> unfinished;
 
 extern "C" void remove_unfinished(int signal) {
-    for (auto item = unfinished.rbegin(); item != unfinished.rend(); ++item) {
-        if (unlink(item->c_str()) != 0) rmdir(item->c_str());
-    }
+    remove_unfinished_files();
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // arrives when this returns
 }
@@ -73,6 +71,11 @@ void catch_signals() {
 void forget(const std::string& name) {
     const HeldSignals held;
     unfinished.erase(std::remove(unfinished.begin(), unfinished.end(), name), unfinished.end());
+}
+
+/// Two files change places in one step, so that at no moment one is missing.
+bool change_places(const std::string& one, const std::string& other) {
+    return renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
 }
 
 std::string random_name() {
@@ -115,6 +118,12 @@ std::optional<Localized> inherit(int file, const Place& place) {
 
 }  // namespace
 
+void remove_unfinished_files() {
+    for (auto item = unfinished.rbegin(); item != unfinished.rend(); ++item) {
+        if (unlink(item->c_str()) != 0) rmdir(item->c_str());
+    }
+}
+
 HeldSignals::HeldSignals() {
     const sigset_t set = set_of_ending_signals();
     pthread_sigmask(SIG_BLOCK, &set, &before_);
@@ -134,12 +143,22 @@ bool write_fully(int file, const std::string& text) {
 }
 
 NewFile::NewFile(NewFile&& other) noexcept
-    : name_(std::exchange(other.name_, {})), place_(std::move(other.place_)) {}
+    : state_(std::exchange(other.state_, State::kept)),
+      replaces_(other.replaces_),
+      name_(std::move(other.name_)),
+      place_(std::move(other.place_)) {}
 
 NewFile::~NewFile() {
-    if (name_.empty()) return;
+    if (state_ == State::added) unlink(place_.c_str());
+    if (state_ == State::exchanged && change_places(name_, place_)) state_ = State::beside;
+    if (state_ != State::beside) return;
     unlink(name_.c_str());
     forget(name_);
+}
+
+void NewFile::keep() {
+    if (state_ == State::exchanged) unlink(name_.c_str());  // the old one
+    state_ = State::kept;
 }
 
 std::optional<Localized> NewFile::open(const Place& place, int& file) {
@@ -153,6 +172,7 @@ std::optional<Localized> NewFile::open(const Place& place, int& file) {
         if (file < 0 && errno == EEXIST) continue;
         if (file < 0) break;
         name_ = std::move(name);
+        state_ = State::beside;
         unfinished.push_back(name_);
         return std::nullopt;
     }
@@ -164,20 +184,30 @@ std::optional<Localized> NewFile::write(const Place& place, const std::string& t
     catch_signals();
     if (auto problem = objection(place)) return problem;
     place_ = place.path;
+    replaces_ = place.kind == Place::Kind::file;
     int file = -1;
     if (auto problem = open(place, file)) return problem;
     std::optional<Localized> problem;
-    if (place.kind == Place::Kind::file) problem = inherit(file, place);
+    if (replaces_) problem = inherit(file, place);
     if (!problem && !write_fully(file, text)) problem = reason();
     if (::close(file) != 0 && !problem) problem = reason();
     return problem;
 }
 
-bool NewFile::put_in_place() {
-    const HeldSignals held;
+/// A file system that cannot exchange two files only has the way that is for good.
+bool NewFile::put_in_place(bool for_good) {
+    if (!for_good && replaces_) {
+        if (change_places(name_, place_)) {
+            state_ = State::exchanged;
+            forget(name_);  // what bears that name now must outlive a sudden end
+            return true;
+        }
+        if (errno != EINVAL && errno != ENOSYS) return false;
+        for_good = true;
+    }
     if (std::rename(name_.c_str(), place_.c_str()) != 0) return false;
+    state_ = for_good ? State::kept : State::added;
     forget(name_);
-    name_.clear();
     return true;
 }
 
@@ -197,11 +227,16 @@ std::optional<Localized> NewFolders::make(const std::string& path) {
         missing.push_back(folder);
         if (folder == folder.parent_path()) break;
     }
+    // Once a folder is made nothing may keep it from being noted, not even a lack of memory.
+    made_.reserve(made_.size() + missing.size());
+    unfinished.reserve(unfinished.size() + missing.size());
     for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+        std::string name = folder->string();
+        std::string again = name;
         const HeldSignals held;
-        if (mkdir(folder->c_str(), 0777) == 0) {
-            made_.push_back(folder->string());
-            unfinished.push_back(made_.back());
+        if (mkdir(name.c_str(), 0777) == 0) {
+            made_.push_back(std::move(name));
+            unfinished.push_back(std::move(again));
         } else if (!is_directory(*folder, error)) {  // a path may end in a slash
             errno = errno == EEXIST ? ENOTDIR : errno;
             return reason();

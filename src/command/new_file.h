@@ -21,8 +21,12 @@ class HeldSignals {
     sigset_t before_;
 };
 
+/// Removes the files and folders that are not to outlive the program, in a program that ends in the
+/// middle; calls nothing that a handler of signals may not call.
+void remove_unfinished_files();
+
 /// A file that is written beside its place, under a name that nobody can foresee, and then put
-/// there. Until then it goes with the object, or with the signal that ends the program.
+/// there. Unless kept it goes with the object, or with the signal that ends the program.
 class NewFile {
   public:
     NewFile() = default;
@@ -33,13 +37,26 @@ class NewFile {
     /// Makes the file, whole, with the rights and the owner of the one that it is to replace;
     /// returns what went wrong, or nothing.
     std::optional<Localized> write(const Place& place, const std::string& text);
-    /// Puts the file in its place; false, with errno set, where that cannot be.
-    bool put_in_place();
+    /// Puts the file in its place; false, with errno set, where that cannot be. Where this is not
+    /// for good, the object puts back what was there before, unless keep() is called; signals are
+    /// to be held back meanwhile.
+    bool put_in_place(bool for_good);
+    void keep();
 
   private:
+    /// What stands where.
+    enum class State {
+        beside,     ///< the new file under its other name
+        exchanged,  ///< the new file in its place, the old one under the other name
+        added,      ///< the new file in its place, where there was none
+        kept,       ///< the new file in its place, for good; or there is none
+    };
+
     std::optional<Localized> open(const Place& place, int& file);
 
-    std::string name_;  ///< empty: there is none (any more)
+    State state_ = State::kept;
+    bool replaces_ = false;  ///< there was a file at the place
+    std::string name_;
     std::string place_;
 };
 

@@ -31,7 +31,9 @@ ExitStatus run_stimuli(const RunArguments& request, const Chart& chart, Language
     const auto stimuli = load_stimuli(request.stimuli, chart.grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     const Period period = parse_period(request.scan);
-    if (period.is_wrong) return ExitStatus::bad_request;
+    if (period.is_wrong || has_too_many_scans(chart.grafcet, *stimuli, period)) {
+        return ExitStatus::bad_request;
+    }
     // Let the reference evolve.
     const bool is_told = request.explain || request.output.is_picture();
     const ToldRun run = is_told ? tell_reference(chart, *stimuli, period.value)

@@ -64,7 +64,9 @@ ExitStatus run_listing(const S7Arguments& request, Language language) {
     const auto stimuli = load_stimuli(request.stimuli, columns->grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     const Period period = parse_period(request.scan);
-    if (!period.value) return ExitStatus::bad_request;
+    if (!period.value || has_too_many_scans(columns->grafcet, *stimuli, period)) {
+        return ExitStatus::bad_request;
+    }
     for (const std::string& name : lost_inputs(*columns, *stimuli)) {
         warn(say::listing_has_no_input(name));
     }

@@ -185,7 +185,9 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
         warn(broken_assumption_text(chart->grafcet, broken));
     }
     const Period period = parse_period(request.scan);
-    if (period.is_wrong) return ExitStatus::bad_request;
+    if (period.is_wrong || has_too_many_scans(chart->grafcet, *stimuli, period)) {
+        return ExitStatus::bad_request;
+    }
     // Let the gates work.
     const Simulation run{*chart, *netlist, *delays, *stimuli, period.value};
     const Work work = let_work(request, run, zoom, line.language());

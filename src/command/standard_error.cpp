@@ -4,15 +4,19 @@
 #include "command/standard_error.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 
+#include "command/messages.h"
 #include "text/messages.h"
 #include "text/utf8.h"
 
 namespace grafwire {
 
 namespace {
+
+namespace say = messages::command;
 
 /// A broken file can have very many errors; nobody reads more than these.
 constexpr std::size_t most_errors = 100;
@@ -78,6 +82,14 @@ void complain(const Localized& message) {
 
 void warn(const Localized& message) {
     show_message(messages::text::warning, message);
+}
+
+void complain_of_memory() {
+    const Message<>& line = say::line_where_memory_is_out;
+    const fmt::string_view text =
+        language_of_messages == Language::french ? line.french : line.english;
+    // Nobody is left to hear that this cannot be written.
+    [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
 ExitStatus finish(OutputFiles& files, ExitStatus status) {

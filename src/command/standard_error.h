@@ -42,6 +42,9 @@ void show_messages(const Diagnostics& messages);
 void complain(const Localized& message);
 void warn(const Localized& message);
 
+/// Says that there is not enough memory, without needing any.
+void complain_of_memory();
+
 /// Writes the files; a problem is shown, and turns `status` into bad_request.
 ExitStatus finish(OutputFiles& files, ExitStatus status);
 

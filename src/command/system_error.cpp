@@ -21,6 +21,7 @@ Localized reason_of(int error) {
         {ENOENT, say::no_such_file},
         {EIO, say::input_output_error},
         {ENXIO, say::no_such_address},
+        {ENOMEM, say::no_memory},
         {EACCES, say::permission_denied},
         {EBUSY, say::busy},
         {EEXIST, say::file_exists},

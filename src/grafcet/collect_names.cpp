@@ -358,7 +358,7 @@ Localized Checking::shown_node(std::uint32_t node) const {
 }
 
 Localized Suggestions::with_nearest(Localized message, std::string_view name, Meant meant) {
-    constexpr std::size_t most_work = 400'000'000;
+    constexpr std::size_t most_work = 20'000'000;
     constexpr std::size_t longest_name = 100;
     if (name.size() > longest_name) return message;
     List& list = lists_[static_cast<std::size_t>(meant)];

@@ -130,7 +130,9 @@ std::optional<ladder::VariableId> LadderVariables::find(std::string_view name,
         return std::nullopt;
     }
     std::vector<std::string_view> names;
-    for (const ladder::Variable& variable : ladder_.variables) names.push_back(variable.name);
+    if (source_.error_count() < most_suggestions) {
+        for (const ladder::Variable& variable : ladder_.variables) names.push_back(variable.name);
+    }
     const std::string_view nearest = nearest_name(name, names);
     const std::string shown = shortened(name);
     source_.error(where, nearest.empty() ? messages::plcopen::undeclared(shown)

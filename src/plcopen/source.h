@@ -26,6 +26,8 @@ class Source {
         diagnostics_.error(code_, where, std::move(message));
     }
 
+    std::size_t error_count() const { return diagnostics_.error_count(); }
+
     /// Reports a name that holds a control character.
     void check_name(std::string_view name, pugi::xml_node node) const;
 

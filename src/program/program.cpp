@@ -10,18 +10,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "grafcet/write_grafcet.h"
 #include "program/messages.h"
 #include "program/program_parts.h"
+#include "text/utf8.h"
 
 namespace grafwire {
+
+namespace {
+
+/// A comment may hold the whole transition between thousands of steps, each of whose statements has
+/// one: beyond this nobody reads it, and programs would grow with the square of the chart.
+constexpr std::size_t most_of_comment = 1000;
+
+Localized shortened_comment(Localized comment) {
+    if (std::max(comment.english.size(), comment.french.size()) <= most_of_comment) return comment;
+    return {shortened(comment.english, most_of_comment),
+            shortened(comment.french, most_of_comment)};
+}
+
+}  // namespace
 
 Statement& SectionWriter::add(Statement::Kind kind, Localized comment, Location origin) {
     Statement statement;
     statement.kind = kind;
-    statement.comment = std::move(comment);
+    statement.comment = shortened_comment(std::move(comment));
     statement.origin = origin;
     statements_.push_back(std::move(statement));
     return statements_.back();

@@ -94,10 +94,12 @@ Localized unknown_instruction_message(std::string_view word, bool suggests) {
     return messages::s7::unknown_instruction_near(shown, nearest);
 }
 
-Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io) {
+Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io,
+                                  bool suggests) {
     const std::string shown = shortened(word);
     if (!quoted && looks_like_address(word)) return messages::s7::malformed_address(shown);
     if (io == nullptr) return messages::s7::no_operand_without_table(shown);
+    if (!suggests) return messages::s7::no_operand(shown);
     std::vector<std::string_view> assigned;
     for (const auto& entry : io->entries) assigned.push_back(entry.name);
     const std::string_view nearest = nearest_name(word, assigned);

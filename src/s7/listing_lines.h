@@ -43,6 +43,7 @@ std::uint32_t number_of(std::string_view digits);
 Localized unknown_instruction_message(std::string_view word, bool suggests);
 
 /// What to say of a word that is no operand, where names have addresses in `io` (may be null).
-Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io);
+Localized unknown_operand_message(std::string_view word, bool quoted, const IoAssignment* io,
+                                  bool suggests);
 
 }  // namespace grafwire::s7

@@ -16,6 +16,7 @@
 #include "s7/listing_items.h"
 #include "s7/listing_lines.h"
 #include "s7/messages.h"
+#include "text/nearest_name.h"
 #include "text/utf8.h"
 
 namespace grafwire::s7 {
@@ -209,13 +210,11 @@ class ListingReader {
     }
 
     void report_unknown_instruction(const ListingWord& word) {
-        // A comparison with every mnemonic costs time: a file of nothing but wrong ones must not
-        // take for ever.
-        constexpr std::size_t most_suggestions = 100;
-        const bool suggests = suggestion_count_++ < most_suggestions;
         error(code::unknown_instruction, word.where,
-              unknown_instruction_message(word.text, suggests));
+              unknown_instruction_message(word.text, suggests()));
     }
+
+    bool suggests() { return suggestion_count_++ < most_suggestions; }
 
     Operand read_operand(const ListingWord& word) {
         Operand operand;
@@ -232,7 +231,7 @@ class ListingReader {
             if (const Operand* assigned = options_.io->operand_of(word.text)) return *assigned;
         }
         error(code::bad_operand, word.where,
-              unknown_operand_message(word.text, word.quoted, options_.io));
+              unknown_operand_message(word.text, word.quoted, options_.io, suggests()));
         operand.area = Area::text;
         operand.symbol = word.text;
         return operand;

@@ -215,9 +215,6 @@ class DelaysReader {
     }
 
     std::string_view suggestion(std::string_view name) {
-        // A comparison with every net costs time: a file of nothing but wrong names must not take
-        // for ever.
-        constexpr std::size_t most_suggestions = 100;
         if (++suggestion_count_ > most_suggestions) return {};
         std::vector<std::string_view> names;
         for (const Cell& cell : netlist_.cells) names.push_back(netlist_.names[cell.output]);

@@ -197,9 +197,6 @@ class StimuliReader {
     }
 
     std::string_view suggestion(std::string_view name) {
-        // A comparison with every input costs time: a file of nothing but wrong names must not
-        // take for ever.
-        constexpr std::size_t most_suggestions = 100;
         if (++suggestion_count_ > most_suggestions) return {};
         std::vector<std::string_view> names;
         for (std::size_t i = 0; i < grafcet_.all_input_count(); ++i) {

@@ -15,7 +15,8 @@ namespace grafwire {
 
 namespace {
 
-/// Of an asynchronous netlist: a longer equation cannot be read, and the comment is left out.
+/// A longer equation cannot be read, and the comment is left out: those of n parallel steps hold n
+/// steps each.
 constexpr std::size_t most_operands = 256;
 
 using Comments = std::unordered_map<std::string, std::string>;
@@ -57,8 +58,7 @@ void annotate(Netlist& netlist, const Grafcet& grafcet, const Equations& equatio
     Comments comments;
     add_outputs(grafcet, equations, comments);
     if (!netlist.is_clocked()) add_stored(grafcet, equations, comments);
-    StepTexts texts(grafcet, equations,
-                    netlist.is_clocked() ? StepTexts::any_length : most_operands);
+    StepTexts texts(grafcet, equations, most_operands);
     std::size_t step = 0;
     for (Module& module : netlist.modules) {
         if (step < grafcet.steps.size() &&

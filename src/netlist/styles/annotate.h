@@ -16,8 +16,6 @@ void annotate(Netlist& netlist, const Grafcet& grafcet, const Equations& equatio
 /// of a million steps is that of one, a million times.
 class StepTexts {
   public:
-    static constexpr std::size_t any_length = static_cast<std::size_t>(-1);
-
     /// What it refers to must outlive it.
     StepTexts(const Grafcet& grafcet, const Equations& equations, std::size_t most_operands)
         : grafcet_(grafcet), equations_(equations), most_operands_(most_operands) {}

@@ -7,6 +7,7 @@
 #include "netlist/styles/arithmetic.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 namespace grafwire {
@@ -92,7 +93,9 @@ Word Arithmetic::subtract(const Word& a, const Word& b) {
     return add(extended(a, width), complement, gates_.high());
 }
 
-// The constants of a sum are added up here, and cost one word; every counter costs an adder.
+// The constants of a sum are added up here, and cost one word; every counter costs an adder. Each
+// adds a bit to be on the safe side, but twice as many words need only one bit more; bits beyond
+// that are all the sign and are dropped, or the gates would grow with the square of the counters.
 Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
     WideInteger constant_part = 0;
     for (const SumTerm& term : terms) {
@@ -103,10 +106,14 @@ Word Arithmetic::sum(const Sum& terms, const std::vector<Word>& counters) {
     std::size_t width = 1;
     for (WideInteger rest = constant_part; rest != 0 && rest != -1; rest >>= 1) ++width;
     Word result = constant(constant_part, width);
+    std::size_t words = 1;
     for (const SumTerm& term : terms) {
         if (term.counter == SumTerm::no_counter) continue;
         const Word& counter = counters[term.counter];
+        width = std::max(width, counter.size());
+        ++words;
         result = term.negative ? subtract(result, counter) : add(result, counter, gates_.low());
+        result.resize(std::min(result.size(), width + std::bit_width(words)));
     }
     return result;
 }

@@ -85,6 +85,7 @@ inline constexpr Message<std::string> step_before{"X{} as the scan begins",
 inline constexpr Message<Localized> transition_condition{"transition condition of {}",
                                                          "réceptivité de {}"};
 inline constexpr Message<Localized> sums{"sums of {}", "sommes de {}"};
+inline constexpr Message<Localized> parts{"parts of {}", "parties de {}"};
 inline constexpr Message<> au_dur{"AUdur: no step active", "AUdur : aucune étape active"};
 inline constexpr Message<> init{"Init: initial situation", "Init : situation initiale"};
 inline constexpr Message<> presetting{"SY23: no step active", "SY23 : aucune étape active"};

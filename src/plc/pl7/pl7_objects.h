@@ -38,6 +38,8 @@ class Pl7Objects {
     std::string of(IntegerCell cell);
     std::string new_bit() { return "B" + std::to_string(bits_used_++); }
     std::string new_word() { return "W" + std::to_string(words_used_++); }
+    /// A bit that keeps part of a condition; number 0 of its kind is the bit of a cold start.
+    Bit new_work_bit() { return {BitKind::auxiliary, ++work_bits_used_}; }
     /// A timer of its own; gives its name, `T3`.
     std::string new_timer() { return "T" + std::to_string(timers_used_++); }
     /// A step beside those of the chart that is always active, for its source transitions, and one
@@ -65,6 +67,7 @@ class Pl7Objects {
     std::map<IntegerCell, std::string> word_names_;
     std::uint32_t bits_used_ = 0;
     std::uint32_t words_used_ = 0;
+    std::uint32_t work_bits_used_ = 0;
     std::uint32_t timers_used_ = 0;
 };
 

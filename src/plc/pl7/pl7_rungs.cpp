@@ -1,8 +1,10 @@
 // Conditions as contacts, and statements as rungs.
 //
 // Only single contacts can be negated in a drawing: a negation is moved inwards, `/(a + b . c)` to
-// `/a . (/b + /c)`, and an exclusive OR is drawn as its two cases, `a . /b + /a . b`. A block adds
-// two words, so a sum of more terms is worked out in rungs of its own before the one that needs it.
+// `/a . (/b + /c)`, and an exclusive OR is drawn as its two cases, `a . /b + /a . b`. Each case
+// draws both operands, so an exclusive OR among these is worked out in a rung of its own before: of
+// n inputs the drawing would grow with 2^n otherwise. A block adds two words, so a sum of more
+// terms is worked out before the rung that needs it as well.
 
 #include "plc/pl7/pl7_rungs.h"
 
@@ -22,23 +24,27 @@ namespace grafwire {
 
 namespace {
 
+bool has_exclusive_or(const Condition& condition) {
+    return condition.kind == Condition::Kind::exclusive_or ||
+           std::any_of(condition.operands.begin(), condition.operands.end(), has_exclusive_or);
+}
+
+/// Of two operands without another exclusive OR in them.
+bool is_simple_exclusive_or(const Condition& condition) {
+    return condition.operands.size() <= 2 &&
+           std::none_of(condition.operands.begin(), condition.operands.end(), has_exclusive_or);
+}
+
 Condition on_contacts(const Condition& condition, bool negated);
 
-/// a ⊕ b as a./b + /a.b, from the left.
+/// a ⊕ b as a./b + /a.b.
 Condition exclusive_or_on_contacts(const Condition& condition, bool negated) {
-    Condition left = condition.operands.front();
-    for (std::size_t i = 1; i < condition.operands.size(); ++i) {
-        const Condition& right = condition.operands[i];
-        const bool last = i + 1 == condition.operands.size();
-        const bool right_first = last && negated;
-        std::vector<Condition> branches;
-        branches.push_back(
-            and_condition({on_contacts(left, false), on_contacts(right, !right_first)}));
-        branches.push_back(
-            and_condition({on_contacts(left, true), on_contacts(right, right_first)}));
-        left = or_condition(std::move(branches));
-    }
-    return left;
+    const Condition& left = condition.operands.front();
+    const Condition& right = condition.operands.back();
+    std::vector<Condition> branches;
+    branches.push_back(and_condition({on_contacts(left, false), on_contacts(right, !negated)}));
+    branches.push_back(and_condition({on_contacts(left, true), on_contacts(right, negated)}));
+    return or_condition(std::move(branches));
 }
 
 /// An equal condition in which only bits are negated, and no exclusive OR occurs.
@@ -87,7 +93,33 @@ void Pl7Rungs::line(std::string_view contacts, std::string_view coil) {
 }
 
 std::string Pl7Rungs::contacts(const Condition& condition) {
-    return series_or_parallel(on_contacts(condition, false), false);
+    return series_or_parallel(on_contacts(drawable(condition), false), false);
+}
+
+/// An equal condition in which every exclusive OR is a simple one; rungs for the others are added.
+Condition Pl7Rungs::drawable(const Condition& condition) {
+    if (!has_exclusive_or(condition)) return condition;
+    Condition result = condition;
+    for (Condition& operand : result.operands) operand = drawable(operand);
+    if (condition.kind != Condition::Kind::exclusive_or || is_simple_exclusive_or(result)) {
+        return result;
+    }
+    Condition pair = result;
+    Condition so_far = worked_out(std::move(result.operands.front()));
+    for (std::size_t i = 1; i < result.operands.size(); ++i) {
+        pair.operands = {std::move(so_far), worked_out(std::move(result.operands[i]))};
+        if (i + 1 < result.operands.size()) so_far = worked_out(pair);
+    }
+    return pair;
+}
+
+/// A bit that has the value of a condition with an exclusive OR from here on in this scan; others
+/// stay as they are.
+Condition Pl7Rungs::worked_out(Condition condition) {
+    if (!has_exclusive_or(condition)) return condition;
+    const Bit bit = objects_.new_work_bit();
+    line(series_or_parallel(on_contacts(condition, false), false), "( ) " + objects_.of(bit));
+    return bit_condition(bit);
 }
 
 std::string Pl7Rungs::series_or_parallel(const Condition& condition, bool in_series) {
@@ -116,6 +148,13 @@ std::string Pl7Rungs::compare(const Comparison& comparison) {
     const std::string left = value(comparison.left);
     const std::string right = value(comparison.right);
     return fmt::format("[{} {} {}]", left, text_of(comparison.relation), right);
+}
+
+bool Pl7Rungs::has_long_exclusive_ors(const Condition& condition) {
+    return (condition.kind == Condition::Kind::exclusive_or &&
+            !is_simple_exclusive_or(condition)) ||
+           std::any_of(condition.operands.begin(), condition.operands.end(),
+                       has_long_exclusive_ors);
 }
 
 bool Pl7Rungs::has_sums(const Condition& condition) {

@@ -13,9 +13,9 @@
 namespace grafwire {
 
 /// The rungs of one part of a PL7-2 program, as lines of text. Contacts can be negated, groups of
-/// them cannot: negations are moved inwards, and an exclusive OR becomes two branches. A COMPAR
-/// block compares a word with a word or a number, and an OPERATE block adds two: longer sums are
-/// worked out in rungs of their own beforehand.
+/// them cannot: negations are moved inwards, and an exclusive OR becomes two branches, or rungs of
+/// its own beforehand where it has more than two operands. A COMPAR block compares a word with a
+/// word or a number, and an OPERATE block adds two: longer sums are worked out beforehand as well.
 class Pl7Rungs {
   public:
     explicit Pl7Rungs(Pl7Objects& objects) : objects_(objects) {}
@@ -28,9 +28,10 @@ class Pl7Rungs {
     /// A rung whose contacts are written already.
     void line(std::string_view contacts, std::string_view coil);
 
-    /// Whether the contacts of a condition need rungs for sums.
+    /// Whether the contacts of a condition need rungs for sums, or for parts of exclusive ORs.
     static bool has_sums(const Condition& condition);
-    /// The contacts of a condition; rungs for its sums are added here.
+    static bool has_long_exclusive_ors(const Condition& condition);
+    /// The contacts of a condition; rungs for its parts are added here.
     std::string contacts(const Condition& condition);
     /// The word or number that a sum is; rungs for it are added here.
     std::string value(const Sum& sum);
@@ -42,6 +43,8 @@ class Pl7Rungs {
     std::uint32_t labels() const { return labels_; }
 
   private:
+    Condition drawable(const Condition& condition);
+    Condition worked_out(Condition condition);
     std::string series_or_parallel(const Condition& condition, bool in_series);
     std::string compare(const Comparison& comparison);
     std::string new_temporary();

@@ -190,6 +190,8 @@ Condition Pl7Writer::write_condition(const Statement& statement) {
     }
     if (Pl7Rungs::has_sums(statement.condition)) {
         preliminary_.label(say::sums.in(language_, statement.comment));
+    } else if (Pl7Rungs::has_long_exclusive_ors(statement.condition)) {
+        preliminary_.label(say::parts.in(language_, statement.comment));
     }
     return statement.condition;
 }

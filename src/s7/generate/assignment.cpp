@@ -67,7 +67,9 @@ Meanings meanings_of(const Grafcet& grafcet) {
 void report_unknown(const IoAssignment::Entry& entry, const Meanings& meanings,
                     Diagnostics& diagnostics) {
     std::vector<std::string_view> names;
-    for (const auto& [name, meaning] : meanings) names.push_back(name);
+    if (diagnostics.error_count() < most_suggestions) {
+        for (const auto& [name, meaning] : meanings) names.push_back(name);
+    }
     const std::string_view nearest = nearest_name(entry.name, names);
     diagnostics.error(code::unknown_name, entry.where,
                       nearest.empty() ? say::not_in_the_chart(entry.name)

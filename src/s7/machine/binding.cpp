@@ -116,11 +116,16 @@ class Binder {
         list.emplace_back();
     }
 
-    void report_unknown(const IoAssignment::Entry& entry) {
-        std::vector<std::string> names;
-        for (const auto& [name, slot] : slots_) names.push_back(name);
+    std::string_view suggestion(const std::string& name) {
+        if (++suggestion_count_ > most_suggestions) return {};
+        std::vector<std::string_view> names;
+        for (const auto& [known, slot] : slots_) names.push_back(known);
         std::sort(names.begin(), names.end());
-        const auto nearest = nearest_name(entry.name, {names.begin(), names.end()});
+        return nearest_name(name, names);
+    }
+
+    void report_unknown(const IoAssignment::Entry& entry) {
+        const std::string_view nearest = suggestion(entry.name);
         const std::string shown = shortened(entry.name);
         diagnostics_.error(code::unknown_name, entry.where,
                            nearest.empty() ? say::not_in_the_grafcet(shown)
@@ -136,6 +141,7 @@ class Binder {
     Diagnostics& diagnostics_;
     Binding binding_;
     std::unordered_map<std::string, Slot> slots_;
+    std::size_t suggestion_count_ = 0;
 };
 
 bool is_control(std::string_view name) {
