@@ -21,7 +21,7 @@ TEST_CASE("the text of a step is that of its whole expression, whatever was writ
             for (const bool modes : {true, false}) {
                 const Equations equations = equations_from(grafcet, {cdx, modes});
                 Expressions pool = equations.expressions;
-                StepTexts texts(grafcet, equations, StepTexts::any_length);
+                StepTexts texts(grafcet, equations, 1'000'000);
                 for (std::size_t i = 0; i < grafcet.steps.size(); ++i) {
                     const StepId step = grafcet.steps.id_at(i);
                     CHECK(texts.equation(step) ==

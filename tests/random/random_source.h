@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace grafwire::testing {
@@ -12,10 +13,16 @@ namespace grafwire::testing {
 class RandomSource {
   public:
     explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
+    /// Choices that a fuzzer makes: a byte each, so that a small change of the bytes is one of what
+    /// is made of them. Where they end, those of a seed follow.
+    explicit RandomSource(std::vector<std::uint8_t> choices)
+        : engine_(choices.size()), choices_(std::move(choices)) {}
 
     /// 0 … limit - 1; the limit is positive.
     std::size_t below(std::size_t limit) {
-        return static_cast<std::size_t>(engine_() % static_cast<std::uint64_t>(limit));
+        const std::uint64_t number =
+            made_ < choices_.size() ? std::uint64_t{choices_[made_++]} : engine_();
+        return static_cast<std::size_t>(number % static_cast<std::uint64_t>(limit));
     }
     /// low … high
     std::size_t between(std::size_t low, std::size_t high) { return low + below(high - low + 1); }
@@ -38,6 +45,8 @@ class RandomSource {
 
   private:
     std::mt19937_64 engine_;
+    std::vector<std::uint8_t> choices_;
+    std::size_t made_ = 0;  ///< so many of these
 };
 
 }  // namespace grafwire::testing
