@@ -178,6 +178,7 @@ inline constexpr Message<> nothing_is_scanned{"nothing is scanned", "il n'y a pa
 inline constexpr Message<std::string_view, std::string_view> no_stable_situation{
     "no stable situation at {} ms; these keep changing: {}",
     "pas de situation stable à {} ms ; changent sans cesse : {}"};
+/// Of more than one scan, and more than one column.
 inline constexpr Message<Time, std::size_t, std::size_t> too_many_scans{
     "{} scans with {} columns each are more than a trace may hold, {} values; take a longer "
     "period, "
@@ -208,10 +209,9 @@ inline constexpr Message<std::string> saved{"saved: {}", "enregistré : {}"};
 
 // Memory.
 
-/// A whole line, which takes no memory to be made.
-inline constexpr Message<> line_where_memory_is_out{
-    "grafwire: error: there is not enough memory\n",
-    "grafwire: erreur : il n'y a pas assez de mémoire\n"};
+/// The end of a line, which takes no memory to be made.
+inline constexpr Message<> not_enough_memory{"error: there is not enough memory\n",
+                                             "erreur : il n'y a pas assez de mémoire\n"};
 inline constexpr Message<> check_takes_too_much_memory{
     "there is not enough memory for this check; with --max-memory it ends before that, undecided",
     "il n'y a pas assez de mémoire pour cette vérification ; avec --max-memory elle s'arrête "

@@ -85,11 +85,14 @@ void warn(const Localized& message) {
 }
 
 void complain_of_memory() {
-    const Message<>& line = say::line_where_memory_is_out;
-    const fmt::string_view text =
-        language_of_messages == Language::french ? line.french : line.english;
-    // Nobody is left to hear that this cannot be written.
-    [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+    const Message<>& message = say::not_enough_memory;
+    const bool is_french = language_of_messages == Language::french;
+    for (const fmt::string_view text :
+         {fmt::string_view("grafwire: "),
+          fmt::string_view(is_french ? message.french : message.english)}) {
+        // Nobody is left to hear that this cannot be written.
+        [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+    }
 }
 
 ExitStatus finish(OutputFiles& files, ExitStatus status) {

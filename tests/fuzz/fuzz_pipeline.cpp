@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/netlist_formats.h"
@@ -35,17 +36,23 @@ void require(bool condition, const char* what, const std::string& text) {
     std::abort();
 }
 
-/// A netlist in each format; those that have a reader come back the same.
+Netlist read_back(const NetlistFormat& format, const std::string& written) {
+    const SourceFile source{"fuzz", written};
+    Diagnostics diagnostics;
+    auto netlist = format.read(source, diagnostics);
+    require(netlist.has_value(), "cannot be read back", written);
+    return std::move(*netlist);
+}
+
+/// A netlist in each format. One that has a reader keeps all but the comments, so what has been
+/// read once stays the same.
 void try_formats(const Chart& chart, const Netlist& netlist, const Stimuli& stimuli) {
     for (const NetlistFormat& format : netlist_formats()) {
         const std::string written =
             write_netlist(chart, netlist, format, &stimuli, 10 * millisecond, {}).text;
         if (format.read == nullptr) continue;
-        const SourceFile source{"fuzz", written};
-        Diagnostics diagnostics;
-        const auto again = format.read(source, diagnostics);
-        require(again.has_value(), "cannot be read back", written);
-        require(write_netlist(format, *again) == write_netlist(format, netlist),
+        const std::string once = write_netlist(format, read_back(format, written));
+        require(write_netlist(format, read_back(format, once)) == once,
                 "another netlist when read back", written);
     }
 }
