@@ -104,13 +104,16 @@ Condition Pl7Rungs::drawable(const Condition& condition) {
     if (condition.kind != Condition::Kind::exclusive_or || is_simple_exclusive_or(result)) {
         return result;
     }
-    Condition pair = result;
-    Condition so_far = worked_out(std::move(result.operands.front()));
+    // From the left, two at a time; the last two are drawn where the whole is.
+    Condition drawn = std::move(result.operands.front());
     for (std::size_t i = 1; i < result.operands.size(); ++i) {
-        pair.operands = {std::move(so_far), worked_out(std::move(result.operands[i]))};
-        if (i + 1 < result.operands.size()) so_far = worked_out(pair);
+        Condition pair;
+        pair.kind = Condition::Kind::exclusive_or;
+        pair.operands.push_back(worked_out(std::move(drawn)));
+        pair.operands.push_back(worked_out(std::move(result.operands[i])));
+        drawn = std::move(pair);
     }
-    return pair;
+    return drawn;
 }
 
 /// A bit that has the value of a condition with an exclusive OR from here on in this scan; others
