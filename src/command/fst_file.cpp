@@ -10,47 +10,18 @@
 #ifdef GRAFWIRE_HAS_FST
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <system_error>
 #include <unordered_map>
 
+#include "command/fst_library.h"
 #include "command/new_file.h"
 #include "gtkwave/fstapi.h"
 
 namespace grafwire {
 
 namespace {
-
-/// A folder for temporary files that goes with the object, and what is in it.
-class TemporaryFolder {
-  public:
-    /// Has no path, with errno set, where it cannot be made.
-    TemporaryFolder() {
-        std::error_code error;
-        const std::filesystem::path all = std::filesystem::temp_directory_path(error);
-        if (error) {
-            errno = error.value();
-            return;
-        }
-        path_ = (all / "grafwire-XXXXXX").string();
-        if (mkdtemp(path_.data()) == nullptr) path_.clear();
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
 
 /// The words of a VCD text, one after the other.
 class VcdWords {
@@ -164,15 +135,17 @@ bool can_write_fst() {
 }
 
 std::optional<Localized> make_fst(std::string_view vcd, std::string& fst) {
-    const HeldSignals held;  // nothing stays behind where the program is ended meanwhile
-    const TemporaryFolder folder;
-    if (folder.path().empty()) return reason_of(errno);
-    const std::string path = folder.path() + "/waveform.fst";
+    // The library keeps the names of signals in a file of its own until the end.
+    const TemporaryFolder folder({"waveform.fst", "waveform.fst.hier"});
+    if (!folder.is_made()) return reason_of(errno);
+    const std::string path = folder.path_of("waveform.fst");
+    fst_writing_error();
     {
         FstWriter writer(path);
         if (!writer.is_open()) return reason_of(errno);
         writer.tell(vcd);
     }
+    if (const int error = fst_writing_error()) return reason_of(error);
     std::ifstream file(path, std::ios::binary);
     fst.assign(std::istreambuf_iterator<char>(file), {});
     if (!file || fst.empty()) return reason_of(EIO);

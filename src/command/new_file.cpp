@@ -34,6 +34,9 @@ namespace say = messages::command;
 
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 
+/// Of names drawn at random, which may be taken.
+constexpr int most_tries = 100;
+
 /// Files and folders that are not to outlive the program.
 std::vector<std::string> unfinished;
 
@@ -164,7 +167,6 @@ void NewFile::keep() {
 std::optional<Localized> NewFile::open(const Place& place, int& file) {
     // A file that nobody else may read must not be so while it is being written either.
     const mode_t rights = place.kind == Place::Kind::file ? 0600 : 0666;
-    constexpr int most_tries = 100;
     const HeldSignals held;
     for (int i = 0; i < most_tries; ++i) {
         std::string name = (std::filesystem::path(place.folder) / random_name()).string();
@@ -243,6 +245,37 @@ std::optional<Localized> NewFolders::make(const std::string& path) {
         }
     }
     return std::nullopt;
+}
+
+/// Whatever needs memory comes before there is a folder.
+TemporaryFolder::TemporaryFolder(const std::vector<std::string>& files) {
+    catch_signals();
+    std::error_code error;
+    const std::filesystem::path all = std::filesystem::temp_directory_path(error);
+    if (error) {
+        errno = error.value();
+        return;
+    }
+    std::string folder;
+    for (int i = 0; i < most_tries && !is_made_; ++i) {
+        folder = (all / random_name()).string();
+        items_ = {folder};
+        for (const std::string& file : files) items_.push_back(path_of(file));
+        std::vector<std::string> noted = unfinished;
+        noted.insert(noted.end(), items_.begin(), items_.end());
+        const HeldSignals held;
+        is_made_ = mkdir(folder.c_str(), 0700) == 0;
+        if (is_made_) unfinished.swap(noted);
+        if (!is_made_ && errno != EEXIST) break;
+    }
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    if (!is_made_) return;
+    for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
+        if (unlink(item->c_str()) != 0) rmdir(item->c_str());
+        forget(*item);
+    }
 }
 
 void NewFolders::keep() {

@@ -77,6 +77,25 @@ class NewFolders {
     std::vector<std::string> made_;
 };
 
+/// A folder for temporary files. It goes with the object, or with the signal that ends the program,
+/// and with it those of its files that are there.
+class TemporaryFolder {
+  public:
+    /// `files`: the names of all that may be made in it.
+    explicit TemporaryFolder(const std::vector<std::string>& files);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    /// False, with errno set, where the folder could not be made.
+    bool is_made() const { return is_made_; }
+    std::string path_of(const std::string& file) const { return items_.front() + "/" + file; }
+
+  private:
+    bool is_made_ = false;
+    std::vector<std::string> items_;  ///< the folder, then its files
+};
+
 /// Writes all of it to an open file; false, with errno set, on an error.
 bool write_fully(int file, const std::string& text);
 

@@ -40,6 +40,7 @@ const std::vector<Request> requests{
     {{"equations", "c.grafcet", "--to", "markdown", "-o", "out"}, {"out"}},
     {{"run", "c.grafcet", "c.stim", "-o", "out", "--vcd", "c.vcd"}, {"out", "c.vcd"}},
     {{"run", "c.grafcet", "c.stim", "--explain", "--to", "svg", "-o", "out"}, {}},
+    {{"run", "c.grafcet", "c.stim", "--vcd", "c.fst"}, {"c.fst"}},
     {{"netlist", "c.grafcet", "--style", "clocked", "--to", "verilog", "-o", "out"}, {"out"}},
     {{"netlist", "c.grafcet", "--style", "clocked", "--to", "spice", "--stim", "c.stim"}, {}},
     {{"simulate", "c.grafcet", "c.stim", "--style", "clocked", "--scan", "10ms", "-o", "out",
@@ -174,6 +175,7 @@ class Trial {
     Ran run(const Words& environment) const {
         Words words{"env", "-C", place()};
         words.insert(words.end(), environment.begin(), environment.end());
+        words.push_back("TMPDIR=" + place());  // what is left behind there is seen
         words.push_back(GRAFWIRE_PROGRAM);
         words.insert(words.end(), request_.words.begin(), request_.words.end());
         return run_program(words);
