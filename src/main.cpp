@@ -94,6 +94,7 @@ ExitStatus run(int argc, char** argv) {
 // No code of ours throws; what comes up to here is the want of memory, and on the way all that was
 // begun has been undone.
 int main(int argc, char** argv) {
+    open_standard_error();
     ExitStatus status = ExitStatus::bad_request;
     try {
         status = run(argc, argv);

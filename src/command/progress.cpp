@@ -4,7 +4,6 @@
 
 #include "command/progress.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -55,7 +54,7 @@ Progress::Progress(double max_seconds, std::uint64_t max_memory, Language langua
 
 Progress::~Progress() {
     std::signal(SIGINT, SIG_DFL);
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) show_raw("\r\033[K");
 }
 
 double Progress::elapsed() const {
@@ -75,10 +74,10 @@ bool Progress::goes_on() {
 void Progress::show(const Coverage& coverage) {
     const double now = elapsed();
     if (!is_terminal_ || now <= next_) return;
-    fmt::print(stderr, "\r\033[K{}",
-               messages::command::progress.in(language_, counted::cases(coverage.cases),
-                                              counted::situations(coverage.situations),
-                                              counted::waiting_states(coverage.waiting)));
+    show_raw("\r\033[K" +
+             messages::command::progress.in(language_, counted::cases(coverage.cases),
+                                            counted::situations(coverage.situations),
+                                            counted::waiting_states(coverage.waiting)));
     shown_ = true;
     next_ = now + 0.5;
 }

@@ -3,6 +3,7 @@
 
 #include "command/standard_error.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -54,8 +55,21 @@ void show_messages_in(Language language) {
     language_of_messages = language;
 }
 
+void open_standard_error() {
+    if (fcntl(STDERR_FILENO, F_GETFD) >= 0) return;
+    const int nothing = open("/dev/null", O_WRONLY);
+    if (nothing < 0 || nothing == STDERR_FILENO) return;
+    dup2(nothing, STDERR_FILENO);
+    close(nothing);
+}
+
+void show_raw(std::string_view text) {
+    [[maybe_unused]] const std::size_t count = std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
 void show(const Localized& text) {
-    fmt::print(stderr, "{}", text.in(language_of_messages));
+    show_raw(text.in(language_of_messages));
     if (kept_messages != nullptr) *kept_messages += text.english;
 }
 

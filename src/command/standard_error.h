@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "command/command_line.h"
 #include "command/files.h"
@@ -28,6 +29,14 @@ class MessageRecord {
 
 /// The language of all messages from now on; English before.
 void show_messages_in(Language language);
+
+/// To be called first. Where standard error is closed, a file of ours would else be opened in its
+/// place, and messages would go there.
+void open_standard_error();
+
+/// Shows a text in one language as it stands. Where it cannot be written nobody is left to hear
+/// that, and the program goes on.
+void show_raw(std::string_view text);
 
 /// Shows lines as they stand.
 void show(const Localized& text);

@@ -293,6 +293,27 @@ TEST_CASE("what goes to standard output is part of the whole") {
     }
 }
 
+TEST_CASE("what cannot be said on standard error changes nothing else") {
+    const ScratchFolder folder;
+    // Two steps that follow each other: a warning.
+    const std::string chart =
+        folder.file("a.grafcet", "input a\ngraph G { initial 0 step 1 0 -> 1 : a 1 -> 0 : /a }\n");
+    const std::string equations = grafwire_with({"equations", chart}).out;
+    CHECK(!grafwire_with({"equations", chart}).err.empty());
+    for (const std::string end : {" 2>/dev/full", " 2>&-", " <&- 2>&-"}) {
+        INFO("standard error: " << end);
+        const Ran ran = shell(program + " equations " + chart + end);
+        CHECK(ran.status == 0);
+        CHECK(ran.out == equations);
+        // Nor does a message get into a file that is open instead.
+        CHECK(shell(program + " equations " + chart + " -o " + folder.path("out") + end).status ==
+              0);
+        CHECK(text_of(folder.path("out")) == equations);
+        CHECK(shell(program + " info " + folder.path("none") + end).status == 2);
+        CHECK(shell(program + " check " + rule_5_chart + " --style nor" + end).status == 1);
+    }
+}
+
 TEST_CASE("the folder of a witness holds that of the last verdict or none") {
     const ScratchFolder folder;
     const std::string w = folder.path("w");
