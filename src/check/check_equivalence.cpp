@@ -220,12 +220,23 @@ std::string assumption_against(const Grafcet& grafcet, const Netlist& netlist,
     return write_expression(assuming, assuming.expressions, expression);
 }
 
+/// Where delays are open, a case of many changes can take thousands of times as long as one of a
+/// single change, for what is a remark beside the verdict.
+std::uint64_t most_cases_of_many(std::uint64_t cases_of_one) {
+    return 5'000 + 10 * cases_of_one;
+}
+
 /// What becomes of an asynchronous netlist that is equivalent under Changes::one where many inputs
-/// change at once. `unexercised`: what Changes::one did not exercise.
+/// change at once. `unexercised`: what Changes::one did not exercise; `cases`: how many it took.
 Together check_many_changes(const Grafcet& grafcet, const Netlist& netlist,
-                            const CheckOptions& options, const NeverExercised& unexercised) {
+                            const CheckOptions& options, const NeverExercised& unexercised,
+                            std::uint64_t cases) {
     CheckOptions at_once = options;
     at_once.changes = Changes::many;
+    if (!options.delays.is_fixed()) {
+        const std::uint64_t most = most_cases_of_many(cases);
+        at_once.max_cases = options.max_cases == 0 ? most : std::min(options.max_cases, most);
+    }
     CheckResult result = check_changes(grafcet, netlist, at_once);
     Together together;
     together.verdict = result.verdict;
@@ -360,8 +371,9 @@ CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
     }
     if (options.changes == Changes::one && options.looks_at_many && !netlist.is_clocked() &&
         result.verdict == Verdict::equivalent) {
-        result.together = check_many_changes(grafcet, netlist,
-                                             rest_of(options, result.coverage.cases), result.never);
+        result.together =
+            check_many_changes(grafcet, netlist, rest_of(options, result.coverage.cases),
+                               result.never, result.coverage.cases);
     }
     return result;
 }

@@ -95,10 +95,11 @@ inline constexpr Message<> many_changes_hold{
     "\nRemark: it holds as well when many inputs change at once.\n",
     "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n"};
 inline constexpr Message<> many_changes_undecided{
-    "\nRemark: whether it holds as well when many inputs change at once is undecided within the "
-    "bounds given.\n",
-    "\nRemarque : dans les limites données, il reste indécis si cela est vrai aussi quand "
-    "plusieurs entrées changent à la fois.\n"};
+    "\nRemark: whether it holds as well when many inputs change at once is undecided; --changes "
+    "many "
+    "asks for it.\n",
+    "\nRemarque : il reste indécis si cela est vrai aussi quand plusieurs entrées changent à la "
+    "fois ; --changes many le demande.\n"};
 inline constexpr Message<> many_changes_fail{
     "\nRemark: it does not hold when many inputs change at once.\n",
     "\nRemarque : cela n'est plus vrai quand plusieurs entrées changent à la fois.\n"};

@@ -47,6 +47,7 @@ class NetlistCases : public ExploredNetlist {
     const Grafcet& grafcet() const { return grafcet_; }
     const Netlist& netlist() const { return netlist_; }
     Simulator& simulator() { return simulator_; }
+    const PortMap& ports() const { return ports_; }
     const CellDelays& delays_of_gates() const { return delays_; }
     const std::vector<std::uint8_t>& relevant_nets() const { return is_relevant_; }
     const std::vector<NetId>& remembered_nets() const { return remembered_; }

@@ -11,6 +11,8 @@
 
 #include "check/racing_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "check/race_search.h"
@@ -20,7 +22,7 @@ namespace grafwire {
 
 namespace {
 
-constexpr std::size_t states_before_split = 2'000;
+constexpr std::size_t states_before_split = 50;
 
 }  // namespace
 
@@ -39,6 +41,12 @@ NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInput
     const Settling settling = begin(start, left, step, &values_left);
     if (!settling.settled) {
         outcomes.push_back(not_settled(settling, step));
+        return outcomes;
+    }
+    if (start == nullptr && starts_by_init() && settling.events != 0) {
+        // Memories held at their initial values have moved once they were let go: where to may
+        // depend on delays, and only the nominal ones were tried.
+        outcomes.emplace_back().kind = NetlistOutcome::Kind::not_explored;
         return outcomes;
     }
     const SimulatorState before = simulator().save();
@@ -65,6 +73,12 @@ NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInput
     return outcomes;
 }
 
+/// Whether Init alone brings about the state in which the first instant begins.
+bool RacingCases::starts_by_init() const {
+    const auto init = grafcet().inputs.size() + static_cast<std::size_t>(ControlInput::init);
+    return netlist().has_modes && ports().inputs[init] != no_net;
+}
+
 /// What is remembered and not known at rest.
 std::vector<NetId> RacingCases::unknown_memory(const CircuitState& state) const {
     std::vector<NetId> unknown;
@@ -83,9 +97,26 @@ NetlistOutcome RacingCases::outcome_of(const Rest& rest, const SimulatorState& b
     return after_gates(step, expected);
 }
 
+/// What tells stimuli apart: when inputs change matters only where delays run.
+std::string RacingCases::key_of(const Stimuli& stimuli) const {
+    const bool has_times = !delays().empty();
+    std::string key;
+    for (const Stimuli::Change& change : stimuli.changes) {
+        key += has_times ? fmt::format("{}:", change.at) : ":";
+        for (const Stimuli::Assignment& set : change.assignments) {
+            key += fmt::format("{}={} ", set.input, set.value);
+        }
+    }
+    return has_times ? key + std::to_string(stimuli.end) : key;
+}
+
 std::optional<Witness> RacingCases::replay(const Stimuli& stimuli, Time /*period*/) const {
-    return racing_witness(grafcet(), netlist(), delays_of_gates(), circuit_, delay_model_, stimuli,
-                          keep_going_);
+    const std::string key = key_of(stimuli);
+    if (without_difference_.count(key) != 0) return std::nullopt;
+    auto witness = racing_witness(grafcet(), netlist(), delays_of_gates(), circuit_, delay_model_,
+                                  stimuli, keep_going_);
+    if (!witness) without_difference_.insert(key);
+    return witness;
 }
 
 }  // namespace grafwire

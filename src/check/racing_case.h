@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <unordered_set>
 
 #include "check/netlist_case.h"
 #include "netlist/delay_model.h"
@@ -26,11 +28,15 @@ class RacingCases : public NetlistCases {
     NetlistOutcome outcome_of(const Rest& rest, const SimulatorState& before, const PathStep& step,
                               const ReferenceOutcome& expected);
     std::vector<NetId> unknown_memory(const CircuitState& state) const;
+    bool starts_by_init() const;
+    std::string key_of(const Stimuli& stimuli) const;
 
     const DelayModel delay_model_;
     const KeepGoing keep_going_;
     const Circuit circuit_;
     const std::unique_ptr<SettlingModel> model_;
+    /// Stimuli for which no delays were found that make a difference, as keys.
+    mutable std::unordered_set<std::string> without_difference_;
 };
 
 }  // namespace grafwire

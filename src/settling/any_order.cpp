@@ -8,6 +8,7 @@
 
 #include "settling/any_order.h"
 
+#include "settling/joint_firings.h"
 #include "settling/ternary.h"
 
 namespace grafwire {
@@ -15,7 +16,7 @@ namespace grafwire {
 FiringGraph::End AnyOrder::build(const CircuitState& start, bool reduced, std::size_t most_states) {
     const FiringGraph::Choice choice = [&](const CircuitState& state,
                                            std::vector<Firing>& firings) {
-        return reduced ? sets_.choose(state, firings) : sets_.all(state, firings);
+        return reduced ? sets_.choose(state, firings) : all_firings(circuit_, state, firings);
     };
     return graph_.build(start, choice, {most_states, &keep_going_});
 }

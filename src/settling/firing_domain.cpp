@@ -8,7 +8,20 @@
 
 #include "settling/firing_domain.h"
 
+#include <algorithm>
+
 namespace grafwire {
+
+namespace {
+
+/// Instead of a bound. More than any sum of delays.
+constexpr Time unbounded = Time{1} << 50;
+
+Time moved(Time bound, Time by) {
+    return bound == unbounded ? unbounded : bound + by;
+}
+
+}  // namespace
 
 FiringDomain::FiringDomain(std::span<const DelayBand> bands)
     : size_(bands.size()), bounds_(size_ * size_) {
@@ -23,9 +36,10 @@ bool FiringDomain::tighten(std::size_t a, std::size_t b, Time limit) {
     if (limit + bound(b, a) < 0) return false;
     if (limit >= bound(a, b)) return true;
     for (std::size_t i = 0; i < size_; ++i) {
+        if (bound(i, a) == unbounded) continue;
         const Time to_b = bound(i, a) + limit;
         for (std::size_t j = 0; j < size_; ++j) {
-            const Time over = to_b + bound(b, j);
+            const Time over = moved(bound(b, j), to_b);
             if (over < bound(i, j)) bound(i, j) = over;
         }
     }
@@ -53,8 +67,9 @@ bool FiringDomain::fire(std::span<const std::size_t> first, std::span<const std:
     for (std::size_t i = 0; i < after.size_; ++i) {
         for (std::size_t j = 0; j < after.size_; ++j) {
             if (i == j) continue;
-            after.bound(i, j) = now.bound(row(i), row(j)) + (is_new(i) ? origins[i].band.max : 0) -
-                                (is_new(j) ? origins[j].band.min : 0);
+            after.bound(i, j) =
+                moved(now.bound(row(i), row(j)), (is_new(i) ? origins[i].band.max : 0) -
+                                                     (is_new(j) ? origins[j].band.min : 0));
         }
     }
     return true;
@@ -65,6 +80,22 @@ bool FiringDomain::includes(const FiringDomain& other) const {
         if (other.bounds_[i] > bounds_[i]) return false;
     }
     return true;
+}
+
+// The greater of two closed matrices, bound by bound, is closed: i - k is at most (i - j) + (j - k)
+// in either, so at most the sum of the greater ones.
+void FiringDomain::include(const FiringDomain& other) {
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+        bounds_[i] = std::max(bounds_[i], other.bounds_[i]);
+    }
+}
+
+void FiringDomain::include_all() {
+    for (std::size_t i = 0; i < size_; ++i) {
+        for (std::size_t j = 0; j < size_; ++j) {
+            if (i != j) bound(i, j) = unbounded;
+        }
+    }
 }
 
 }  // namespace grafwire

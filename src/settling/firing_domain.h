@@ -34,6 +34,10 @@ class FiringDomain {
 
     /// Whether everything that is possible in the other domain, of as many firings, is so here.
     bool includes(const FiringDomain& other) const;
+    /// Becomes the smallest domain that includes both.
+    void include(const FiringDomain& other);
+    /// Lets every firing take place at any time.
+    void include_all();
 
   private:
     Time& bound(std::size_t i, std::size_t j) { return bounds_[i * size_ + j]; }

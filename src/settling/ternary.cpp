@@ -2,8 +2,7 @@
 // combinational and sequential switching circuits", IBM J. Res. Dev. 9, 1965).
 //
 // Two passes. The first lets every gate that is excited become unknown beside what it was, until no
-// more do: then every value that a net can have on the way, in any order of firings, is one that
-// the state allows. The second lets gates take what their inputs ask for where that is known: what
+// more do (reach.h). The second lets gates take what their inputs ask for where that is known: what
 // has become known in the end is so in every order, once all gates have had their time. Both take
 // as many steps as there are gates, where going through the orders may take exponentially many.
 //
@@ -15,6 +14,8 @@
 
 #include <algorithm>
 
+#include "settling/reach.h"
+
 namespace grafwire {
 
 namespace {
@@ -22,44 +23,21 @@ namespace {
 class TwoPasses {
   public:
     TwoPasses(const Circuit& circuit, const CircuitState& start)
-        : circuit_(circuit), state_(start), becomes_unclear_(circuit.netlist().cells.size()) {}
+        : circuit_(circuit), reach_(circuit), state_(start) {}
 
     CircuitState make() {
-        spread();
+        std::vector<std::uint32_t> excited;
+        for (const CellAction& action : circuit_.actions(state_)) excited.push_back(action.cell);
+        reach_.make(state_, excited, std::vector<std::uint8_t>(circuit_.netlist().cells.size()));
+        state_ = reach_.state();
         settle();
         return std::move(state_);
     }
 
   private:
-    Logic shown(std::uint32_t cell) const { return state_.values[index_of(circuit_.output(cell))]; }
-
-    /// A net can have either value; what timers and pulse cells make of it is not known.
-    void make_unknown(std::uint32_t cell) {
-        const NetId net = circuit_.output(cell);
-        state_.values[index_of(net)] = Logic::unknown;
-        for (const std::uint32_t reader : circuit_.readers(net)) {
-            const CellType type = circuit_.type(reader);
-            if (type == CellType::timer || is_pulse(type)) becomes_unclear_[reader] = 1;
-            waiting_.push_back(reader);
-        }
-    }
-
-    void spread() {
-        waiting_ = circuit_.cells();
-        std::vector<CellAction> actions;
-        while (!waiting_.empty()) {
-            const std::uint32_t cell = waiting_.back();
-            waiting_.pop_back();
-            if (shown(cell) == Logic::unknown) continue;
-            actions.clear();
-            circuit_.append_actions(state_, cell, actions);
-            if (!actions.empty() || becomes_unclear_[cell] != 0) make_unknown(cell);
-        }
-    }
-
     void settle() {
         for (const std::uint32_t cell : circuit_.cells()) {
-            if (becomes_unclear_[cell] != 0) {
+            if (reach_.is_unclear(cell)) {
                 circuit_.lose(cell, state_);
             } else {
                 circuit_.finish_pulse(cell, state_);
@@ -70,7 +48,7 @@ class TwoPasses {
             const std::uint32_t cell = waiting_.back();
             waiting_.pop_back();
             const NetId net = circuit_.output(cell);
-            if (state_.values[index_of(net)] != Logic::unknown || becomes_unclear_[cell] != 0) {
+            if (state_.values[index_of(net)] != Logic::unknown || reach_.is_unclear(cell)) {
                 continue;
             }
             const Logic asked = circuit_.asked(state_, cell);
@@ -82,9 +60,8 @@ class TwoPasses {
     }
 
     const Circuit& circuit_;
+    Reach reach_;
     CircuitState state_;
-    /// Per timer and pulse cell, 1 where its input has become unknown on the way.
-    std::vector<std::uint8_t> becomes_unclear_;
     std::vector<std::uint32_t> waiting_;
 };
 

@@ -9,6 +9,7 @@
 #include "random/random_grafcet.h"
 #include "random/read_text.h"
 #include "simulate/simulate.h"
+#include "support/small_netlist.h"
 #include "support/small_netlists.h"
 #include "support/styles.h"
 
@@ -192,6 +193,26 @@ TEST_CASE("delays: random charts; a difference replays, an equivalence is not co
     }
     CHECK(differences > 10);
     CHECK(equivalences > 3);
+}
+
+TEST_CASE("delays: a memory that moves by itself at power-up leaves the verdict open") {
+    const Grafcet grafcet = grafcet_of(std::string("assume /AUdur\nassume /AUdoux") + alone);
+    SmallNetlist small;
+    small.input("a");
+    small.input("Init");
+    small.cell(CellType::high, "X0", {});
+    small.cell(CellType::buffer, "q", {"Init"});
+    small.cell(CellType::inverter, "not_q", {"q"});
+    small.cell(CellType::or_gate, "either", {"q", "not_q"});
+    small.cell(CellType::and_gate, "v", {"a", "either"});
+    small.output("X0");
+    small.output("v");
+    small.netlist.step_count = 1;
+    small.netlist.has_modes = true;
+    CHECK(checked(grafcet, small.netlist, "any").verdict == Verdict::equivalent);
+    small.starts_at("q", false);
+    CHECK(checked(grafcet, small.netlist, "unit").verdict == Verdict::equivalent);
+    CHECK(checked(grafcet, small.netlist, "any").verdict == Verdict::undecided);
 }
 
 }  // namespace grafwire::testing

@@ -193,8 +193,8 @@ TEST_CASE("many inputs at once: as well, or undecided") {
         rest_of_text(equivalent_and({Verdict::equivalent, {}, {}, false, ""}), Language::french) ==
         "\nRemarque : cela reste vrai quand plusieurs entrées changent à la fois.\n");
     CHECK(rest_of_text(equivalent_and({})) ==
-          "\nRemark: whether it holds as well when many inputs change at once is undecided within "
-          "the bounds given.\n");
+          "\nRemark: whether it holds as well when many inputs change at once is undecided; "
+          "--changes many asks for it.\n");
 }
 
 TEST_CASE("many inputs at once: what must not change together") {

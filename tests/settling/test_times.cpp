@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "random/random_cases.h"
 #include "random_gates.h"
 #include "settling/any_order.h"
 #include "settling/cell_bands.h"
@@ -92,7 +93,7 @@ TEST_CASE("times: whatever delays within the bounds, a simulation ends where it 
     std::mt19937 random(5);
     int races = 0;
     int tried = 0;
-    for (int number = 0; number < 600; ++number) {
+    for (std::size_t number = 0; number < case_count(600); ++number) {
         CAPTURE(number);
         const std::size_t gates = 3 + random() % 6;
         const Netlist netlist = random_gates(random, gates);
@@ -127,6 +128,6 @@ TEST_CASE("times: whatever delays within the bounds, a simulation ends where it 
             CHECK((end ? can_rest(found, *end) : can_swing));
         }
     }
-    CHECK(races > 15);
-    CHECK(tried > 5000);
+    CHECK(races > 0);
+    CHECK(tried > 0);
 }
