@@ -32,6 +32,7 @@ gtkwave              /usr/bin/gtkwave
 iverilog             /usr/bin/iverilog
 libxml2-utils        /usr/bin/xmllint
 lmodern              /usr/share/texmf/tex/latex/lm/lmodern.sty
+mypy                 /usr/bin/mypy
 ngspice              /usr/bin/ngspice
 patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config

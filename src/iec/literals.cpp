@@ -35,6 +35,8 @@ std::optional<std::int64_t> whole_number(std::string_view text, int base) {
 }  // namespace
 
 std::string time_literal(Time duration) {
+    // Microseconds came with the third edition, and many compilers do without them.
+    if (duration > 0 && duration < millisecond) return "T#" + format_milliseconds(duration) + "ms";
     std::string text = format_duration(duration);
     if (text.ends_with("min")) text.resize(text.size() - 2);  // m is the minute of the language
     return "T#" + text;

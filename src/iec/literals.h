@@ -10,7 +10,7 @@
 namespace grafwire::iec {
 
 /// `T#5m`, `T#1.5s`: exactly the duration, in one unit, which may have a fraction
-/// (section 2.2.3.1); `T#250us` below a millisecond (3rd edition).
+/// (section 2.2.3.1); `T#0.25ms` below a millisecond.
 std::string time_literal(Time duration);
 
 /// `T#1m30s500ms`, `TIME#1.5s`, `t#250us`; underscores are skipped. Empty where the text is none,

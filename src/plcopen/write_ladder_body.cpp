@@ -155,6 +155,8 @@ void RungBody::input(pugi::xml_node inputs, std::string_view name, Point corner,
     Body::inlet(parameter(inputs, name), corner, at, {source});
 }
 
+/// EN and ENO, as the standard has a function either with both or with neither (IEC 61131-3, 3rd
+/// edition, 6.6.1.6); a reader may take EN alone for the first operand.
 Outlet RungBody::comparison(const ladder::Power& power, const Outlets& sources) {
     const ladder::Drawing::Symbol& symbol = layout_.symbols[next_symbol_++];
     const Point in = wire_at(symbol.x - symbol.width / 2, symbol.y);
@@ -166,8 +168,10 @@ Outlet RungBody::comparison(const ladder::Power& power, const Outlets& sources) 
     input(inputs, "IN1", corner, 1, power.left);
     input(inputs, "IN2", corner, 2, power.right);
     block.append_child("inOutVariables");
-    const Point out{corner.x + box_width, in.y};
-    Body::outlet(parameter(block.append_child("outputVariables"), "OUT"), corner, out);
+    pugi::xml_node outputs = block.append_child("outputVariables");
+    Body::outlet(parameter(outputs, "ENO"), corner, {corner.x + box_width, in.y});
+    const Point out{corner.x + box_width, in.y + row_height};
+    Body::outlet(parameter(outputs, "OUT"), corner, out);
     return {Body::id_of(block), "OUT", out};
 }
 

@@ -30,7 +30,8 @@ TEST_CASE("literals of IEC 61131-3") {
     CHECK(time_literal(0) == "T#0s");
     CHECK(time_literal(5 * minute) == "T#5m");
     CHECK(time_literal(90 * second + 500 * millisecond) == "T#90.5s");
-    CHECK(time_literal(250 * microsecond) == "T#250us");
+    CHECK(time_literal(250 * microsecond) == "T#0.25ms");
+    CHECK(time_literal(nanosecond) == "T#0.000001ms");
     for (const Time time : {Time{0}, 90 * second, 3 * hour + millisecond, 250 * microsecond}) {
         CHECK(parse_time_literal(time_literal(time)) == time);
     }

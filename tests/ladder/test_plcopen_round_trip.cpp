@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <pugixml.hpp>
 
 #include "evolution/run.h"
 #include "ladder/draw/write_drawings.h"
@@ -69,6 +70,30 @@ TEST_CASE("PLCopen XML read back is the reference, on the examples") {
         CAPTURE(example.name);
         CHECK(compare(example.chart, example.stimuli) == "");
     }
+}
+
+TEST_CASE("a function has EN and ENO, or neither") {
+    std::size_t functions = 0;
+    for (const ChartFiles& example : example_charts()) {
+        CAPTURE(example.name);
+        const auto grafcet = read_grafcet(example.chart);
+        Diagnostics diagnostics;
+        const ladder::Ladder ladder =
+            ladder::ladder_from(*grafcet, program_from(*grafcet, {}), diagnostics);
+        pugi::xml_document document;
+        REQUIRE(document.load_string(plcopen::write_project(*grafcet, ladder).c_str()));
+        for (const pugi::xpath_node& found : document.select_nodes("//block")) {
+            const pugi::xml_node block = found.node();
+            const auto has = [&](const char* list, const char* name) {
+                return !block.child(list)
+                            .find_child_by_attribute("variable", "formalParameter", name)
+                            .empty();
+            };
+            CHECK(has("inputVariables", "EN") == has("outputVariables", "ENO"));
+            functions += has("inputVariables", "EN") ? 1 : 0;
+        }
+    }
+    CHECK(functions > 0);
 }
 
 TEST_CASE("what is read back is drawn as what was written") {

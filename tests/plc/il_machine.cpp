@@ -1,5 +1,6 @@
 // Instruction List: an instruction a line. The current result has the type of what was loaded; an
-// open parenthesis puts it aside together with the operator.
+// open parenthesis puts it aside together with the operator. What matiec is known to refuse or to
+// get wrong is refused: arrays, a parenthesis within a parenthesis, a CAL with arguments.
 
 #include "plc/il_machine.h"
 
@@ -14,17 +15,16 @@ namespace grafwire::testing {
 namespace {
 
 struct Operand {
-    enum class Kind { none, literal, boolean, variable, element, field };
+    enum class Kind { none, literal, boolean, time, variable, field };
     Kind kind = Kind::none;
-    std::string name;   ///< of a variable, an array, a timer
-    std::string index;  ///< of an element: a variable; or a field
+    std::string name;   ///< of a variable, a timer
+    std::string field;  ///< of a timer
     std::int64_t value = 0;
 };
 
 struct Instruction {
     std::string operation;  ///< in lower case; "(" belongs to it: `and(`
     Operand operand;
-    Time pt = 0;  ///< of a CAL
     std::size_t line = 0;
 };
 
@@ -43,6 +43,16 @@ class IlMachine : public IecMachine {
         }
     }
 
+    /// The steps are the section after that of vars and counters.
+    bool step(std::uint32_t index) const override {
+        std::size_t to_skip = grafcet_.vars.size() + grafcet_.counters.size() > 0 ? 1 : 0;
+        for (const auto& [kind, names] : block_.sections) {
+            if (kind != "var" || to_skip-- > 0) continue;
+            return block_.variables.at(names.at(index)).values.front() != 0;
+        }
+        throw PlcError(0, "no steps");
+    }
+
     void scan(Time now) override {
         now_ = now;
         result_.reset();
@@ -57,7 +67,6 @@ class IlMachine : public IecMachine {
   private:
     void read_line(IecTokenCursor& cursor);
     Operand read_operand(IecTokenCursor& cursor, std::size_t line);
-    void read_call(IecTokenCursor& cursor, Instruction& instruction);
 
     std::size_t execute(std::size_t at);
     void execute_store(const Instruction& instruction);
@@ -78,6 +87,8 @@ class IlMachine : public IecMachine {
     std::optional<IecValue> result_;
     std::vector<std::pair<std::string, IecValue>> aside_;
     std::map<std::string, bool> timer_inputs_;
+    std::map<std::string, Time> timer_delays_;
+    bool is_open_ = false;  ///< a parenthesis, while the text is read
     Time now_ = 0;
 };
 
@@ -93,6 +104,7 @@ void IlMachine::read_line(IecTokenCursor& cursor) {
     const auto ends = [&] { return cursor.peek().line != instruction.line; };
     if (cursor.accept(")")) {
         instruction.operation = ")";
+        is_open_ = false;
     } else {
         instruction.operation = cursor.identifier();
         if (!ends() && cursor.accept(":")) {
@@ -105,10 +117,13 @@ void IlMachine::read_line(IecTokenCursor& cursor) {
             return;
         }
         if (instruction.operation == "cal") {
-            read_call(cursor, instruction);
+            instruction.operand.name = cursor.identifier();
+            block_.timer_output(instruction.operand.name, instruction.line);
         } else if (!ends() && cursor.accept("(")) {
             if (with_parenthesis.count(instruction.operation) == 0)
                 cursor.fail("parenthesis after");
+            if (is_open_) throw PlcError(instruction.line, "a parenthesis within a parenthesis");
+            is_open_ = true;
             instruction.operation += "(";
         } else if (with_operand.count(instruction.operation) != 0) {
             if (ends()) throw PlcError(instruction.line, "an operand is missing");
@@ -129,32 +144,21 @@ Operand IlMachine::read_operand(IecTokenCursor& cursor, std::size_t line) {
         operand.value = negative ? -cursor.integer() : cursor.integer();
         return operand;
     }
+    if (cursor.peek().kind == IecToken::Kind::time) {
+        operand.kind = Operand::Kind::time;
+        operand.value = cursor.take().value;
+        return operand;
+    }
     operand.name = cursor.identifier();
     operand.kind = Operand::Kind::variable;
     if (operand.name == "true" || operand.name == "false") {
         operand.kind = Operand::Kind::boolean;
         operand.value = operand.name == "true" ? 1 : 0;
-    } else if (cursor.peek().line == line && cursor.accept("[")) {
-        operand.kind = Operand::Kind::element;
-        operand.index = cursor.identifier();
-        cursor.expect("]");
     } else if (cursor.peek().line == line && cursor.accept(".")) {
         operand.kind = Operand::Kind::field;
-        operand.index = cursor.identifier();
+        operand.field = cursor.identifier();
     }
     return operand;
-}
-
-/// CAL timer(PT := T#5s).
-void IlMachine::read_call(IecTokenCursor& cursor, Instruction& instruction) {
-    instruction.operand.name = cursor.identifier();
-    block_.timer_output(instruction.operand.name, instruction.line);
-    cursor.expect("(");
-    cursor.expect("pt");
-    cursor.expect(":=");
-    if (cursor.peek().kind != IecToken::Kind::time) cursor.fail("expected a time");
-    instruction.pt = cursor.take().value;
-    cursor.expect(")");
 }
 
 IecValue IlMachine::value(const Operand& operand, std::size_t line) {
@@ -165,12 +169,10 @@ IecValue IlMachine::value(const Operand& operand, std::size_t line) {
             return {IecType::boolean, operand.value};
         case Operand::Kind::variable:
             return block_.load(operand.name, nullptr, line);
-        case Operand::Kind::element: {
-            const IecValue index = block_.load(operand.index, nullptr, line);
-            return block_.load(operand.name, &index, line);
-        }
+        case Operand::Kind::time:
+            return {IecType::time, operand.value};
         case Operand::Kind::field:
-            if (operand.index != "q") throw PlcError(line, "only Q is read");
+            if (operand.field != "q") throw PlcError(line, "only Q is read");
             return {IecType::boolean, block_.timer_output(operand.name, line) ? 1 : 0};
         case Operand::Kind::none:
             break;
@@ -215,14 +217,15 @@ void IlMachine::execute_store(const Instruction& instruction) {
         stored.value = instruction.operation == "stn" ? !holds : instruction.operation == "s";
     }
     if (operand.kind == Operand::Kind::field) {
-        if (operand.index != "in") throw PlcError(line, "only IN is written");
         block_.timer_output(operand.name, line);
-        timer_inputs_[operand.name] = boolean(stored, line);
+        if (operand.field == "in") {
+            timer_inputs_[operand.name] = boolean(stored, line);
+            return;
+        }
+        if (operand.field != "pt") throw PlcError(line, "only IN and PT are written");
+        if (stored.type != IecType::time) throw PlcError(line, "expected a TIME");
+        timer_delays_[operand.name] = stored.value;
         return;
-    }
-    if (operand.kind == Operand::Kind::element) {
-        const IecValue index = block_.load(operand.index, nullptr, line);
-        return block_.store(operand.name, &index, stored, line);
     }
     if (operand.kind != Operand::Kind::variable) throw PlcError(line, "a constant is written");
     block_.store(operand.name, nullptr, stored, line);
@@ -247,7 +250,7 @@ std::size_t IlMachine::execute(std::size_t at) {
         }
     } else if (operation == "cal") {
         block_.call_timer(instruction.operand.name, timer_inputs_[instruction.operand.name],
-                          instruction.pt, now_, line);
+                          timer_delays_[instruction.operand.name], now_, line);
     } else if (operation.back() == '(') {
         aside_.emplace_back(operation.substr(0, operation.size() - 1), result(line));
         result_.reset();

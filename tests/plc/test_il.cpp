@@ -46,28 +46,28 @@ graph G {
     };
     has(R"(
 (* (0) 1 -> 2 : /(a./b).[c + 1 < 9 - c] + 2s/a *)
+    LD    c
+    ADD   1
+    LT(
+      LD    9
+      SUB   c
+    )
+    ST    part_0
     LD    a
     ANDN  b
     NOT
-    AND(
-      LD    c
-      ADD   1
-      LT(
-        LD    9
-        SUB   c
-      )
-    )
+    AND   part_0
     OR    on_2s_a.Q
-    ST    Tt[T0]
+    ST    T0
 )");
     has(R"(
-    LD    Ts[X1]
-    AND   Tt[T0]
-    S     Ta[X2]
-    S     Td[X1]
+    LD    X1
+    AND   T0
+    S     Ta_X2
+    S     Td_X1
 )");
     has(R"(
-    LD    Tpulse[X2]
+    LD    Tpulse_X2
     JMPCN kept
     LD    c
     ADD   1
@@ -78,7 +78,9 @@ kept:
     has(R"(
     LD    a
     ST    on_2s_a.IN
-    CAL   on_2s_a(PT := T#2s)
+    LD    T#2s
+    ST    on_2s_a.PT
+    CAL   on_2s_a
 )");
 }
 
@@ -88,12 +90,12 @@ TEST_CASE("Instruction List: the interpreter refuses what is not in the language
     const auto run = [&](const std::string& body) {
         const std::string text =
             "FUNCTION_BLOCK b\nVAR_INPUT\na : BOOL;\nEND_VAR\nVAR\nc : INT;\nd : BOOL;\n"
-            "Ts : ARRAY[0..0] OF BOOL;\nt : TON;\nEND_VAR\n" +
+            "t : TON;\nEND_VAR\n" +
             body + "\nEND_FUNCTION_BLOCK\n";
         il_machine(text, *grafcet)->scan(0);
     };
-    CHECK_NOTHROW(run(
-        "LD c\nADD 1\nGT 0\nAND(\nLDN a\n)\nST d\nS Ts[c]\nJMPC over\nCAL t(PT := T#1s)\nover:"));
+    CHECK_NOTHROW(
+        run("LD c\nADD 1\nGT 0\nAND(\nLDN a\n)\nST d\nJMPC over\nLD T#1s\nST t.PT\nCAL t\nover:"));
     for (const char* wrong : {"AND a",
                               "LD a AND d",
                               "LD a\nAND(\nLD d",
@@ -106,14 +108,16 @@ TEST_CASE("Instruction List: the interpreter refuses what is not in the language
                               "JMP nowhere",
                               "LD a\nLD(\nd\n)",
                               "LD a\nNOP",
-                              "LD TRUE\nST Ts",
+                              "LD a\nAND(\nLD d\nOR(\nLD a\nAND d\n)\n)",
                               "LD t",
-                              "CAL d(PT := T#1s)",
+                              "CAL d",
+                              "CAL t(PT := T#1s)",
+                              "LD 1\nST t.PT",
+                              "LD T#1s\nST t.IN",
                               "LD a\nST t.Q",
                               "LD a;",
                               "again:\nJMP again",
-                              "x:\nLD a\nx:",
-                              "LD 1\nST Ts[d]"}) {
+                              "x:\nLD a\nx:"}) {
         CHECK_THROWS_AS_MESSAGE(run(wrong), PlcError, wrong);
     }
 }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "evolution/run.h"
 #include "plc/compile.h"
 #include "plc/run_language.h"
@@ -25,6 +27,22 @@ std::vector<std::string> run_python(const Grafcet& grafcet, const ScanProgram& p
 
 TEST_CASE("a program in Python is the reference") {
     check_language(run_python, 950'000, 200);
+}
+
+TEST_CASE("the examples in Python pass a type checker") {
+    const ScratchFolder folder;
+    std::vector<std::string> command = {"mypy", "--no-error-summary", "--cache-dir=/dev/null"};
+    for (const std::string& name : example_names()) {
+        const auto grafcet = read_grafcet(example_case(name).chart);
+        REQUIRE(grafcet);
+        std::string file = name + ".py";
+        std::replace(file.begin(), file.end(), '-', '_');
+        command.push_back(
+            folder.file(file, written("python", *grafcet, program_from(*grafcet, {}))));
+    }
+    const Ran ran = run_program(command);
+    CHECK(ran.status == 0);
+    CHECK(ran.out + ran.err == "");
 }
 
 TEST_CASE("no name of a chart is the encoding of its program in Python") {

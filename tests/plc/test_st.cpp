@@ -52,7 +52,7 @@ graph G {
     has("(* (0) 1 -> 2 : ↑v . 250us/(v + \"V+\") *)\nTt[T0] := rise_v AND on_250us_1.Q;\n");
     has("IF Ts[X1] AND Tt[T0] THEN\n    Ta[X2] := TRUE;\n    Td[X1] := TRUE;\nEND_IF;\n");
     has("IF Tpulse[X2] THEN\n    c := LIMIT(0, c + 1, 9);\nEND_IF;\n");
-    has("on_250us_1(IN := v OR V_plus, PT := T#250us);\n");
+    has("on_250us_1(IN := v OR V_plus, PT := T#0.25ms);\n");
     has("on_2min_V_plus_1_5s(IN := V_plus AND NOT time_2min_V_plus_1_5s, PT := T#2m);\n"
         "off_2min_V_plus_1_5s(IN := NOT V_plus AND time_2min_V_plus_1_5s, PT := T#1.5s);\n");
     CHECK(text.find("Init") == std::string::npos);

@@ -84,6 +84,7 @@ class PascalProgram {
     // The scan.
     void write_section(SectionKind section);
     void write_scratch(SectionKind section);
+    void clear_unwritten_vars();
     void write_scan();
     void write(const Statement& statement);
     std::vector<std::string> actions_of(const Statement& statement) const;
@@ -288,9 +289,25 @@ void PascalProgram::write_section(SectionKind section) {
     write_scratch(section);
     out_.line("begin");
     out_.indent();
+    if (section == SectionKind::start) clear_unwritten_vars();
     for (const Statement& statement : program_.section(section)) write(statement);
     out_.outdent();
     out_.line("end;");
+}
+
+/// Free Pascal warns of a record that is read and nowhere assigned.
+void PascalProgram::clear_unwritten_vars() {
+    std::vector<bool> written(grafcet_.vars.size(), false);
+    for (const std::vector<Statement>& section : program_.sections) {
+        for (const Statement& statement : section) {
+            for (const Bit bit : statement.targets) {
+                if (bit.kind == BitKind::var) written[bit.index] = true;
+            }
+        }
+    }
+    for (std::uint32_t v = 0; v < grafcet_.vars.size(); ++v) {
+        if (!written[v]) out_.line(fmt::format("{} := False;", name(Bit{BitKind::var, v})));
+    }
 }
 
 /// What holds a value within this section only.

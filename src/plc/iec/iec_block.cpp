@@ -1,8 +1,10 @@
 // The function block that a program in a textual language of IEC 61131-3 is: the names of
 // everything in it, and its declarations.
 //
-// The standard knows no words of bits with names, so a table is an array and a step its index in
-// it; and it does not tell small from capital letters, so all names share one list.
+// The standard knows no words of bits with names. In Structured Text a table is an array and a step
+// its index in it; in Instruction List it is a variable a step, since compilers get subscripts
+// wrong there that are no numbers. Small and capital letters are the same, so all names share one
+// list.
 
 #include "plc/iec/iec_block.h"
 
@@ -45,11 +47,12 @@ IecTimer iec_timer_for(Time on_delay, Time off_delay) {
     return off_delay == 0 ? IecTimer::ton : IecTimer::latch;
 }
 
-IecNames::IecNames(const Grafcet& grafcet, const ScanProgram& program,
+IecNames::IecNames(const Grafcet& grafcet, const ScanProgram& program, IecTables tables,
                    bool (*is_reserved)(std::string_view))
-    : grafcet_(grafcet), program_(program), names_(false, is_reserved) {
+    : grafcet_(grafcet), program_(program), form_(tables), names_(false, is_reserved) {
     claim_interface();
     claim_tables();
+    if (form_ == IecTables::bits) claim_bits_of_tables();
     claim_edges();
     claim_times();
     for (std::uint32_t i = 0; i < program.scratch_bits; ++i) {
@@ -86,12 +89,14 @@ void IecNames::claim_interface() {
 }
 
 void IecNames::claim_tables() {
-    for (std::size_t kind = 0; kind < bit_kind_count; ++kind) {
-        const std::string_view word = array_name(static_cast<BitKind>(kind));
-        if (!word.empty()) tables_[kind] = names_.claim(word);
+    if (form_ == IecTables::arrays) {
+        for (std::size_t kind = 0; kind < bit_kind_count; ++kind) {
+            const std::string_view word = array_name(static_cast<BitKind>(kind));
+            if (!word.empty()) tables_[kind] = names_.claim(word);
+        }
+        any = names_.claim("i");
     }
     started = names_.claim("started");
-    any = names_.claim("i");
     for (const Step& step : grafcet_.steps) {
         steps_.push_back(claim("X" + step.name, "X" + step.name));
     }
@@ -102,6 +107,30 @@ void IecNames::claim_tables() {
     }
     if (!uses(program_, BitKind::may_evolve)) return;
     for (const Graph& graph : grafcet_.graphs) graphs_.push_back(claim(graph.name));
+}
+
+void IecNames::claim_bits_of_tables() {
+    names_of(BitKind::step) = steps_;
+    names_of(BitKind::transition) = transitions_;
+    const auto claim_all = [&](BitKind kind, const std::vector<std::string>& owners) {
+        for (const std::string& owner : owners) {
+            names_of(kind).push_back(names_.claim(fmt::format("{}_{}", array_name(kind), owner)));
+        }
+    };
+    for (const BitKind kind : {BitKind::previous, BitKind::activate, BitKind::deactivate}) {
+        claim_all(kind, steps_);
+    }
+    if (uses(program_, BitKind::pulse)) claim_all(BitKind::pulse, steps_);
+    if (has_forcing(program_)) {
+        claim_all(BitKind::forced_on, steps_);
+        claim_all(BitKind::forced_off, steps_);
+    }
+    claim_all(BitKind::may_evolve, graphs_);
+}
+
+void IecNames::add_auxiliary() {
+    const std::string wanted = fmt::format("part_{}", auxiliary_count());
+    names_of(BitKind::auxiliary).push_back(names_.claim(wanted));
 }
 
 std::string IecNames::operand_word(ExprId operand, std::size_t number) const {
@@ -181,8 +210,12 @@ class IecDeclarations {
         text_ += fmt::format("FUNCTION_BLOCK {}\n", names_.block);
         write_interface();
         write_chart_variables();
-        write_indices();
-        write_tables();
+        if (names_.tables() == IecTables::arrays) {
+            write_indices();
+            write_tables();
+        } else {
+            write_bits_of_tables();
+        }
         write_edges_and_times();
         return std::move(text_);
     }
@@ -193,6 +226,7 @@ class IecDeclarations {
     void write_chart_variables();
     void write_indices();
     void write_tables();
+    void write_bits_of_tables();
     void write_edges_and_times();
 
     /// A block of declarations is written when it has any.
@@ -311,6 +345,33 @@ void IecDeclarations::write_tables() {
     end();
 }
 
+void IecDeclarations::write_bits_of_tables() {
+    const auto declare_all = [&](BitKind kind, std::size_t size, const Message<>& comment) {
+        begin("VAR", comment);
+        for (std::uint32_t i = 0; i < size; ++i) declare(names_.of({kind, i}), "BOOL");
+        end();
+    };
+    const std::size_t steps = grafcet_.steps.size();
+    declare_all(BitKind::step, steps, say::steps);
+    declare_all(BitKind::previous, steps, say::steps_before);
+    declare_all(BitKind::activate, steps, say::to_activate);
+    declare_all(BitKind::deactivate, steps, say::to_deactivate);
+    if (uses(program_, BitKind::pulse)) {
+        declare_all(BitKind::pulse, steps, say::just_activated);
+    }
+    if (has_forcing(program_)) {
+        declare_all(BitKind::forced_on, steps, say::forced_on);
+        declare_all(BitKind::forced_off, steps, say::forced_off);
+    }
+    declare_all(BitKind::transition, grafcet_.transitions.size(), say::transition_conditions);
+    if (uses(program_, BitKind::may_evolve)) {
+        declare_all(BitKind::may_evolve, grafcet_.graphs.size(), say::graphs);
+    }
+    begin("VAR");
+    declare(names_.started, "BOOL", say::started);
+    end();
+}
+
 void IecDeclarations::write_edges_and_times() {
     const Expressions& pool = grafcet_.expressions;
     const auto written = [&](ExprId id) { return write_expression(grafcet_, pool, id); };
@@ -335,6 +396,9 @@ void IecDeclarations::write_edges_and_times() {
     }
     for (std::uint32_t i = 0; i < program_.scratch_bits; ++i) {
         declare(names_.of({BitKind::scratch, i}), "BOOL");
+    }
+    for (std::uint32_t i = 0; i < names_.auxiliary_count(); ++i) {
+        declare(names_.of({BitKind::auxiliary, i}), "BOOL");
     }
     for (std::uint32_t i = 0; i < program_.scratch_integers; ++i) {
         declare(names_.of(IntegerCell{true, i}), integer_);

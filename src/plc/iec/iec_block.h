@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,18 +24,24 @@ enum class IecTimer {
 };
 IecTimer iec_timer_for(Time on_delay, Time off_delay);
 
-/// The names of a program in the textual languages of IEC 61131-3. A table is an array, a step its
-/// index in it: `Ts[X10]` is the X of step 10, `Ta[X10]` says that it is to be activated. Names do
-/// not depend on case there, and have no double underscores.
+/// What the tables of the method are made of.
+enum class IecTables {
+    arrays,  ///< `Ts[X10]` is the X of step 10, `Ta[X10]` says that it is to be activated
+    bits,    ///< a variable each: `X10`, `Ta_X10`
+};
+
+/// The names of a program in the textual languages of IEC 61131-3. They do not depend on case
+/// there, and have no double underscores.
 class IecNames {
   public:
     /// `is_reserved` is asked in lower case whether a word is one of the language.
-    IecNames(const Grafcet& grafcet, const ScanProgram& program,
+    IecNames(const Grafcet& grafcet, const ScanProgram& program, IecTables tables,
              bool (*is_reserved)(std::string_view));
 
     std::string of(Bit bit) const;
     std::string of(IntegerCell cell) const;
-    /// The array of a table of steps, transitions or graphs.
+    IecTables tables() const { return form_; }
+    /// The array of a table of steps, transitions or graphs; empty where it is none.
     const std::string& table(BitKind kind) const { return tables_[static_cast<std::size_t>(kind)]; }
     /// The index of a step, transition or graph in its tables.
     const std::string& index_of(Bit bit) const;
@@ -44,10 +51,16 @@ class IecNames {
 
     /// A name that nothing has yet, for a label.
     std::string new_label(std::string_view wanted) { return names_.claim(wanted); }
+    /// One bit more that holds part of a condition, BitKind::auxiliary.
+    void add_auxiliary();
+    std::uint32_t auxiliary_count() const {
+        return static_cast<std::uint32_t>(
+            bits_[static_cast<std::size_t>(BitKind::auxiliary)].size());
+    }
 
     std::string block;    ///< the function block itself
     std::string started;  ///< 1 after the first scan
-    std::string any;      ///< the variable that runs through a table
+    std::string any;      ///< the variable that runs through a table; of arrays
 
     /// Names that are not those of the chart, each with what it stands for there.
     const std::vector<std::pair<std::string, std::string>>& changed() const { return changed_; }
@@ -60,6 +73,7 @@ class IecNames {
     }
     void claim_interface();
     void claim_tables();
+    void claim_bits_of_tables();
     void claim_edges();
     void claim_times();
     /// `m` for an operand that is one variable, else the number.
@@ -67,9 +81,10 @@ class IecNames {
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
+    IecTables form_;
     SafeNames names_;
     std::array<std::string, bit_kind_count> tables_;
-    std::array<std::vector<std::string>, bit_kind_count> bits_;  ///< that are in no table
+    std::array<std::vector<std::string>, bit_kind_count> bits_;  ///< that are in no array
     std::vector<std::string> steps_, transitions_, graphs_;
     std::vector<std::string> on_timers_, off_timers_;
     std::vector<std::string> counters_, scratch_integers_;

@@ -2,7 +2,11 @@
 //
 // A condition is worked out in the current result, operand by operand in the order written; only
 // what is compound and not first stands in parentheses. Set and reset act where the result is 1, so
-// a transition is its conditions and then one line per step. Loops and conditional moves jump.
+// a transition is its conditions and then one line per step. Conditional moves jump.
+//
+// Compilers differ in how much of the language they have. None of the following is written: arrays,
+// a parenthesis within a parenthesis (what is deeper is worked out beforehand into a bit of its
+// own), a call with arguments.
 
 #include <fmt/format.h>
 
@@ -28,26 +32,29 @@ class IlWriter {
           program_(program),
           options_(options),
           language_(options.language),
-          names_(grafcet, program, iec::is_il_keyword) {}
+          names_(grafcet, program, IecTables::bits, iec::is_il_keyword) {}
 
     std::string write(Diagnostics& diagnostics) {
-        text_ = iec_declarations(grafcet_, program_, names_, messages::plc_iec::instruction_list(),
-                                 options_, diagnostics);
-        if (diagnostics.has_errors()) return {};
+        // First what is executed: it says how many auxiliary bits there are to declare.
         for (std::size_t s = 0; s < section_count; ++s) write_section(static_cast<SectionKind>(s));
-        text_ += "\nEND_FUNCTION_BLOCK\n";
-        return std::move(text_);
+        const std::string declarations =
+            iec_declarations(grafcet_, program_, names_, messages::plc_iec::instruction_list(),
+                             options_, diagnostics);
+        if (diagnostics.has_errors()) return {};
+        return declarations + text_ + "\nEND_FUNCTION_BLOCK\n";
     }
 
   private:
     void write_section(SectionKind kind);
     void write_statement(const Statement& statement);
-    void write_table_loop(std::span<const Statement> statements);
-    void write_table_formula(TableOperation operation);
+    void write_table(const Statement& statement);
     void write_move(const Statement& statement);
     void write_time(const Statement& statement);
 
     void load(const Condition& condition);
+    void load_flat(const Condition& condition);
+    Condition flat(Condition condition, bool in_parentheses);
+    Condition aside(Condition condition);
     void combine(std::string_view operation, const Condition& operand);
     void compare(const Comparison& comparison);
     void load(const Sum& sum);
@@ -61,9 +68,6 @@ class IlWriter {
                                  : fmt::format("{}{:<5} {}\n", indent, operation, operand);
     }
     void op(std::string_view operation, Bit bit) { op(operation, names_.of(bit)); }
-    std::string at(BitKind kind) const {
-        return fmt::format("{}[{}]", names_.table(kind), names_.any);
-    }
 
     const Grafcet& grafcet_;
     ScanProgram program_;
@@ -71,7 +75,8 @@ class IlWriter {
     Language language_;
     IecNames names_;
     std::string text_;
-    std::size_t depth_ = 0;  ///< of parentheses
+    std::size_t depth_ = 0;          ///< of parentheses
+    std::uint32_t auxiliaries_ = 0;  ///< taken by the statement so far
 };
 
 std::string IlWriter::text(const SumTerm& term) const {
@@ -115,12 +120,47 @@ void IlWriter::combine(std::string_view operation, const Condition& operand) {
     if (inner.kind == Condition::Kind::bit) return op(modified, inner.bit);
     op(modified + "(");
     ++depth_;
-    load(inner);
+    load_flat(inner);
     --depth_;
     op(")");
 }
 
+/// An auxiliary bit that has been given the value of a condition.
+Condition IlWriter::aside(Condition condition) {
+    load_flat(flat(std::move(condition), false));
+    const Bit bit{BitKind::auxiliary, auxiliaries_++};
+    if (bit.index == names_.auxiliary_count()) names_.add_auxiliary();
+    op("ST", bit);
+    return bit_condition(bit);
+}
+
+/// The condition with auxiliary bits where it would open a parenthesis within a parenthesis.
+Condition IlWriter::flat(Condition condition, bool in_parentheses) {
+    if (condition.kind == Condition::Kind::comparison) {
+        const Sum& right = condition.comparison.right;
+        const bool opens = right.size() > 1 || right.front().negative;
+        return opens && in_parentheses ? aside(std::move(condition)) : condition;
+    }
+    for (Condition& operand : condition.operands) {
+        // The first one is loaded, and opens no parenthesis of its own.
+        if (&operand == condition.operands.data()) {
+            operand = flat(std::move(operand), in_parentheses);
+            continue;
+        }
+        Condition& inner =
+            operand.kind == Condition::Kind::negation ? operand.operands.front() : operand;
+        if (inner.kind == Condition::Kind::bit) continue;
+        inner = in_parentheses ? aside(std::move(inner)) : flat(std::move(inner), true);
+    }
+    return condition;
+}
+
 void IlWriter::load(const Condition& condition) {
+    auxiliaries_ = 0;
+    load_flat(flat(condition, false));
+}
+
+void IlWriter::load_flat(const Condition& condition) {
     const char* operation = "XOR";
     switch (condition.kind) {
         case Condition::Kind::constant:
@@ -131,7 +171,7 @@ void IlWriter::load(const Condition& condition) {
             if (condition.operands.front().kind == Condition::Kind::bit) {
                 return op("LDN", condition.operands.front().bit);
             }
-            load(condition.operands.front());
+            load_flat(condition.operands.front());
             return op("NOT");
         case Condition::Kind::comparison:
             return compare(condition.comparison);
@@ -144,7 +184,7 @@ void IlWriter::load(const Condition& condition) {
         case Condition::Kind::exclusive_or:
             break;
     }
-    load(condition.operands.front());
+    load_flat(condition.operands.front());
     for (const Condition& operand : std::span(condition.operands).subspan(1)) {
         combine(operation, operand);
     }
@@ -163,67 +203,24 @@ void IlWriter::write_section(SectionKind kind) {
         op("LD", "TRUE");
         op("ST", names_.started);
     }
-    for (std::size_t at = 0; at < statements.size();) {
-        std::size_t end = at;
-        while (end < statements.size() && statements[end].kind == Statement::Kind::table) ++end;
-        if (end > at) {
-            write_table_loop(std::span(statements).subspan(at, end - at));
-            at = end;
-        } else {
-            write_statement(statements[at++]);
-        }
-    }
+    for (const Statement& statement : statements) write_statement(statement);
     if (kind == SectionKind::start) label(after_start);
 }
 
-/// Whole-table operations that follow each other share one loop.
-void IlWriter::write_table_loop(std::span<const Statement> statements) {
-    const std::size_t steps = grafcet_.steps.size();
-    if (steps == 0) return;
-    const std::string loop = names_.new_label("each_step");
-    for (const Statement& statement : statements) comment(statement.comment.in(language_));
-    op("LD", "0");
-    op("ST", names_.any);
-    label(loop);
-    for (const Statement& statement : statements) write_table_formula(statement.operation);
-    op("LD", names_.any);
-    op("ADD", "1");
-    op("ST", names_.any);
-    op("LE", fmt::format("{}", steps - 1));
-    op("JMPC", loop);
-}
-
-void IlWriter::write_table_formula(TableOperation operation) {
-    switch (operation) {
-        case TableOperation::remember:
-            op("LD", at(BitKind::step));
-            op("ST", at(BitKind::previous));
-            break;
-        case TableOperation::clear:
-            op("LD", "FALSE");
-            op("ST", at(BitKind::activate));
-            op("ST", at(BitKind::deactivate));
-            if (!has_forcing(program_)) break;
-            op("ST", at(BitKind::forced_on));
-            op("ST", at(BitKind::forced_off));
-            break;
-        case TableOperation::evolve:
-            op("LD", at(BitKind::previous));
-            op("ANDN", at(BitKind::deactivate));
-            op("OR", at(BitKind::activate));
-            op("ST", at(BitKind::step));
-            break;
-        case TableOperation::force:
-            op("LD", at(BitKind::step));
-            op("ANDN", at(BitKind::forced_off));
-            op("OR", at(BitKind::forced_on));
-            op("ST", at(BitKind::step));
-            break;
-        case TableOperation::pulse:
-            op("LD", at(BitKind::step));
-            op("ANDN", at(BitKind::previous));
-            op("ST", at(BitKind::pulse));
-            break;
+/// A whole-table operation, step by step.
+void IlWriter::write_table(const Statement& statement) {
+    if (grafcet_.steps.size() == 0) return;
+    for (const Statement& single : expand_tables(grafcet_, statement)) {
+        load(single.condition);
+        if (single.kind == Statement::Kind::assign) {
+            op("ST", single.targets.front());
+            continue;
+        }
+        for (const Bit bit : single.targets) {
+            const bool is_forced =
+                bit.kind == BitKind::forced_on || bit.kind == BitKind::forced_off;
+            if (!is_forced || has_forcing(program_)) op("R", bit);
+        }
     }
 }
 
@@ -252,7 +249,9 @@ void IlWriter::write_time(const Statement& statement) {
     const auto call = [&](const std::string& timer, const Condition& input, Time delay) {
         load(input);
         op("ST", timer + ".IN");
-        op("CAL", fmt::format("{}(PT := {})", timer, iec::time_literal(delay)));
+        op("LD", iec::time_literal(delay));
+        op("ST", timer + ".PT");
+        op("CAL", timer);
     };
     switch (iec_timer_for(statement.on_delay, statement.off_delay)) {
         case IecTimer::copy:
@@ -301,6 +300,7 @@ void IlWriter::write_statement(const Statement& statement) {
             write_time(statement);
             break;
         case Statement::Kind::table:
+            write_table(statement);
             break;
     }
 }

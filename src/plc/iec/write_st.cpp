@@ -42,7 +42,7 @@ class StWriter {
           program_(program),
           options_(options),
           language_(options.language),
-          names_(grafcet, program, iec::is_keyword),
+          names_(grafcet, program, IecTables::arrays, iec::is_keyword),
           conditions_(
               spelling, [this](Bit bit) { return names_.of(bit); },
               [this](IntegerCell cell) { return names_.of(cell); }) {}

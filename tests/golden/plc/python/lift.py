@@ -297,6 +297,6 @@ def run(lines, out):
 
 
 if __name__ == "__main__":
-    sys.stdin.reconfigure(encoding="utf-8")
-    sys.stdout.reconfigure(encoding="utf-8", newline="\n")
-    run(sys.stdin, sys.stdout)
+    with open(0, encoding="utf-8", closefd=False) as scans:
+        with open(1, "w", encoding="utf-8", newline="\n", closefd=False) as trace:
+            run(scans, trace)
