@@ -60,8 +60,14 @@ std::string write_ladder_svg(const Grafcet& grafcet, const ScanProgram& program,
 std::string write_plcopen(const Grafcet& grafcet, const ScanProgram& program,
                           const PlcOptions& options, Diagnostics& diagnostics) {
     return ladder_of(grafcet, program, options, diagnostics, [&](const ladder::Ladder& ladder) {
-        return plcopen::write_project(grafcet, ladder, options.language);
+        return plcopen::write_ladder_project(ladder, options.language);
     });
+}
+
+std::string write_sfc(const Grafcet& grafcet, const ScanProgram& program, const PlcOptions& options,
+                      Diagnostics&) {
+    return plcopen::write_sfc_project(grafcet,
+                                      {program.has_modes, options.made_by, options.language});
 }
 
 std::optional<s7::AssignedListing> listing(const Grafcet& grafcet, const ScanProgram& program,
@@ -116,9 +122,14 @@ constexpr PlcFormat table[] = {
      write_pl7},
     {"plcopen",
      ".xml",
-     {"ladder diagram and SFC, as a project (PLCopen TC6 XML 2.01)",
-      "schéma à contacts et SFC, en projet (PLCopen TC6 XML 2.01)"},
+     {"ladder diagram, as a project (PLCopen TC6 XML 2.01)",
+      "schéma à contacts, en projet (PLCopen TC6 XML 2.01)"},
      write_plcopen},
+    {"sfc",
+     ".xml",
+     {"sequential function chart (SFC), as a project (PLCopen TC6 XML 2.01)",
+      "diagramme fonctionnel en séquence (SFC), en projet (PLCopen TC6 XML 2.01)"},
+     write_sfc},
     {"s7-200",
      ".awl",
      {"instruction list of the table method (SIMATIC S7-200)",

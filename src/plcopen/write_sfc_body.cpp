@@ -10,6 +10,7 @@
 #include "plcopen/bodies.h"
 #include "sfc/actions.h"
 #include "sfc/layout.h"
+#include "sfc/messages.h"
 #include "sfc/remarks.h"
 #include "sfc/structured_text.h"
 
@@ -21,6 +22,7 @@ constexpr int column_width = 280;
 constexpr int level_height = 180;
 constexpr int step_width = 70;
 constexpr int step_height = 40;
+constexpr int observer_height = 100;  ///< with what is left free below it
 
 /// An element of the chart: where it is, and what comes out of it below.
 struct Cell {
@@ -76,18 +78,17 @@ class SfcBody {
           layout_(sfc::layout_of(chart_)),
           body_(body) {}
 
-    /// The observer's action stands last: actions are executed in the order of the file.
+    /// The observer stands last, and so does its action: actions are executed in the order of the
+    /// file, and a compiler knows the flag of a step only below it.
     void write() {
-        if (plan_.has_observer()) make_observer();
+        if (plan_.has_observer()) top_ += observer_height;
         make_elements();
         for (std::uint32_t s = 0; s < chart_.step_count(); ++s) connect_step(StepId{s});
         for (std::uint32_t t = 0; t < chart_.transition_count(); ++t) {
             connect_transition(TransitionId{t});
         }
         write_remarks();
-        if (plan_.has_observer()) {
-            write_actions(observer_, {{"N", "", "", observer_text(plan_, names_, language_)}});
-        }
+        if (plan_.has_observer()) write_observer();
     }
 
   private:
@@ -99,7 +100,7 @@ class SfcBody {
     int column_of(TransitionId id) const { return middle_of(layout_.transitions[index_of(id)]).x; }
     void make_elements();
     void make_transition(TransitionId id);
-    void make_observer();
+    void write_observer();
     void write_actions(const Cell& step, const std::vector<sfc::ActionBlockEntry>& actions);
     void connect_step(StepId id);
     void connect_transition(TransitionId id);
@@ -110,6 +111,9 @@ class SfcBody {
                             const std::vector<int>& ends, bool named_outlets);
     void write_remarks();
     std::vector<sfc::Layout::Link> joined(StepId id) const;
+    /// The transitions that hang on the selection below a step. Those with other steps before them
+    /// as well hang on the step itself: tools know no bar of a selection above a bar that joins.
+    std::vector<TransitionId> selected_after(StepId id) const;
     /// What a transition or step at column x hangs on: what is before it, or the bar below that.
     Outlet out_of(StepId id, int x) const;
     Outlet out_of(TransitionId id, int x) const;
@@ -122,10 +126,9 @@ class SfcBody {
     sfc::Layout layout_;
     Body body_;
     int top_ = 60;  ///< of the first level
-    Cell observer_;
     std::vector<Cell> steps_;
     std::vector<Cell> transitions_;
-    std::map<StepId, Cell> selections_;    ///< below steps with several transitions
+    std::map<StepId, Cell> selections_;    ///< below steps with several transitions of their own
     std::map<StepId, Cell> convergences_;  ///< above steps that several transitions lead to
     std::map<TransitionId, Cell> splits_;  ///< below transitions with several following steps
     std::map<TransitionId, Cell> joins_;   ///< above those with several preceding ones
@@ -145,6 +148,14 @@ std::vector<sfc::Layout::Link> SfcBody::joined(StepId id) const {
     return links;
 }
 
+std::vector<TransitionId> SfcBody::selected_after(StepId id) const {
+    std::vector<TransitionId> selected;
+    for (const TransitionId next : layout_.out_of[index_of(id)]) {
+        if (chart_.preceding(next).size() == 1) selected.push_back(next);
+    }
+    return selected;
+}
+
 Cell SfcBody::make_bar(const char* name, std::vector<int> ends, int y, int thickness) {
     const auto [left, right] = std::minmax_element(ends.begin(), ends.end());
     constexpr int overhang = 10;
@@ -162,7 +173,7 @@ void SfcBody::make_elements() {
         steps_.push_back(step);
         std::vector<int> below{middle.x};
         std::vector<int> above{middle.x};
-        for (const TransitionId next : layout_.out_of[s]) below.push_back(column_of(next));
+        for (const TransitionId next : selected_after(id)) below.push_back(column_of(next));
         for (const sfc::Layout::Link& link : joined(id))
             above.push_back(column_of(link.transition));
         if (below.size() > 2) {
@@ -243,13 +254,15 @@ void SfcBody::connect_step(StepId id) {
     }
     if (!sources.empty()) Body::inlet(cell.node, cell.corner, cell.above(), sources);
     Body::outlet(cell.node, cell.corner, cell.below().at, true);
-    const std::vector<sfc::ActionBlockEntry> actions =
-        sfc::actions_of(plan_, names_, id, language_);
+    const std::vector<sfc::ActionBlockEntry> actions = sfc::actions_of(plan_, names_, id);
     if (!actions.empty()) write_actions(cell, actions);
+    const std::string notes = sfc::notes_of(plan_, names_, id, language_);
+    pugi::xml_node node = cell.node;
+    if (!notes.empty()) add_text(node.append_child("documentation"), notes);
     const auto selection = selections_.find(id);
     if (selection == selections_.end()) return;
     std::vector<int> ends;
-    for (const TransitionId next : layout_.out_of[index_of(id)]) ends.push_back(column_of(next));
+    for (const TransitionId next : selected_after(id)) ends.push_back(column_of(next));
     connect_bar(selection->second, {cell.below()}, ends, true);
 }
 
@@ -259,8 +272,8 @@ void SfcBody::connect_transition(TransitionId id) {
     std::vector<Outlet> sources;
     const auto join = joins_.find(id);
     for (const StepId step : chart_.preceding(id)) {
-        const bool is_joined = join != joins_.end() && selections_.count(step) == 0;
-        sources.push_back(out_of(step, is_joined ? column_of(step) : x));
+        const bool is_joined = join != joins_.end();
+        sources.push_back(is_joined ? steps_[index_of(step)].below() : out_of(step, x));
     }
     if (join != joins_.end()) {
         connect_bar(join->second, sources, {x}, false);
@@ -288,22 +301,30 @@ void SfcBody::connect_transition(TransitionId id) {
 
 void SfcBody::write_condition(TransitionId id) {
     const Grafcet& grafcet = *plan_.grafcet;
-    const Transition& transition = grafcet.transitions[id];
     pugi::xml_node node = transitions_[index_of(id)].node;
     pugi::xml_node condition = node.append_child("condition").append_child("inline");
     condition.append_attribute("name") = "";
-    add_text(condition.append_child("ST"), text_.expression(transition.condition));
-    add_text(node.append_child("documentation"),
+    pugi::xml_node text = condition.append_child("ST");
+    pugi::xml_node documentation = node.append_child("documentation");
+    if (index_of(id) >= grafcet.transitions.size()) {
+        const std::string& step = names_.steps[index_of(chart_.following(id).front())];
+        add_text(text, "FALSE");
+        return add_text(documentation, messages::sfc::not_reached.in(language_, step));
+    }
+    const Transition& transition = grafcet.transitions[id];
+    add_text(text, text_.expression(transition.condition, sfc::reading_before_evolution));
+    add_text(documentation,
              fmt::format("({}) {}", quoted_where_needed(transition.name),
                          write_expression(grafcet, grafcet.expressions, transition.condition)));
 }
 
-void SfcBody::make_observer() {
-    observer_ = make("step", {140, top_ - 40}, step_width, step_height);
-    top_ += step_height + 60;
-    observer_.node.append_attribute("name") = names_.observer.c_str();
-    observer_.node.append_attribute("initialStep") = true;
-    Body::outlet(observer_.node, observer_.corner, observer_.below().at, true);
+/// Above the chart on paper.
+void SfcBody::write_observer() {
+    Cell observer = make("step", {140, 20}, step_width, step_height);
+    observer.node.append_attribute("name") = names_.observer.c_str();
+    observer.node.append_attribute("initialStep") = true;
+    Body::outlet(observer.node, observer.corner, observer.below().at, true);
+    write_actions(observer, {{"N", "", "", observer_text(plan_, names_, language_)}});
 }
 
 /// An action block to the right of a step.

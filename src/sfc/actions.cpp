@@ -39,13 +39,8 @@ std::string between(const std::string& condition, const std::string& statements)
 
 class ActionsOfStep {
   public:
-    ActionsOfStep(const Plan& plan, const Names& names, StepId step, Language language)
-        : plan_(plan),
-          grafcet_(*plan.grafcet),
-          names_(names),
-          text_(plan, names),
-          step_(step),
-          language_(language) {}
+    ActionsOfStep(const Plan& plan, const Names& names, StepId step)
+        : plan_(plan), grafcet_(*plan.grafcet), names_(names), text_(plan, names), step_(step) {}
 
     std::vector<ActionBlockEntry> make() {
         const Step& step = grafcet_.steps[step_];
@@ -72,7 +67,6 @@ class ActionsOfStep {
     const Names& names_;
     StructuredText text_;
     StepId step_;
-    Language language_;
     std::vector<ActionBlockEntry> actions_;
     // Statements, each with its line end.
     std::string deactivation_;
@@ -84,15 +78,6 @@ void ActionsOfStep::add_continuous(const Action& action, Form form) {
     const std::string& output = action.kind == ActionKind::held
                                     ? names_.vars[index_of(action.var)]
                                     : names_.outputs[index_of(action.output)];
-    if (form == Form::observed) {
-        const std::string comment =
-            action.expression == no_expr
-                ? say::assigned_elsewhere.in(language_, output, names_.observer)
-                : say::assigned_elsewhere_if.in(
-                      language_, output, text_.expression(action.expression), names_.observer);
-        actions_.push_back({"N", "", "", fmt::format("(* {} *)", comment)});
-        return;
-    }
     if (form == Form::non_stored) {
         actions_.push_back({"N", "", output, ""});
         return;
@@ -107,7 +92,7 @@ void ActionsOfStep::add_continuous(const Action& action, Form form) {
 void ActionsOfStep::add(const Action& action) {
     const std::size_t index = plan_.index_of_action(action);
     const Form form = plan_.forms[index];
-    if (form == Form::beyond) return;
+    if (form == Form::beyond || form == Form::observed || plan_.deferred[index]) return;
     if (action.kind == ActionKind::continuous || action.kind == ActionKind::held) {
         return add_continuous(action, form);
     }
@@ -135,6 +120,10 @@ class Observer {
           language_(language) {}
 
     std::string make() {
+        begin(say::deferred_actions);
+        for (const Trigger trigger : {Trigger::deactivation, Trigger::activation, Trigger::event}) {
+            execute_deferred(trigger);
+        }
         begin(say::times_for_next_scan);
         for (std::size_t i = 0; i < plan_.times.size(); ++i) {
             if (plan_.times[i]) time_condition(i);
@@ -162,6 +151,7 @@ class Observer {
     void assign(const std::string& name, const std::string& value) {
         add(fmt::format("{} := {};", name, value));
     }
+    void execute_deferred(Trigger trigger);
     void time_condition(std::size_t i);
     void assign_outputs();
 
@@ -173,6 +163,27 @@ class Observer {
     std::string text_so_far_;
     std::string heading_;
 };
+
+/// The stored actions of a trigger, where `observe` executes them.
+void Observer::execute_deferred(Trigger trigger) {
+    for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
+        const Action& action = grafcet_.actions[a];
+        if (!plan_.deferred[a] || action.trigger != trigger) continue;
+        const Reading reading = plan_.reading_of(a);
+        const std::string now = names_.steps[index_of(action.step)] + ".X";
+        std::string condition = now;
+        if (trigger == Trigger::event) {
+            condition += " AND " + text_.expression(action.expression, reading, true);
+        } else {
+            const Variable step{VariableKind::step, static_cast<std::uint32_t>(action.step)};
+            const std::string& then = names_.copies.at(step);
+            condition = trigger == Trigger::activation ? fmt::format("{} AND NOT {}", now, then)
+                                                       : fmt::format("NOT {} AND {}", now, then);
+        }
+        add(fmt::format("IF {} THEN {} END_IF;", condition,
+                        text_.statement(action.write, reading)));
+    }
+}
 
 void Observer::time_condition(std::size_t i) {
     const Expressions& pool = grafcet_.expressions;
@@ -216,10 +227,32 @@ void Observer::assign_outputs() {
 
 }  // namespace
 
-std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
-                                         Language language) {
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step) {
     if (index_of(step) >= plan.grafcet->steps.size()) return {};
-    return ActionsOfStep(plan, names, step, language).make();
+    return ActionsOfStep(plan, names, step).make();
+}
+
+std::string notes_of(const Plan& plan, const Names& names, StepId step, Language language) {
+    const Grafcet& grafcet = *plan.grafcet;
+    if (index_of(step) >= grafcet.steps.size()) return {};
+    const StructuredText text(plan, names);
+    std::string notes;
+    for (const Action& action : grafcet.actions_of(grafcet.steps[step])) {
+        const std::size_t index = plan.index_of_action(action);
+        if (plan.forms[index] != Form::observed && !plan.deferred[index]) continue;
+        const std::string target =
+            action.kind == ActionKind::held         ? names.vars[index_of(action.var)]
+            : action.kind == ActionKind::continuous ? names.outputs[index_of(action.output)]
+                                                    : text.variable(action.write.target);
+        const bool is_conditional =
+            action.kind != ActionKind::stored && action.expression != no_expr;
+        if (!notes.empty()) notes += '\n';
+        notes += is_conditional
+                     ? say::assigned_elsewhere_if.in(
+                           language, target, text.expression(action.expression), names.observer)
+                     : say::assigned_elsewhere.in(language, target, names.observer);
+    }
+    return notes;
 }
 
 std::string observer_text(const Plan& plan, const Names& names, Language language) {

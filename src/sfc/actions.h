@@ -17,10 +17,11 @@ struct ActionBlockEntry {
     std::string statements;
 };
 
-/// The actions of a step, as far as SFC can express them; comments within statements are in the
-/// language.
-std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step,
-                                         Language language);
+/// The actions of a step, as far as SFC can express them.
+std::vector<ActionBlockEntry> actions_of(const Plan& plan, const Names& names, StepId step);
+
+/// What the step `observe` assigns for a step, a line each: `lamp if v: assigned by observe`.
+std::string notes_of(const Plan& plan, const Names& names, StepId step, Language language);
 
 /// The statements of the step `observe`, to be executed after all other actions of a scan; empty
 /// where there is nothing to observe. Comments are in the language.

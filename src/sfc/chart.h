@@ -14,11 +14,15 @@ namespace grafwire::sfc {
 /// - A source transition leaves a step that is always active: an initial one, which is also among
 ///   the steps that follow. Each has one of its own: two that shared one would be a selection.
 /// - A sink transition leads to a step that nothing leaves.
+/// - Steps that no initial one leads to, since orders activate them or nothing does, follow a step
+///   `idle` of their graph after a transition whose condition is FALSE: tools leave out what an
+///   initial step does not lead to.
 class Chart {
   public:
     explicit Chart(const Grafcet& grafcet);
 
-    /// The auxiliary steps have the numbers from Grafcet::steps.size() on.
+    /// The auxiliary steps have the numbers from Grafcet::steps.size() on, auxiliary transitions
+    /// those from Grafcet::transitions.size() on.
     std::size_t step_count() const { return initial_.size(); }
     std::size_t graph_count() const { return graphs_.size(); }
     std::size_t transition_count() const { return transitions_.size(); }
@@ -33,8 +37,10 @@ class Chart {
     }
 
     struct Auxiliary {
-        TransitionId transition{};  ///< that it stands before or after
-        bool is_source = false;
+        enum class Kind : std::uint8_t { source, end, idle };
+        Kind kind = Kind::source;
+        TransitionId transition{};  ///< that a source stands before, an end after
+        GraphId graph{};
     };
     const std::vector<Auxiliary>& auxiliaries() const { return auxiliaries_; }
 
@@ -43,7 +49,9 @@ class Chart {
         std::vector<StepId> preceding;
         std::vector<StepId> following;
     };
-    StepId add_step(TransitionId transition, GraphId graph, bool is_source);
+    StepId add_step(const Auxiliary& auxiliary);
+    void add_idle_steps();
+    void mark_reached(StepId first, std::vector<bool>& reached) const;
 
     std::vector<bool> initial_;
     std::vector<Links> transitions_;

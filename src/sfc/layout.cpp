@@ -2,6 +2,9 @@
 // (those that lead to a step on the way that the walk has come); they become jumps. The level of a
 // step is the length of the longest way to it without jumps, so that the branches of a selection or
 // of simultaneous sequences meet below all of them. A branch after the first opens a new column.
+//
+// The bar below a transition and the bar above a step must not touch: the standard has a step
+// between them, and tools fail without one. A jump parts them as well.
 
 #include "sfc/layout.h"
 
@@ -57,6 +60,7 @@ class Walk {
                 layout_.into[index_of(step)].push_back({id, step, is_jump(id, step)});
             }
         }
+        for (std::vector<Layout::Link>& links : layout_.into) part_bars(links);
     }
 
   private:
@@ -66,6 +70,15 @@ class Walk {
         std::size_t next = 0;  ///< of its successors
         std::vector<StepId> successors;
     };
+
+    /// Where several links meet, those of simultaneous sequences become jumps.
+    void part_bars(std::vector<Layout::Link>& links) {
+        const auto is_joined = [](const Layout::Link& link) { return !link.is_jump; };
+        if (std::count_if(links.begin(), links.end(), is_joined) < 2) return;
+        for (Layout::Link& link : links) {
+            if (chart_.following(link.transition).size() > 1) link.is_jump = true;
+        }
+    }
 
     void place(TransitionId id, int column) {
         layout_.transitions[index_of(id)].column = column;

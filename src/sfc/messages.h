@@ -9,16 +9,16 @@ namespace grafwire::messages::sfc {
 
 // Remarks: what the chart is, and where SFC differs from it.
 inline constexpr Message<> exact{
-    "The ladder diagram is the whole GRAFCET. This chart does without Init, AUdur and AUdoux; "
-    "otherwise it is the GRAFCET, scan for scan.",
-    "Le schéma à contacts est le GRAFCET complet. Ce SFC se passe de Init, AUdur et AUdoux ; pour "
-    "le reste, il est le GRAFCET, scrutation par scrutation."};
+    "This chart does without Init, AUdur and AUdoux; otherwise it is the GRAFCET, scan for scan. "
+    "The ladder diagram (--to plcopen) is the whole GRAFCET.",
+    "Ce SFC se passe de Init, AUdur et AUdoux ; pour le reste, il est le GRAFCET, scrutation par "
+    "scrutation. Le schéma à contacts (--to plcopen) est le GRAFCET complet."};
 inline constexpr Message<> almost_exact{
-    "The ladder diagram is the whole GRAFCET. This chart does without Init, AUdur and AUdoux; "
-    "otherwise it is the GRAFCET, scan for scan, but for what SFC cannot say:",
-    "Le schéma à contacts est le GRAFCET complet. Ce SFC se passe de Init, AUdur et AUdoux ; pour "
-    "le reste, il est le GRAFCET, scrutation par scrutation, sauf ce que le SFC ne sait pas "
-    "dire :"};
+    "The ladder diagram (--to plcopen) is the whole GRAFCET. This chart does without Init, AUdur "
+    "and AUdoux; otherwise it is the GRAFCET, scan for scan, but for what SFC cannot say:",
+    "Le schéma à contacts (--to plcopen) est le GRAFCET complet. Ce SFC se passe de Init, AUdur et "
+    "AUdoux ; pour le reste, il est le GRAFCET, scrutation par scrutation, sauf ce que le SFC ne "
+    "sait pas dire :"};
 inline constexpr Message<std::string> observer_comes_last{
     "The action of step {} is to be executed after all others of the scan, as it stands in this "
     "file: it prepares edges and time conditions for the next scan and assigns outputs.",
@@ -56,7 +56,11 @@ inline constexpr CountedMessage<std::string> initial_step_count{
      "le grafcet partiel {1} a ici {0} étapes initiales ; beaucoup d'outils en demandent "
      "exactement une"}};
 
-// Comments within actions.
+// Beside steps and transitions, and comments within actions.
+inline constexpr Message<std::string> not_reached{"no initial step leads to {}",
+                                                  "aucune étape initiale ne mène à {}"};
+inline constexpr Message<> deferred_actions{"Stored actions that read the situation",
+                                            "Actions mémorisées qui lisent la situation"};
 inline constexpr Message<std::string, std::string> assigned_elsewhere{"{}: assigned by {}",
                                                                       "{} : affecté par {}"};
 inline constexpr Message<std::string, std::string, std::string> assigned_elsewhere_if{

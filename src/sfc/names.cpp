@@ -71,8 +71,11 @@ void Namer::name_declared() {
 
 void Namer::name_auxiliaries() {
     for (const Chart::Auxiliary& auxiliary : plan_.chart.auxiliaries()) {
-        const std::string& transition = grafcet_.transitions[auxiliary.transition].name;
-        names_.steps.push_back(one((auxiliary.is_source ? "source_" : "end_") + transition));
+        const bool is_idle = auxiliary.kind == Chart::Auxiliary::Kind::idle;
+        const bool is_source = auxiliary.kind == Chart::Auxiliary::Kind::source;
+        names_.steps.push_back(is_idle ? one("idle_" + grafcet_.graphs[auxiliary.graph].name)
+                                       : one((is_source ? "source_" : "end_") +
+                                             grafcet_.transitions[auxiliary.transition].name));
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace grafwire::sfc {
 
@@ -20,7 +21,8 @@ namespace {
 
 class Planner {
   public:
-    explicit Planner(const Grafcet& grafcet) : grafcet_(grafcet), plan_(grafcet) {}
+    Planner(const Grafcet& grafcet, bool has_modes)
+        : grafcet_(grafcet), plan_(grafcet, has_modes) {}
 
     Plan make() {
         for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
@@ -35,6 +37,7 @@ class Planner {
         for (const auto& [output, actions] : drivers_) choose_continuous(output, actions);
         choose_stored();
         find_meetings();
+        defer_readers_of_steps();
         walk_all();
         return std::move(plan_);
     }
@@ -45,6 +48,7 @@ class Planner {
     void choose_stored();
     bool has_latch_form(const std::vector<std::size_t>& writers) const;
     void find_meetings();
+    void defer_readers_of_steps();
     bool meets_any(std::size_t action, const std::vector<std::size_t>& others) const;
     std::set<Variable> reads_of(const Action& action) const;
     void collect_reads(ExprId id, std::set<Variable>& reads) const;
@@ -55,7 +59,8 @@ class Planner {
     void walk(ExprId id, const Reading& reading);
     void walk(const Sum& sum, const Reading& reading);
     void walk(Variable variable, const Reading& reading) {
-        if (variable.kind == VariableKind::control) plan_.controls.insert(variable.index);
+        const bool is_control = variable.kind == VariableKind::control;
+        if (is_control && plan_.has_modes) plan_.controls.insert(variable.index);
         if (reading.is_copy(variable)) plan_.copies.insert(variable);
     }
 
@@ -199,6 +204,29 @@ void Planner::find_meetings() {
     for (const auto& [target, actions] : meetings) plan_.meetings.push_back({target, actions});
 }
 
+/// All actions of a step on one event are executed together.
+void Planner::defer_readers_of_steps() {
+    std::set<std::pair<StepId, Trigger>> readers;
+    for (const Action& action : grafcet_.actions) {
+        if (action.kind != ActionKind::stored) continue;
+        const Variable own{VariableKind::step, static_cast<std::uint32_t>(action.step)};
+        for (const Variable variable : reads_of(action)) {
+            if (!Reading::is_activity(variable.kind) || variable == own) continue;
+            readers.emplace(action.step, action.trigger);
+        }
+    }
+    for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
+        const Action& action = grafcet_.actions[a];
+        const Form form = plan_.forms[a];
+        if (form != Form::activation && form != Form::deactivation && form != Form::event) continue;
+        if (readers.count({action.step, action.trigger}) == 0) continue;
+        plan_.deferred[a] = true;
+        plan_.has_deferred = true;
+        if (form == Form::event) continue;
+        plan_.copies.insert({VariableKind::step, static_cast<std::uint32_t>(action.step)});
+    }
+}
+
 /// Whether an action can meet another one of a list in one scan.
 bool Planner::meets_any(std::size_t action, const std::vector<std::size_t>& others) const {
     return std::any_of(others.begin(), others.end(), [&](std::size_t other) {
@@ -246,7 +274,8 @@ void Planner::walk_stored(std::size_t a) {
     const Reading reading = plan_.reading_of(a);
     if (action.trigger == Trigger::event) walk(action.expression, reading);
     const bool is_initial = grafcet_.steps[action.step].initial;
-    if (action.trigger == Trigger::activation && is_initial) plan_.has_start_bit = true;
+    const bool is_pulse = action.trigger == Trigger::activation && !plan_.deferred[a];
+    if (is_pulse && is_initial) plan_.has_start_bit = true;
     if (action.write.operation != WriteOperation::assign) return;
     if (action.write.target.kind == VariableKind::counter) {
         walk(grafcet_.sums[action.write.sum], reading);
@@ -257,7 +286,7 @@ void Planner::walk_stored(std::size_t a) {
 
 void Planner::walk_all() {
     for (const Transition& transition : grafcet_.transitions) {
-        walk(transition.condition, Reading());
+        walk(transition.condition, reading_before_evolution);
     }
     for (std::size_t a = 0; a < grafcet_.actions.size(); ++a) {
         const Action& action = grafcet_.actions[a];
@@ -271,12 +300,12 @@ void Planner::walk_all() {
 }  // namespace
 
 bool Plan::has_observer() const {
-    return has_start_bit || has_held_vars || !observed_outputs.empty() || !copies.empty() ||
-           std::find(times.begin(), times.end(), true) != times.end();
+    return has_start_bit || has_deferred || has_held_vars || !observed_outputs.empty() ||
+           !copies.empty() || std::find(times.begin(), times.end(), true) != times.end();
 }
 
-Plan plan_of(const Grafcet& grafcet) {
-    return Planner(grafcet).make();
+Plan plan_of(const Grafcet& grafcet, bool has_modes) {
+    return Planner(grafcet, has_modes).make();
 }
 
 }  // namespace grafwire::sfc

@@ -29,41 +29,56 @@ enum class Form : std::uint8_t {
 struct Reading {
     bool at_start = false;
     const std::set<Variable>* copied = nullptr;  ///< these at the start in any case
+    bool copies_activity = false;                ///< steps, macro-steps and graphs likewise
 
     bool is_copy(Variable variable) const {
-        if (variable.kind == VariableKind::input || variable.kind == VariableKind::control) {
-            return false;
-        }
-        return at_start || (copied != nullptr && copied->count(variable) > 0);
+        const VariableKind kind = variable.kind;
+        if (kind == VariableKind::input || kind == VariableKind::control) return false;
+        return at_start || (copies_activity && is_activity(kind)) ||
+               (copied != nullptr && copied->count(variable) > 0);
+    }
+    static bool is_activity(VariableKind kind) {
+        return kind == VariableKind::step || kind == VariableKind::macro ||
+               kind == VariableKind::graph;
     }
 };
 inline constexpr Reading reading_at_start{true, nullptr};
+/// In transition conditions, which are read before anything has changed: there a copy says the same
+/// as the flag of a step, and compilers know a flag only below its step.
+inline constexpr Reading reading_before_evolution{false, nullptr, true};
 
 /// Everything that is decided before a sequential function chart of a GRAFCET is written.
 ///
 /// The chart has a step `observe` that is always active and whose action is executed last in each
 /// scan. It works out the time conditions, which the conditions of transitions see a scan later (as
 /// in the table method), assigns the outputs whose conditions no qualifier says, and keeps what the
-/// next scan compares with: the operands of edges, and copies of what these read.
+/// next scan compares with: the operands of edges, and copies of what these read. It also executes
+/// the stored actions that read whether other steps are active, for compilers know a step only
+/// below it, and `observe` stands below all of them.
 struct Plan {
     /// Nothing decided yet. The GRAFCET must outlive the plan.
-    explicit Plan(const Grafcet& of)
+    Plan(const Grafcet& of, bool with_modes)
         : grafcet(&of),
+          has_modes(with_modes),
           chart(of),
           exclusion(of),
           forms(of.actions.size(), Form::beyond),
           copied_reads(of.actions.size()),
+          deferred(of.actions.size(), false),
           edges(of.expressions.edges().size(), false),
           times(of.expressions.time_conditions().size(), false) {}
 
     const Grafcet* grafcet;
+    bool has_modes;  ///< where not, an expression that reads Init, AUdur or AUdoux reads 0
     Chart chart;
     Exclusion exclusion;
     std::vector<Form> forms;  ///< per action
     /// Per action: what a stored one reads although another one may write it in the same scan.
     std::vector<std::set<Variable>> copied_reads;
+    std::vector<bool> deferred;        ///< per action: a stored one that `observe` executes
     std::set<std::uint32_t> controls;  ///< those of Init, AUdur and AUdoux that anything reads
     std::set<OutputId> observed_outputs;
+    bool has_deferred = false;
     bool has_held_vars = false;  ///< vars that steps hold, which are assigned there as well
     std::vector<bool> edges;     ///< per edge: whether anything reads it
     std::vector<bool> times;     ///< per time condition: whether anything reads its bit
@@ -84,6 +99,6 @@ struct Plan {
     }
 };
 
-Plan plan_of(const Grafcet& grafcet);
+Plan plan_of(const Grafcet& grafcet, bool has_modes = true);
 
 }  // namespace grafwire::sfc

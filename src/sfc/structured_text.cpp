@@ -27,6 +27,7 @@ std::string StructuredText::variable(Variable variable, const Reading& reading) 
         case VariableKind::input:
             return names_.inputs[variable.index];
         case VariableKind::control:
+            if (!has_modes_) return "FALSE";
             return names_.inputs[grafcet_.inputs.size() + variable.index];
         case VariableKind::output:
             return names_.outputs[variable.index];

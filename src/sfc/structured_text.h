@@ -16,7 +16,8 @@ namespace grafwire::sfc {
 /// as it was when the scan began: so it is the same wherever in the scan it is read.
 class StructuredText {
   public:
-    StructuredText(const Plan& plan, const Names& names) : grafcet_(*plan.grafcet), names_(names) {}
+    StructuredText(const Plan& plan, const Names& names)
+        : grafcet_(*plan.grafcet), has_modes_(plan.has_modes), names_(names) {}
 
     /// With parentheses where another operator may stand beside it, if `as_operand`.
     std::string expression(ExprId id, const Reading& reading = {}, bool as_operand = false) const;
@@ -33,6 +34,7 @@ class StructuredText {
     std::string any_step(Range<StepId> steps) const;
 
     const Grafcet& grafcet_;
+    bool has_modes_;
     const Names& names_;
 };
 

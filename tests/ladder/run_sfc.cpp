@@ -15,15 +15,14 @@ WrittenSfc::WrittenSfc(const Grafcet& grafcet) {
     Diagnostics diagnostics;
     const ladder::Ladder ladder = ladder::ladder_from(grafcet, program, diagnostics);
     REQUIRE(!diagnostics.has_errors());
-    xml = plcopen::write_project(grafcet, ladder);
+    xml = plcopen::write_sfc_project(grafcet);
+    // Both have the same names.
     const std::vector<std::string> identifiers = plcopen::identifiers_of(ladder);
     for (std::size_t v = 0; v < ladder.declared; ++v) {
         names.emplace_back(ladder.variables[v].name, identifiers[v]);
     }
-    // The second program of the file.
-    const std::size_t first = xml.find("<pou name=\"");
-    const std::size_t second = xml.find("<pou name=\"", first + 1) + 11;
-    sfc = read_sfc(xml, xml.substr(second, xml.find('"', second) - second));
+    const std::size_t name = xml.find("<pou name=\"") + 11;
+    sfc = read_sfc(xml, xml.substr(name, xml.find('"', name) - name));
 }
 
 SfcRun run_sfc(const Grafcet& grafcet, const WrittenSfc& written, const SfcDialect& dialect,
@@ -42,7 +41,12 @@ SfcRun run_sfc(const Grafcet& grafcet, const WrittenSfc& written, const SfcDiale
             }
         }
         SfcScanReport report = machine.scan(now);
-        std::erase_if(report.meetings, [&](const auto& meeting) { return meeting.second == last; });
+        // The last action reads what others have written, as the file says.
+        for (SfcScanReport::Meeting& meeting : report.meetings) {
+            if (meeting.second == last) meeting.variables = meeting.written_by_both;
+        }
+        std::erase_if(report.meetings,
+                      [](const auto& meeting) { return meeting.variables.empty(); });
         if (!report.selections.empty() || !report.meetings.empty()) {
             run.left_open = report;
             return run;

@@ -100,7 +100,11 @@ SfcScanReport SfcMachine::scan(Time now) {
         for (std::size_t j = i + 1; j < executed.size(); ++j) {
             const auto variables = common(executed[i].access, executed[j].access);
             if (variables.empty()) continue;
-            report.meetings.push_back({executed[i].action, executed[j].action, variables});
+            std::set<std::string> both;
+            for (const std::string& name : executed[i].access.writes) {
+                if (executed[j].access.writes.count(name) > 0) both.insert(name);
+            }
+            report.meetings.push_back({executed[i].action, executed[j].action, variables, both});
         }
     }
     is_first_ = false;

@@ -29,6 +29,7 @@ struct SfcScanReport {
         std::size_t first = 0;
         std::size_t second = 0;
         std::set<std::string> variables;
+        std::set<std::string> written_by_both;
     };
     std::vector<Meeting> meetings;
 };

@@ -21,9 +21,8 @@ namespace grafwire::testing {
 namespace {
 
 /// Written and read back; the names of the chart are put back in place of the identifiers.
-std::optional<ladder::Ladder> there_and_back(const Grafcet& grafcet, const ladder::Ladder& ladder,
-                                             std::string& messages) {
-    const SourceFile source{"chart.xml", plcopen::write_project(grafcet, ladder)};
+std::optional<ladder::Ladder> there_and_back(const ladder::Ladder& ladder, std::string& messages) {
+    const SourceFile source{"chart.xml", plcopen::write_ladder_project(ladder)};
     Diagnostics diagnostics;
     auto read = plcopen::read_ladder(source, diagnostics, ladder.name);
     messages = format_diagnostics(diagnostics, source);
@@ -46,7 +45,7 @@ std::string compare(const std::string& chart, const std::string& stimuli_text) {
     Diagnostics diagnostics;
     const ladder::Ladder written = ladder::ladder_from(*grafcet, program, diagnostics);
     std::string messages;
-    const auto read = there_and_back(*grafcet, written, messages);
+    const auto read = there_and_back(written, messages);
     if (!read) return "not read back:\n" + messages;
     for (const Time period : {millisecond, 1500 * microsecond}) {
         const std::string expected = write_csv(run_scans(*grafcet, *stimuli, period).trace);
@@ -81,7 +80,7 @@ TEST_CASE("a function has EN and ENO, or neither") {
         const ladder::Ladder ladder =
             ladder::ladder_from(*grafcet, program_from(*grafcet, {}), diagnostics);
         pugi::xml_document document;
-        REQUIRE(document.load_string(plcopen::write_project(*grafcet, ladder).c_str()));
+        REQUIRE(document.load_string(plcopen::write_ladder_project(ladder).c_str()));
         for (const pugi::xpath_node& found : document.select_nodes("//block")) {
             const pugi::xml_node block = found.node();
             const auto has = [&](const char* list, const char* name) {
@@ -104,7 +103,7 @@ TEST_CASE("what is read back is drawn as what was written") {
         Diagnostics diagnostics;
         const ladder::Ladder written = ladder::ladder_from(*grafcet, program, diagnostics);
         std::string messages;
-        const auto read = there_and_back(*grafcet, written, messages);
+        const auto read = there_and_back(written, messages);
         REQUIRE_MESSAGE(read, messages);
         REQUIRE(read->rungs.size() == written.rungs.size());
         for (std::size_t r = 0; r < read->rungs.size(); ++r) {
@@ -136,8 +135,11 @@ TEST_CASE("PLCopen XML is valid under the schema of PLCopen") {
         const ScanProgram program = program_from(*grafcet, {});
         Diagnostics diagnostics;
         const std::string file = std::to_string(c) + ".xml";
-        tools.write(file, plcopen::write_project(
-                              *grafcet, ladder::ladder_from(*grafcet, program, diagnostics)));
+        tools.write(file, plcopen::write_ladder_project(
+                              ladder::ladder_from(*grafcet, program, diagnostics)));
+        const std::string sfc_file = std::to_string(c) + "-sfc.xml";
+        tools.write(sfc_file, plcopen::write_sfc_project(*grafcet));
+        command += " " + sfc_file;
         command += " " + file;
     }
     const auto result = tools.run(command);

@@ -254,7 +254,7 @@ TEST_CASE("damaged projects are refused or read, never worse") {
     Diagnostics none;
     const ScanProgram program = program_from(*grafcet, {});
     const std::string whole =
-        plcopen::write_project(*grafcet, ladder::ladder_from(*grafcet, program, none));
+        plcopen::write_ladder_project(ladder::ladder_from(*grafcet, program, none));
     RandomSource random(970'000);
     std::size_t refused = 0;
     for (std::size_t i = 0; i < 600; ++i) {

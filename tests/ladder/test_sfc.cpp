@@ -11,11 +11,13 @@
 #include "grafcet/write_grafcet.h"
 #include "ladder/run_sfc.h"
 #include "ladder/sequence_chart.h"
+#include "ladder/sfc_editor.h"
 #include "random/random_cases.h"
 #include "random/random_stimuli.h"
 #include "random/read_text.h"
 #include "sfc/remarks.h"
 #include "support/chart_files.h"
+#include "support/iec_grammar.h"
 
 namespace grafwire::testing {
 
@@ -113,6 +115,9 @@ std::string compare(const RandomCase& item, Counts& counts) {
     std::string at;
     try {
         const WrittenSfc written(*grafcet);
+        const std::string text = sfc_as_text(written.xml);
+        const std::string undeclared = undeclared_step_in(text);
+        if (!undeclared.empty()) return undeclared + " stands above its step\n" + text;
         if (written.sfc.comments.size() != remarks.size()) return "comments that are no remarks";
         for (std::size_t r = 0; r < remarks.size(); ++r) {
             if (written.sfc.comments[r] != remarks[r].text.english)
@@ -169,7 +174,24 @@ Counts check_random(const Features& features, std::uint64_t first_seed, std::siz
     return counts;
 }
 
+std::string misfit_of(const std::string& chart) {
+    const std::string text = sfc_as_text(WrittenSfc(*read_grafcet(chart)).xml);
+    const std::string misfit = misfit_in_iec(text, "sfc_program");
+    return misfit.empty() ? misfit : misfit + "\n" + text;
+}
+
 }  // namespace
+
+TEST_CASE("SFC: an editor makes a text of the standard of it") {
+    for (const ChartFiles& example : example_charts()) {
+        CAPTURE(example.name);
+        CHECK(misfit_of(example.chart) == "");
+    }
+    for (std::uint64_t seed = 995'000; seed < 995'060; ++seed) {
+        CAPTURE(seed);
+        CHECK(misfit_of(random_case(seed, Features(), 1).chart) == "");
+    }
+}
 
 TEST_CASE("SFC: the examples are the reference") {
     Counts counts;

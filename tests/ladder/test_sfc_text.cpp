@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "ladder/run_sfc.h"
+#include "ladder/sfc_editor.h"
+#include "plcopen/write_project.h"
 #include "random/read_text.h"
 #include "sfc/remarks.h"
 
@@ -34,6 +36,15 @@ struct Read {
             if (text.back() != '\n') text += "\n";
         }
         return text;
+    }
+    /// The documentation of a step.
+    std::string note(const std::string& step) const {
+        const std::size_t begin =
+            written.xml.find("name=\"" + step + "\"", written.xml.find("<SFC>"));
+        const std::string text =
+            written.xml.substr(begin, written.xml.find("</step>", begin) - begin);
+        const std::size_t from = text.find("<xhtml:p>") + 9;
+        return text.substr(from, text.find("</xhtml:p>") - from);
     }
     const std::string& condition(std::size_t transition) const {
         return written.sfc.transitions[transition].condition;
@@ -70,8 +81,10 @@ graph G {
     CHECK(chart.condition(0) == "started AND dcy AND NOT dcy_before");
     CHECK(chart.condition(1) == "n2s_X2 AND NOT v OR (started AND NOT X3_then AND X3_before)");
     CHECK(chart.condition(2) == "n1s_v_plus_k_2s");
-    CHECK(chart.actions("x1") == "N (* lamp: assigned by observe *)\n");
-    CHECK(chart.actions("x2") == "D 5s motor\nN (* lamp if v OR k: assigned by observe *)\n");
+    CHECK(chart.actions("x1") == "");
+    CHECK(chart.note("X1") == "lamp: assigned by observe");
+    CHECK(chart.actions("x2") == "D 5s motor\n");
+    CHECK(chart.note("X2") == "lamp if v OR k: assigned by observe");
     CHECK(chart.actions("x3") == "L 3s pump\n");
     CHECK(chart.actions("observe") == R"(N (* Time conditions, as the next scan sees them *)
 timer2(IN := X2.X, PT := T#2s);
@@ -89,12 +102,12 @@ X3_then := X3.X;
 started := TRUE;
 )");
     CHECK(chart.remarks(Kind::scope) ==
-          Texts{"The ladder diagram is the whole GRAFCET. This chart does without Init, AUdur and "
-                "AUdoux; otherwise it is the GRAFCET, scan for scan."});
+          Texts{"This chart does without Init, AUdur and AUdoux; otherwise it is the GRAFCET, scan "
+                "for scan. The ladder diagram (--to plcopen) is the whole GRAFCET."});
     CHECK(chart.remarks(Kind::observer).size() == 1);
     CHECK(chart.written.sfc.comments.size() == 2);
-    CHECK(chart.written.sfc.actions.back().step == 0);
-    CHECK(chart.written.sfc.steps[0].name == "observe");
+    CHECK(chart.written.sfc.actions.back().step == 3);
+    CHECK(chart.written.sfc.steps[3].name == "observe");
 }
 
 TEST_CASE("SFC text: stored actions") {
@@ -155,11 +168,11 @@ TEST_CASE("SFC text: D and L only for one delay of a step of a sequence") {
     };
     CHECK(actions("", "") == "D 5s lamp\n");
     CHECK(actions(" : lamp", "") == "D 5s lamp\n");
-    const std::string observed = "N (* lamp if n5s_X2: assigned by observe *)\n";
-    CHECK(actions(" : lamp if 3s/X3", "") == observed);
-    CHECK(actions(" : lamp if a", "") == observed);
-    CHECK(actions("", "  2 -> 2 : a\n") == observed);
-    CHECK(actions("", "  1, 2 -> 3 : a\n") == observed);
+    // Elsewhere the output is assigned by the step `observe`.
+    CHECK(actions(" : lamp if 3s/X3", "") == "");
+    CHECK(actions(" : lamp if a", "") == "");
+    CHECK(actions("", "  2 -> 2 : a\n") == "");
+    CHECK(actions("", "  1, 2 -> 3 : a\n") == "");
 }
 
 TEST_CASE("SFC text: source and sink transitions") {
@@ -207,10 +220,93 @@ graph K { step 7 }
           Texts{"m can be written by several actions in one scan (step 2 on activation; step 5 on "
                 "activation; step 6 on deactivation): the last one wins, and SFC leaves their "
                 "order open"});
-    CHECK(chart.remarks(Kind::initial_steps) ==
-          Texts{"graph K has 0 initial steps here; many tools ask for exactly one"});
+    CHECK(chart.remarks(Kind::initial_steps).empty());
     CHECK(chart.remarks(Kind::scope).front().find("but for what SFC cannot say:") !=
           std::string::npos);
+}
+
+TEST_CASE("SFC text: a jump parts the bar below a transition from the bar above a step") {
+    const Read chart(R"(
+input a, b
+output q
+graph G {
+  initial 1
+  step 2 : q
+  step 3
+  1 -> 2 : a
+  2 -> 1 : b
+  1 -> 3 : b
+  3 -> 2, 1 : a
+}
+)");
+    CHECK_NOTHROW(sfc_as_text(chart.written.xml));
+}
+
+TEST_CASE("SFC text: no selection above a bar that joins steps") {
+    const Read chart(R"(
+input a, b, c
+output q
+graph G {
+  initial 1
+  initial 2
+  step 3
+  1 -> 3 : a
+  1, 2 -> 3 : b
+  3 -> 1 : c
+  2 -> 1 : c
+}
+)");
+    CHECK(sfc_as_text(chart.written.xml).find("TRANSITION FROM (X1, X2) TO X3") !=
+          std::string::npos);
+}
+
+TEST_CASE("SFC text: steps that no initial one leads to follow a step of their own") {
+    const Read chart(
+        "input a\ngraph G {\n  initial 1\n  step 2 encloses K{7}\n  1 -> 2 : a\n}\n"
+        "graph K {\n  step 7\n  step 8\n  7 -> 8 : a\n}\n");
+    CHECK(sfc_as_text(chart.written.xml).find("TRANSITION FROM idle_K TO X7\n  := FALSE;") !=
+          std::string::npos);
+}
+
+TEST_CASE("SFC text: what reads other steps stands below all of them") {
+    const Read chart(R"(
+input a
+var m
+counter c : 0..9
+graph G {
+  initial 1 : m := X2 on deactivation
+  step 2 : c := c + 1 on a . X12, m := 0
+  1 -> 2 : a . X11
+  2 -> 1 : /a
+}
+graph H {
+  initial 11
+  step 12
+  11 -> 12 : /X2
+}
+)");
+    CHECK(chart.condition(0) == "a AND X11_then");
+    CHECK(chart.actions("x1") == "");
+    CHECK(chart.actions("x2") == "P1 m := FALSE;\n");
+    CHECK(chart.note("X2") == "c: assigned by observe");
+    CHECK(chart.actions("observe") == R"(N (* Stored actions that read the situation *)
+IF NOT X1.X AND X1_then THEN m := X2.X; END_IF;
+IF X2.X AND (a AND X12.X) THEN c := LIMIT(0, c + 1, 9); END_IF;
+(* What the next scan compares with *)
+X1_then := X1.X;
+X2_then := X2.X;
+X11_then := X11.X;
+)");
+}
+
+TEST_CASE("SFC text: without modes Init is 0") {
+    const Grafcet grafcet = Read::read("graph G {\n  initial 1\n  1 -> 1 : Init\n}\n");
+    const std::string with = plcopen::write_sfc_project(grafcet);
+    CHECK(with.find("<xhtml:p>Init</xhtml:p>") != std::string::npos);
+    CHECK(with.find("<variable name=\"Init\">") != std::string::npos);
+    const std::string without = plcopen::write_sfc_project(grafcet, {.modes = false});
+    CHECK(without.find("<xhtml:p>FALSE</xhtml:p>") != std::string::npos);
+    CHECK(without.find("<variable") == std::string::npos);
 }
 
 TEST_CASE("SFC text: transitions that evidently exclude each other are no matter of order") {

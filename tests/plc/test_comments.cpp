@@ -79,7 +79,7 @@ std::string comments_of(const std::string& language, const std::string& text) {
         return between(texts, ">", "\n");
     }
     if (language == "ladder") return between(text, "── ", " ──");
-    if (language == "plcopen") return between(text, "<xhtml:p>", "</xhtml:p>");
+    if (language == "plcopen" || language == "sfc") return between(text, "<xhtml:p>", "</xhtml:p>");
     if (language == "pl7-2") return text;
     return between(text, "//", "\n") + between(text, "TITLE = ", "\n");
 }

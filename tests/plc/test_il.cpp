@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "plc/check_grammar.h"
 #include "plc/il_machine.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
@@ -25,6 +26,10 @@ TEST_CASE("Instruction List: random charts run like the reference") {
                               {millisecond, 1500 * microsecond});
         },
         Features(), 940'000, 200);
+}
+
+TEST_CASE("Instruction List: programs are texts of the standard") {
+    CHECK(check_grammar(instruction_list, "il_block", 940'000) == "");
 }
 
 TEST_CASE("Instruction List: conditions, counters and times") {

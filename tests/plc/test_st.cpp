@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "plc/check_grammar.h"
 #include "plc/st_machine.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
@@ -25,6 +26,10 @@ TEST_CASE("Structured Text: random charts run like the reference") {
                               {millisecond, 1500 * microsecond});
         },
         Features(), 930'000, 200);
+}
+
+TEST_CASE("Structured Text: programs are texts of the standard") {
+    CHECK(check_grammar(structured_text, "st_block", 930'000) == "");
 }
 
 TEST_CASE("Structured Text: times, limits and names") {
