@@ -26,10 +26,14 @@ verilator            /usr/share/verilator/include/gtkwave/fstapi.c
 zlib1g-dev           /usr/include/zlib.h
 '
 packages_to_test='
+arduino-core-avr     /usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h
+avr-libc             /usr/lib/avr/include/avr/io.h
 doctest-dev          /usr/include/doctest/doctest.h
 fp-compiler          /usr/bin/fpc
+gcc-avr              /usr/bin/avr-g++
 gtkwave              /usr/bin/gtkwave
 iverilog             /usr/bin/iverilog
+libsimavr-dev        /usr/include/simavr/sim_avr.h
 libxml2-utils        /usr/bin/xmllint
 lmodern              /usr/share/texmf/tex/latex/lm/lmodern.sty
 mypy                 /usr/bin/mypy

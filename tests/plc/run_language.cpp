@@ -40,14 +40,15 @@ std::string heading_without_internals(const Grafcet& grafcet) {
 }
 
 std::string compare_with_reference(const RandomCase& item, const LanguageRunner& run,
-                                   bool with_internals, const ProgramOptions& options) {
+                                   bool with_internals, const ProgramOptions& options,
+                                   const std::vector<Time>& periods) {
     const auto grafcet = read_grafcet(item.chart);
     REQUIRE(grafcet);
     const auto stimuli = read_stimuli(item.stimuli, *grafcet);
     REQUIRE(stimuli);
     std::vector<std::string> scans;
     std::vector<std::string> expected;
-    for (const Time period : {10 * millisecond, 1500 * microsecond}) {
+    for (const Time period : periods) {
         const Trace trace = run_scans(*grafcet, *stimuli, period).trace;
         expected.push_back(
             write_csv(with_internals ? trace : first_columns(trace, external_columns(*grafcet))));

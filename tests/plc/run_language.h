@@ -7,6 +7,7 @@
 #include "plc/shared/plc_options.h"
 #include "program/program.h"
 #include "random/shrink.h"
+#include "text/time.h"
 
 namespace grafwire::testing {
 
@@ -16,10 +17,12 @@ namespace grafwire::testing {
 using LanguageRunner = std::function<std::vector<std::string>(
     const Grafcet& grafcet, const ScanProgram& program, const std::vector<std::string>& scans)>;
 
-/// The program of a case against the reference, over scans of two periods: what differs, or
+/// The program of a case against the reference, over scans of each period: what differs, or
 /// nothing. Without internals, the columns of vars and counters are left out.
 std::string compare_with_reference(const RandomCase& item, const LanguageRunner& run,
-                                   bool with_internals = true, const ProgramOptions& options = {});
+                                   bool with_internals = true, const ProgramOptions& options = {},
+                                   const std::vector<Time>& periods = {10 * millisecond,
+                                                                       1500 * microsecond});
 
 /// The heading of a trace without vars and counters, with its line end.
 std::string heading_without_internals(const Grafcet& grafcet);

@@ -144,7 +144,7 @@ std::string steps_with_open_pins(bool pull_up) {
 }  // namespace
 
 TEST_CASE("a sketch for Arduino boards is the reference") {
-    check_language(run_arduino, 960'000, 200, false);
+    check_language(run_arduino, 960'000, 160, false);
 }
 
 TEST_CASE("so it is with contacts to ground and the pull-up resistors of the board") {
