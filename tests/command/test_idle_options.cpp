@@ -298,8 +298,8 @@ TEST_CASE("options of plc and of s7 run") {
                                   {{sequence_chart, "--to", "arduino"}, of_listings}};
     std::set<std::string> all = of_listings;
     all.insert("--pull-up");
-    for (const std::string format : {"text", "il", "ladder", "ladder-svg", "pl7-2", "plcopen", "sfc",
-                                     "st", "c", "pascal", "python"}) {
+    for (const std::string format : {"text", "il", "ladder", "ladder-svg", "pl7-2", "plcopen",
+                                     "sfc", "st", "c", "pascal", "python"}) {
         contexts.push_back({{sequence_chart, "--to", format}, all});
     }
     try_all({"plc"},
