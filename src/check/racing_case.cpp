@@ -24,6 +24,9 @@ namespace {
 
 constexpr std::size_t states_before_split = 50;
 
+/// All orders of firings are gone through for so many differences that no delays show.
+constexpr std::size_t most_thorough_searches = 16;
+
 }  // namespace
 
 RacingCases::RacingCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
@@ -113,8 +116,11 @@ std::string RacingCases::key_of(const Stimuli& stimuli) const {
 std::optional<Witness> RacingCases::replay(const Stimuli& stimuli, Time /*period*/) const {
     const std::string key = key_of(stimuli);
     if (without_difference_.count(key) != 0) return std::nullopt;
+    const auto search = without_difference_.size() < most_thorough_searches
+                            ? WitnessSearch::thorough
+                            : WitnessSearch::by_trial;
     auto witness = racing_witness(grafcet(), netlist(), delays_of_gates(), circuit_, delay_model_,
-                                  stimuli, keep_going_);
+                                  stimuli, search, keep_going_);
     if (!witness) without_difference_.insert(key);
     return witness;
 }

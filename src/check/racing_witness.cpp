@@ -167,13 +167,14 @@ class DelayReduction {
 std::optional<Witness> racing_witness(const Grafcet& grafcet, const Netlist& netlist,
                                       const CellDelays& nominal, const Circuit& circuit,
                                       const DelayModel& model, const Stimuli& stimuli,
-                                      const KeepGoing& keep_going) {
+                                      WitnessSearch search, const KeepGoing& keep_going) {
     const RunResult expected = run_until_stable(grafcet, stimuli);
     DelayReduction reduction(grafcet, netlist, nominal, stimuli, expected, keep_going);
     const bool is_bounded = model.kind == DelayModel::Kind::bounded;
     const CellBands bands = cell_bands(netlist, model);
     if (is_bounded) {
         if (auto witness = reduction.make_extreme(bands)) return witness;
+        if (search == WitnessSearch::by_trial) return std::nullopt;
     }
     const auto race =
         find_race({grafcet, netlist, nominal, circuit, model, stimuli, expected, keep_going});

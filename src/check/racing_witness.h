@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "check/witness.h"
@@ -12,12 +13,18 @@
 
 namespace grafwire {
 
+/// How far one goes in looking for delays.
+enum class WitnessSearch : std::uint8_t {
+    by_trial,  ///< where delays have bounds, some circuits of extreme ones are tried
+    thorough,  ///< then all orders of firings
+};
+
 /// Looks for delays of gates under which a netlist differs from the reference over stimuli, and
 /// simulates them; nothing where none were found. They are as few and as small as can be, the
 /// others being nominal, and constant if possible.
 std::optional<Witness> racing_witness(const Grafcet& grafcet, const Netlist& netlist,
                                       const CellDelays& nominal, const Circuit& circuit,
                                       const DelayModel& model, const Stimuli& stimuli,
-                                      const KeepGoing& keep_going);
+                                      WitnessSearch search, const KeepGoing& keep_going);
 
 }  // namespace grafwire
