@@ -246,8 +246,16 @@ bool append_delays(const Circuit& circuit, const RacedInstant& instant, const Ce
         }
         const auto width = widths.find({span.cell, span.to});
         const bool has_width = span.kind == Span::Kind::answers && bands == nullptr;
+        // The other edge, which it does not take meanwhile, is as near to this as its bounds allow.
+        const auto within = [&](const std::vector<DelayBand>& edge) {
+            return std::clamp(delay, edge[span.cell].min, edge[span.cell].max);
+        };
+        const bool is_either = bands == nullptr || span.kind == Span::Kind::answers;
+        const bool is_rise = is_either || span.to_one;
+        const bool is_fall = is_either || !span.to_one;
         schedule.changes.push_back(
-            {instant.begin + moments[span.from], static_cast<CellId>(span.cell), delay, delay,
+            {instant.begin + moments[span.from], static_cast<CellId>(span.cell),
+             is_rise ? delay : within(bands->rise), is_fall ? delay : within(bands->fall),
              has_width ? (width == widths.end() ? endless : width->second) : 0});
     }
     return true;

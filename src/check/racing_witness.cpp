@@ -108,7 +108,8 @@ class DelayReduction {
         for (const DelayChange& change : moments.changes) {
             DelayChange& all = longest.try_emplace(change.cell, change).first->second;
             all.at = 0;
-            all.rise = all.fall = std::max(all.rise, change.rise);
+            all.rise = std::max(all.rise, change.rise);
+            all.fall = std::max(all.fall, change.fall);
             all.width = std::max(all.width, change.width);
         }
         DelaySchedule schedule;
@@ -143,10 +144,14 @@ class DelayReduction {
     void shorten() {
         for (std::size_t i = 0; i < best_->delays.changes.size(); ++i) {
             const DelayChange change = best_->delays.changes[i];
-            const Time least = nominal_.rise[index_of(change.cell)];
-            for (Time delay = 2 * least; delay < change.rise; delay += least) {
+            const Time rise = nominal_.rise[index_of(change.cell)];
+            const Time fall = nominal_.fall[index_of(change.cell)];
+            const Time least = std::min(rise, fall);
+            for (Time delay = 2 * least; delay < std::max(change.rise, change.fall);
+                 delay += least) {
                 DelaySchedule trial = best_->delays;
-                trial.changes[i].rise = trial.changes[i].fall = delay;
+                trial.changes[i].rise = std::clamp(delay, rise, std::max(rise, change.rise));
+                trial.changes[i].fall = std::clamp(delay, fall, std::max(fall, change.fall));
                 if (shows(trial)) break;
             }
         }

@@ -41,7 +41,23 @@ std::optional<DelayModel> read_bounds(std::string_view text) {
 }
 
 std::vector<DelayModel> named_models() {
-    return {{}, {.name = "any", .kind = DelayModel::Kind::any}};
+    return {{},
+            {.name = "any", .kind = DelayModel::Kind::any},
+            {.name = "any-wire", .kind = DelayModel::Kind::any_wire}};
+}
+
+/// Over both edges of all inverters, ANDs, ORs, NANDs and NORs with up to four inputs.
+DelayBand band_of_gates(const PartFamily& family) {
+    constexpr std::size_t most_inputs = 4;
+    DelayBand all{longest, 0};
+    for (const PartFigures& part : family.parts) {
+        const bool is_other = row_of(part.type).has_memory || part.type == CellType::xor_gate;
+        if (is_other || part.inputs > most_inputs) continue;
+        const EdgeBands bands = *bands_of(family, part.type, part.inputs);
+        all.min = std::min({all.min, bands.rise.min, bands.fall.min});
+        all.max = std::max({all.max, bands.rise.max, bands.fall.max});
+    }
+    return all;
 }
 
 }  // namespace
@@ -50,18 +66,33 @@ std::optional<DelayModel> delay_model_of(std::string_view text) {
     for (DelayModel& model : named_models()) {
         if (model.name == text) return std::move(model);
     }
+    if (const PartFamily* family = part_family_named(text)) {
+        return DelayModel{.name = std::string(text),
+                          .kind = DelayModel::Kind::bounded,
+                          .gate = band_of_gates(*family),
+                          .family = family};
+    }
     return read_bounds(text);
 }
 
+/// That each family has a typical one as well is left to the help.
 std::vector<std::string_view> delay_model_names() {
-    return {"unit", "MIN..MAX", "any"};
+    std::vector<std::string_view> names{"unit", "MIN..MAX", "any", "any-wire"};
+    for (const PartFamily& family : part_families()) {
+        if (!family.is_typical) names.push_back(family.name);
+    }
+    return names;
 }
 
 CellDelays cell_delays(const Netlist& netlist, const DelayModel& model) {
     CellDelays delays;
     delays.rise.reserve(netlist.cells.size());
-    for (const Cell& cell : netlist.cells) delays.rise.push_back(model.band(cell.type).min);
-    delays.fall = delays.rise;
+    delays.fall.reserve(netlist.cells.size());
+    for (const Cell& cell : netlist.cells) {
+        const EdgeBands bands = model.bands(cell.type, cell.pin_count);
+        delays.rise.push_back(bands.rise.min);
+        delays.fall.push_back(bands.fall.min);
+    }
     return delays;
 }
 

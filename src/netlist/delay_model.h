@@ -24,20 +24,33 @@ namespace grafwire {
 /// change of a gate takes a time of its own, as the model allows.
 struct DelayModel {
     enum class Kind : std::uint8_t {
-        fixed,    ///< every gate takes the same
-        bounded,  ///< between two bounds
-        any,      ///< any finite time; all that reads a net sees it change at once
+        fixed,     ///< every gate takes the same
+        bounded,   ///< between two bounds
+        any,       ///< any finite time; all that reads a net sees it change at once
+        any_wire,  ///< any finite time, of every wire as well; such wires are cells of the netlist
     };
     std::string name = "unit";  ///< as users ask for it and as reports call it
     Kind kind = Kind::fixed;
-    /// Of every cell. For `any` it is what its netlists are made for.
+    /// Of every cell. For `any` it is what its netlists are made for; for a part family the least
+    /// and the most of its gates with up to four inputs, which is all that making a netlist needs.
     DelayBand gate{nanosecond, nanosecond};
+    /// Bounded: the parts that say more exactly how long a cell takes; nullptr for none.
+    const PartFamily* family = nullptr;
 
     bool is_fixed() const { return kind == Kind::fixed; }
 
     /// From a change of an input of a cell of that type to the change of its output, either way.
     /// Timers and pulse cells add their own timing.
     DelayBand band(CellType /*type*/) const { return gate; }
+
+    /// The same of a cell with so many inputs, per edge of its output, from the parts of the family
+    /// if there is one. What no part is (timers of clocked netlists) is taken as any gate.
+    EdgeBands bands(CellType type, std::size_t inputs) const {
+        if (family != nullptr) {
+            if (const auto found = bands_of(*family, type, inputs)) return *found;
+        }
+        return {band(type), band(type)};
+    }
 
     /// What a netlist is made for: the longest.
     Time of(CellType type) const { return band(type).max; }
@@ -62,8 +75,8 @@ struct DelayModel {
     }
 };
 
-/// The model that a text asks for: a name, or bounds in ns, as `1..2` or `0.4..1.6`. Nothing where
-/// it asks for none.
+/// The model that a text asks for: a name, that of a part family, or bounds in ns, as `1..2` or
+/// `0.4..1.6`. Nothing where it asks for none.
 std::optional<DelayModel> delay_model_of(std::string_view text);
 /// The names there are, and how bounds are written.
 std::vector<std::string_view> delay_model_names();
@@ -75,7 +88,7 @@ struct CellDelays {
     std::vector<Time> fall;
 };
 
-/// Every cell of the netlist as fast as a model allows.
+/// Every cell of the netlist as fast as a model allows, each edge for itself.
 CellDelays cell_delays(const Netlist& netlist, const DelayModel& model);
 
 }  // namespace grafwire

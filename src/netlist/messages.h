@@ -30,6 +30,17 @@ inline constexpr Message<> clocked_timer{"clocked timer", "temporisateur synchro
 inline constexpr Message<> clocked_timer_next{"look-ahead of a clocked timer",
                                               "anticipation de temporisateur synchrone"};
 
+// What else is to be said of the figures of a part.
+inline constexpr Message<> maximum_is_guessed{
+    "no maximum was found: that of the next wider gate",
+    "aucun maximum trouvé : celui de la porte plus large"};
+inline constexpr Message<> maximum_is_widened{
+    "with the maximum of its neighbours, which is the longer one",
+    "avec le maximum de ses voisines, plus long"};
+inline constexpr Message<> is_not_buffered{"not buffered", "sans étage de sortie"};
+inline constexpr Message<> is_not_of_ub_parts{"the UB parts are faster",
+                                              "les modèles UB sont plus rapides"};
+
 /// A cell: its type and its net.
 inline constexpr Message<std::string_view, std::string_view> cell{"{} {}", "{} {}"};
 

@@ -138,11 +138,10 @@ class Composer {
     }
 
     Bands gate(CellType type, std::size_t inputs) const {
+        if (const PartFigures* part = part_for(family_, type, inputs)) return figures_of(*part);
         const PartFigures* widest = nullptr;
         for (const PartFigures& part : family_.parts) {
-            if (part.type != type) continue;
-            if (part.inputs >= inputs) return figures_of(part);
-            widest = &part;
+            if (part.type == type) widest = &part;
         }
         if (widest == nullptr) return std::nullopt;
         const EdgeBands last = figures_of(*widest);
@@ -199,6 +198,13 @@ std::span<const PartFamily> part_families() {
 const PartFamily* part_family_named(std::string_view name) {
     for (const PartFamily& family : families) {
         if (family.name == name) return &family;
+    }
+    return nullptr;
+}
+
+const PartFigures* part_for(const PartFamily& family, CellType type, std::size_t inputs) {
+    for (const PartFigures& part : family.parts) {
+        if (part.type == type && part.inputs >= inputs) return &part;
     }
     return nullptr;
 }

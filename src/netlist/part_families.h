@@ -32,4 +32,8 @@ const PartFamily* part_family_named(std::string_view name);
 /// where that cannot be done: timers of clocked netlists, which no part is.
 std::optional<EdgeBands> bands_of(const PartFamily& family, CellType type, std::size_t inputs);
 
+/// The part that a cell with so many inputs is; nullptr where it is composed of several, or
+/// lacking.
+const PartFigures* part_for(const PartFamily& family, CellType type, std::size_t inputs);
+
 }  // namespace grafwire

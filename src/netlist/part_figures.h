@@ -12,7 +12,7 @@
 //   is 1.25 times that, the ratio in every sheet that prints both.
 // - 74LS: the maximum is 1.5 times that for 15 pF, for a load of 50 pF (Fairchild DM74LS00).
 //   Each edge has its own.
-// What is a guess is called so: a gate without a maximum takes that of the next wider of its kind.
+// - A gate without a maximum takes that of the next wider of its kind, and is marked as a guess.
 //
 // The sources: TI-HC is the Texas Instruments HC data book of 1989, TI-LS their TTL data book of
 // 1985, each as entered in open simulator libraries (Digital_HC.lib of qucs_s, lsttl_verilog);
@@ -24,6 +24,8 @@
 #include <string_view>
 
 #include "netlist/cell_types.h"
+#include "netlist/messages.h"
+#include "text/message.h"
 #include "text/time.h"
 
 namespace grafwire {
@@ -49,6 +51,7 @@ struct PartFigures {
     EdgeBands bounds;   ///< what it may take
     EdgeBands typical;  ///< the least and the greatest typical figure
     std::string_view source;
+    const Message<>* note = nullptr;  ///< what else is to be said of the figures
 };
 
 /// Both edges alike, in nanoseconds.
@@ -67,29 +70,29 @@ inline constexpr std::array<PartFigures, 16> parts_74hc{{
     {CellType::inverter, 1, "74HC04", either_edge(2, 24), either_edge(9, 9), "TI-HC, LT"},
     {CellType::nand_gate, 2, "74HC00", either_edge(1, 23), either_edge(7, 9),
      "Philips 74HC/HCT00, TI-HC, LT"},
-    {CellType::nand_gate, 3, "74HC10", either_edge(2, 33), either_edge(11, 11),
-     "LT; maximum: a guess, that of the 74HC30"},
-    {CellType::nand_gate, 4, "74HC20", either_edge(2, 33), either_edge(10, 10),
-     "LT; maximum: a guess, that of the 74HC30"},
+    {CellType::nand_gate, 3, "74HC10", either_edge(2, 33), either_edge(11, 11), "LT",
+     &messages::netlist::maximum_is_guessed},
+    {CellType::nand_gate, 4, "74HC20", either_edge(2, 33), either_edge(10, 10), "LT",
+     &messages::netlist::maximum_is_guessed},
     {CellType::nand_gate, 8, "74HC30", either_edge(2, 38), either_edge(12, 15),
-     "Philips 74HC/HCT30; maximum: that of the 74HC133, as the wider one"},
+     "Philips 74HC/HCT30, Philips 74HC133", &messages::netlist::maximum_is_widened},
     {CellType::nand_gate, 13, "74HC133", either_edge(2, 38), either_edge(9, 13),
      "Philips 74HC133, Hitachi HD74HC133"},
     {CellType::nor_gate, 2, "74HC02", either_edge(1, 23), either_edge(7, 9),
      "Philips 74HC/HCT02, TI-HC, LT"},
     {CellType::nor_gate, 3, "74HC27", either_edge(2, 33), either_edge(8, 10),
-     "Philips 74HC/HCT27, LT; maximum: a guess, as for NAND"},
-    {CellType::nor_gate, 4, "74HC4002", either_edge(2, 33), either_edge(8, 8),
-     "TI CD74HC4002 (maximum 25), widened to that of its neighbours"},
+     "Philips 74HC/HCT27, LT", &messages::netlist::maximum_is_guessed},
+    {CellType::nor_gate, 4, "74HC4002", either_edge(2, 33), either_edge(8, 8), "TI CD74HC4002",
+     &messages::netlist::maximum_is_widened},
     {CellType::and_gate, 2, "74HC08", either_edge(1, 25), either_edge(7, 10),
      "TI CD74HC08, TI-HC, LT"},
-    {CellType::and_gate, 3, "74HC11", either_edge(2, 28), either_edge(12, 12),
-     "LT; maximum: a guess, that of the 74HC21"},
+    {CellType::and_gate, 3, "74HC11", either_edge(2, 28), either_edge(12, 12), "LT",
+     &messages::netlist::maximum_is_guessed},
     {CellType::and_gate, 4, "74HC21", either_edge(2, 28), either_edge(9, 12),
      "NXP 74HC21, TI CD74HC21"},
     {CellType::or_gate, 2, "74HC32", either_edge(1, 25), either_edge(8, 10), "TI-HC, LT"},
     {CellType::or_gate, 3, "74HC4075", either_edge(2, 33), either_edge(8, 8),
-     "Philips 74HC/HCT4075; maximum: a guess, as for NAND"},
+     "Philips 74HC/HCT4075", &messages::netlist::maximum_is_guessed},
     {CellType::xor_gate, 2, "74HC86", either_edge(3, 25), either_edge(12, 14), "TI-HC, LT"},
     {CellType::flip_flop, 2, "74HC74", either_edge(3, 44), either_edge(17, 20), "TI-HC, LT"},
 }};
@@ -106,39 +109,40 @@ inline constexpr std::array<PartFigures, 13> parts_74ls{{
     {CellType::and_gate, 3, "74LS11", edges(2, 23, 2, 30), edges(8, 8, 10, 10), "TI-LS"},
     {CellType::and_gate, 4, "74LS21", edges(2, 23, 2, 30), edges(8, 8, 10, 10), "TI-LS"},
     {CellType::or_gate, 2, "74LS32", either_edge(3, 33), either_edge(14, 14),
-     "TI-LS; Fairchild DM74LS32"},
+     "TI-LS, Fairchild DM74LS32"},
     {CellType::xor_gate, 2, "74LS86", edges(5, 45, 3, 33), edges(20, 20, 13, 13), "TI-LS"},
     {CellType::flip_flop, 2, "74LS74", edges(3, 38, 6, 60), edges(13, 13, 25, 25), "TI-LS"},
 }};
 
 inline constexpr std::array<PartFigures, 16> parts_4000{{
-    {CellType::inverter, 1, "4069", either_edge(12, 90), either_edge(50, 50), "M (not buffered)"},
+    {CellType::inverter, 1, "4069", either_edge(12, 90), either_edge(50, 50), "M",
+     &messages::netlist::is_not_buffered},
     {CellType::nand_gate, 2, "4011", either_edge(27, 250), either_edge(110, 125),
-     "Motorola MC14001B series, National CD4011BC, M; not the UB parts, which are faster"},
+     "Motorola MC14001B, National CD4011BC, M", &messages::netlist::is_not_of_ub_parts},
     {CellType::nand_gate, 3, "4023", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::nand_gate, 4, "4012", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::nand_gate, 8, "4068", either_edge(50, 350), either_edge(200, 200),
-     "Motorola MC14001B series"},
+     "Motorola MC14001B"},
     {CellType::nor_gate, 2, "4001", either_edge(27, 250), either_edge(110, 125),
-     "Motorola MC14001B series, National CD4001BC, M; not the UB parts, which are faster"},
+     "Motorola MC14001B, National CD4001BC, M", &messages::netlist::is_not_of_ub_parts},
     {CellType::nor_gate, 3, "4025", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::nor_gate, 4, "4002", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::nor_gate, 8, "4078", either_edge(50, 350), either_edge(200, 200),
-     "Motorola MC14001B series"},
+     "Motorola MC14001B"},
     {CellType::and_gate, 2, "4081", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::and_gate, 3, "4073", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::and_gate, 4, "4082", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::or_gate, 2, "4071", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::or_gate, 4, "4072", either_edge(40, 300), either_edge(160, 160),
-     "Motorola MC14001B series, M"},
+     "Motorola MC14001B, M"},
     {CellType::xor_gate, 2, "4070", either_edge(27, 185), either_edge(110, 110), "M"},
     {CellType::flip_flop, 2, "4013", either_edge(43, 350), either_edge(175, 175), "M"},
 }};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "settling/any_order.h"
+#include "settling/any_wire.h"
 #include "settling/cell_bands.h"
 #include "settling/timed_order.h"
 
@@ -30,6 +31,8 @@ std::unique_ptr<SettlingModel> make_settling_model(const DelayModel& model, cons
                                                 std::move(keep_going));
         case DelayModel::Kind::any:
             return std::make_unique<AnyOrder>(circuit, std::move(keep_going));
+        case DelayModel::Kind::any_wire:
+            return std::make_unique<AnyWire>(circuit, std::move(keep_going));
     }
     return nullptr;
 }
