@@ -76,6 +76,24 @@ struct Together {
     std::string assumption;
 };
 
+/// How much the delays of gates may differ. Ratios of the longest to the shortest are in tenths and
+/// have two digits: 1.0 to 9.9, then 10 to 99.
+struct Tolerance {
+    /// The greatest for which the netlist is proven equivalent; 0: it is so for none.
+    int holds = 0;
+    bool is_unlimited = false;  ///< it is so for all
+    /// The smallest for which a difference was found, and that; 0: none was.
+    int fails = 0;
+    std::optional<Witness> witness;
+};
+inline constexpr int least_ratio = 10;
+inline constexpr int greatest_ratio = 990;
+/// Of `holds`: the ratio after it.
+constexpr int next_ratio(int ratio) {
+    if (ratio < least_ratio) return least_ratio;
+    return ratio < 100 ? ratio + 1 : ratio + 10;
+}
+
 /// What came of a check.
 struct CheckResult {
     Verdict verdict = Verdict::undecided;
@@ -92,6 +110,7 @@ struct CheckResult {
     /// What no case exercised.
     NeverExercised never;
     std::optional<Together> together;
+    std::optional<Tolerance> tolerance;  ///< if it was asked for
     /// undecided though complete: differences were found for which no scan period was.
     bool depends_on_period = false;
     /// undecided though complete: a difference in three values was found that no run shows.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "text/message.h"
 
@@ -27,8 +29,29 @@ inline constexpr Message<std::string> delays{"delays: every gate {} ns",
                                              "retards : {} ns par porte"};
 inline constexpr Message<std::string, std::string> bounded_delays{
     "delays: every change of a gate {} to {} ns", "retards : {} à {} ns par changement de porte"};
+/// Argument: which figures of which part family.
+inline constexpr Message<Localized> family_delays{"delays: {}", "retards : {}"};
+inline constexpr Message<> figures_of_parts{"  every change of a gate takes, in ns:\n",
+                                            "  chaque changement de porte prend, en ns :\n"};
+/// Arguments: the type of a cell, how many inputs it has.
+inline constexpr Message<Localized, std::size_t> cell_with_inputs{"{}, {} inputs",
+                                                                  "{}, {} entrées"};
+inline constexpr Message<std::string, std::string> from_to{"{} to {}", "{} à {}"};
+/// Arguments: bounds of the rise, of the fall.
+inline constexpr Message<std::string, std::string> rise_and_fall{"rise {}, fall {}",
+                                                                 "montée {}, descente {}"};
+/// Arguments: the cell, its bounds, what they are taken from.
+inline constexpr Message<std::string, std::string, std::string> figures_of_cell{
+    "    {}: {} ({})\n", "    {} : {} ({})\n"};
+/// Arguments: the part, its sources.
+inline constexpr Message<std::string_view, std::string_view> figures_of_part{"{}: {}", "{} : {}"};
+inline constexpr Message<> composed_of_parts{"composed of several parts, taken as one gate",
+                                             "composée de plusieurs, prise pour une seule porte"};
 inline constexpr Message<> any_delays{"delays: any finite one of every gate",
                                       "retards : finis et quelconques, de chaque porte"};
+inline constexpr Message<> any_wire_delays{
+    "delays: any finite one of every gate and of every wire",
+    "retards : finis et quelconques, de chaque porte et de chaque fil"};
 inline constexpr Message<> one_change{"changes: one input at a time",
                                       "changements : une entrée à la fois"};
 inline constexpr Message<> many_changes{"changes: many inputs at once",
@@ -131,6 +154,32 @@ inline constexpr Message<> no_initial_situation{
 inline constexpr Message<> oscillates_beside{
     "Every X and output is right; what keeps changing beside them stands below.\n\n",
     "Chaque X et chaque sortie est juste ; ce qui change sans cesse à côté est dit plus bas.\n\n"};
+
+// How much delays may differ.
+
+inline constexpr Message<std::string> tolerance_holds{
+    "\nTolerance: it holds as long as no change of a gate takes more than {} times as long as "
+    "another.\n",
+    "\nTolérance : cela reste vrai tant qu'aucun changement de porte ne prend plus de {} fois le "
+    "temps d'un autre.\n"};
+inline constexpr Message<> tolerance_unlimited{
+    "\nTolerance: it holds however much the delays of gates differ.\n",
+    "\nTolérance : cela reste vrai quels que soient les écarts entre les retards des portes.\n"};
+inline constexpr Message<> tolerance_none{
+    "\nTolerance: none. It does not even hold where every change of a gate takes the same.\n",
+    "\nTolérance : aucune. Ce n'est pas vrai même si tous les changements de porte prennent le "
+    "même temps.\n"};
+inline constexpr Message<> tolerance_unproven{
+    "\nTolerance: within the bounds given it could be proven for no ratio of delays.\n",
+    "\nTolérance : dans les limites données, aucun rapport entre retards n'a pu être prouvé.\n"};
+inline constexpr Message<> tolerance_open_between{
+    "Between that and the next it is undecided within the bounds given.\n",
+    "Entre celui-ci et le suivant, rien n'est décidé dans les limites données.\n"};
+inline constexpr Message<> tolerance_open_above{
+    "Above that no difference was found within the bounds given.\n",
+    "Au-delà, aucun écart n'a été trouvé dans les limites données.\n"};
+inline constexpr Message<std::string> tolerance_fails{"With {} times it does not:\n",
+                                                      "Avec {} fois, cela n'est plus vrai :\n"};
 
 // The table of ports.
 

@@ -59,6 +59,7 @@ class TextReport {
         write_unstable();
         write_together();
         write_witness(explained);
+        write_tolerance(explained);
         return std::move(text_);
     }
 
@@ -74,6 +75,7 @@ class TextReport {
         write_together();
         parts.remarks = take_trimmed();
         write_witness(explained);
+        write_tolerance(explained);
         parts.witness = take_trimmed();
         return parts;
     }
@@ -111,6 +113,7 @@ class TextReport {
     const Message<>& power_up() const;
     void write_verdict();
     void write_foundation();
+    void write_figures();
     void write_coverage();
     void write_never();
     void write_why_undecided();
@@ -119,6 +122,8 @@ class TextReport {
     void write_not_together(const Together& together);
     void write_witness(const ExplainedWitness& explained);
     void write_kind(const Witness& witness);
+    void write_tolerance(const ExplainedWitness& explained);
+    void write_reach(const Tolerance& tolerance);
 
     const CheckSubject& subject_;
     const Grafcet& grafcet_;
@@ -180,10 +185,15 @@ std::string TextReport::delays() const {
         case DelayModel::Kind::fixed:
             return in_words(words::delays, format_nanoseconds(gate.max));
         case DelayModel::Kind::bounded:
+            if (subject_.delays.family != nullptr) {
+                return in_words(words::family_delays, subject_.delays.family->description());
+            }
             return in_words(words::bounded_delays, format_nanoseconds(gate.min),
                             format_nanoseconds(gate.max));
         case DelayModel::Kind::any:
             return in_words(words::any_delays);
+        case DelayModel::Kind::any_wire:
+            return in_words(words::any_wire_delays);
     }
     return {};
 }
@@ -205,6 +215,31 @@ void TextReport::write_foundation() {
     parts.push_back(assumptions());
     parts.push_back(in_words(power_up()));
     add_line(parts);
+    if (!subject_.figures.empty()) write_figures();
+}
+
+/// What a part family says of the cells that there are.
+void TextReport::write_figures() {
+    const auto bounds = [&](DelayBand band) {
+        return in_words(words::from_to, format_nanoseconds(band.min), format_nanoseconds(band.max));
+    };
+    say(words::figures_of_parts);
+    for (const UsedFigures& used : subject_.figures) {
+        const Localized type = row_of(used.type).description();
+        const std::string rise = bounds(used.bands.rise);
+        const std::string fall = bounds(used.bands.fall);
+        std::string source = in_words(words::composed_of_parts);
+        if (used.part != nullptr) {
+            source = in_words(words::figures_of_part, used.part->part, used.part->source);
+            if (used.part->note != nullptr) {
+                source += in_words(words::separator) + in_words(*used.part->note);
+            }
+        }
+        say(words::figures_of_cell,
+            used.inputs < 2 ? type.in(language_)
+                            : in_words(words::cell_with_inputs, type, used.inputs),
+            rise == fall ? rise : in_words(words::rise_and_fall, rise, fall), source);
+    }
 }
 
 /// What is compared after every scan is so in unstable situations as well.
@@ -315,6 +350,42 @@ void TextReport::write_kind(const Witness& witness) {
     }
 }
 
+/// Tenths, as `1.6` or `12`.
+std::string ratio_text(int tenths) {
+    return tenths % 10 == 0 ? fmt::format("{}", tenths / 10)
+                            : fmt::format("{}.{}", tenths / 10, tenths % 10);
+}
+
+/// Up to where it holds.
+void TextReport::write_reach(const Tolerance& tolerance) {
+    if (tolerance.is_unlimited) {
+        say(words::tolerance_unlimited);
+    } else if (tolerance.holds != 0) {
+        say(words::tolerance_holds, ratio_text(tolerance.holds));
+    } else if (tolerance.fails == least_ratio) {
+        say(words::tolerance_none);
+    } else {
+        say(words::tolerance_unproven);
+    }
+}
+
+void TextReport::write_tolerance(const ExplainedWitness& explained) {
+    if (!result_.tolerance) return;
+    const Tolerance& tolerance = *result_.tolerance;
+    write_reach(tolerance);
+    if (tolerance.is_unlimited) return;
+    if (!tolerance.witness) {
+        say(words::tolerance_open_above);
+        return;
+    }
+    if (tolerance.fails > next_ratio(tolerance.holds)) say(words::tolerance_open_between);
+    say(words::tolerance_fails, ratio_text(tolerance.fails));
+    add_stimuli(tolerance.witness->stimuli);
+    text_ += '\n';
+    write_kind(*tolerance.witness);
+    for (const ExplainedWitness& beyond : explained.at_tolerance) text_ += beyond.text;
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -375,6 +446,9 @@ std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafce
                               double seconds) {
     ExplainedWitness in_english = explained;
     in_english.text = fmt::format("{}\n", joined(explained.lines, "\n"));
+    for (ExplainedWitness& beyond : in_english.at_tolerance) {
+        beyond.text = fmt::format("{}\n", joined(beyond.lines, "\n"));
+    }
     const std::string details =
         write_check_text(subject, grafcet, result, in_english, Language::english);
     switch (result.verdict) {

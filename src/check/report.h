@@ -8,6 +8,7 @@
 
 #include "check/check_result.h"
 #include "grafcet/grafcet.h"
+#include "netlist/used_figures.h"
 #include "text/diagnostics.h"
 #include "text/message.h"
 
@@ -30,7 +31,8 @@ struct CheckSubject {
     std::string against;      ///< the file of a netlist or a program from elsewhere, else empty
     bool is_program = false;  ///< executed scan by scan; else a netlist
     DelayModel delays{};      ///< of netlists: how long the gates take
-    std::optional<Changes> changes;  ///< of asynchronous netlists
+    std::vector<UsedFigures> figures{};  ///< of a part family: what it says of their cells
+    std::optional<Changes> changes;      ///< of asynchronous netlists
     /// Of clocked netlists and programs: the time from one scan to the next; `every` for any.
     std::string period;
     PowerUp power_up = PowerUp::init;
@@ -49,6 +51,8 @@ struct ExplainedWitness {
     std::vector<std::string> lines;  ///< for programs: all of it, in English, line by line
     /// What memories hold at power-up, by the names of their nets, where the difference needs it.
     std::vector<std::pair<std::string, bool>> power_up;
+    /// The same of the witness of a tolerance; one or none.
+    std::vector<ExplainedWitness> at_tolerance{};
 };
 
 /// The lines of a text, without their ends.

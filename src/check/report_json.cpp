@@ -55,6 +55,32 @@ std::string_view name_of(PowerUp power_up) {
     return "";
 }
 
+/// Picoseconds to nanoseconds, which is what a band is told in.
+Json bounds(DelayBand band) {
+    const auto in_nanoseconds = [](Time time) {
+        return static_cast<double>(time) / static_cast<double>(nanosecond);
+    };
+    return {in_nanoseconds(band.min), in_nanoseconds(band.max)};
+}
+
+Json figures(const std::vector<UsedFigures>& used) {
+    Json list = Json::array();
+    for (const UsedFigures& one : used) {
+        Json json = {{"cell", row_of(one.type).name},
+                     {"inputs", one.inputs},
+                     {"rise", bounds(one.bands.rise)},
+                     {"fall", bounds(one.bands.fall)},
+                     {"part", nullptr},
+                     {"source", nullptr}};
+        if (one.part != nullptr) {
+            json["part"] = one.part->part;
+            json["source"] = one.part->source;
+        }
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
 /// What was compared, and what the verdict rests on.
 void put_subject(Json& json, const CheckSubject& subject, const Grafcet& grafcet) {
     if (subject.is_program) {
@@ -66,6 +92,7 @@ void put_subject(Json& json, const CheckSubject& subject, const Grafcet& grafcet
         json["cdx"] = subject.cdx;
     }
     if (!subject.is_program) json["delay"] = subject.delays.name;
+    if (!subject.figures.empty()) json["figures"] = figures(subject.figures);
     if (subject.changes) json["changes"] = *subject.changes == Changes::one ? "one" : "many";
     if (subject.is_scanned()) json["period"] = subject.period;
     json["power_up"] = name_of(subject.power_up);
@@ -150,6 +177,26 @@ Json explained_witness(const Witness& witness, const CheckSubject& subject, cons
     return json;
 }
 
+Json ratio(int tenths) {
+    return tenths == 0 ? Json(nullptr) : Json(tenths / 10.0);
+}
+
+Json tolerance(const Tolerance& tolerance, const CheckSubject& subject, const Grafcet& grafcet,
+               const ExplainedWitness& explained) {
+    Json json;
+    json["holds"] = ratio(tolerance.holds);
+    json["unlimited"] = tolerance.is_unlimited;
+    json["fails"] = ratio(tolerance.fails);
+    json["witness"] = nullptr;
+    if (tolerance.witness && !explained.at_tolerance.empty()) {
+        CheckSubject without_files = subject;
+        without_files.witness_files.clear();
+        json["witness"] = explained_witness(*tolerance.witness, without_files, grafcet,
+                                            explained.at_tolerance[0]);
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
@@ -170,6 +217,9 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
     json["witness"] = nullptr;
     if (result.witness)
         json["witness"] = explained_witness(*result.witness, subject, grafcet, explained);
+    if (result.tolerance) {
+        json["tolerance"] = tolerance(*result.tolerance, subject, grafcet, explained);
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -37,6 +37,7 @@ struct CheckArguments {
     std::string power_up;  ///< empty: unknown
     std::string format = "text";
     std::string witness;
+    bool tolerance = false;
     std::vector<std::string> assumptions;
     std::uint64_t max_cases = 0;
     double max_seconds = 0;
@@ -146,13 +147,28 @@ std::optional<Netlist> load_fitting_netlist(const Session& session) {
     return netlist;
 }
 
+/// What is compared under other delays: the netlist that is made for them, or the one from
+/// elsewhere as it is.
+NetlistFor netlist_by_delays(const Session& session, const Netlist& netlist) {
+    if (!session.request.against.empty()) {
+        return [&netlist](const DelayModel&) { return std::optional(netlist); };
+    }
+    return [&session](const DelayModel& delays) {
+        NetlistOptions options = session.request.netlist.options();
+        options.delays = delays;
+        Diagnostics said_before;
+        return make_netlist(session.chart, options, said_before);
+    };
+}
+
 /// A netlist that is made of the GRAFCET, or one from elsewhere.
 std::optional<Judgement> judge_netlist(const Session& session) {
     const auto netlist = session.request.against.empty()
                              ? make_netlist(session.chart, session.request.netlist)
                              : load_fitting_netlist(session);
     if (!netlist) return std::nullopt;
-    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
+    return within_bounds(session, [&](CheckRequest asked, Diagnostics& messages) {
+        if (session.request.tolerance) asked.tolerance_of = netlist_by_delays(session, *netlist);
         return check_netlist(session.chart, *netlist, asked, messages);
     });
 }
@@ -311,6 +327,7 @@ void declare_report(const CommandLine& line, CheckArguments& request) {
     line.add("--to", request.format, help::check_to()).one_of_names(report_forms()).shows_default();
     line.add("-o", request.output, help::check_output());
     line.add("--witness", request.witness, help::witness());
+    line.add_flag("--tolerance", request.tolerance, help::tolerance());
     line.add("--assume", request.assumptions, help::assume());
     line.add("--max-cases", request.max_cases, help::max_cases());
     line.add("--max-seconds", request.max_seconds, help::max_seconds());

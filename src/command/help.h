@@ -93,9 +93,12 @@ inline constexpr Message<> modes{"with Init, AUdur and AUdoux, or without",
                                  "avec Init, AUdur et AUdoux, ou sans"};
 inline constexpr Message<> delay{
     "delays of gates: unit (1 ns each); MIN..MAX in ns, as 1..2 (each change anywhere between); "
-    "any (any finite time)",
+    "any (any finite time); any-wire (of every wire as well); a part family, 74HC, 74LS or 4000 "
+    "(what its data sheets allow), or 74HC-typical and so on (0.4 to 1.6 times the typical)",
     "retards des portes : unit (1 ns chacune) ; MIN..MAX en ns, comme 1..2 (chaque "
-    "changement entre les deux) ; any (tout retard fini)"};
+    "changement entre les deux) ; any (tout retard fini) ; any-wire (de chaque fil aussi) ; une "
+    "famille, 74HC, 74LS ou 4000 (ce qu'admettent ses notices), ou 74HC-typical, etc. (de 0.4 à "
+    "1.6 fois le temps typique)"};
 inline constexpr Message<> power_up{
     "netlists from elsewhere without Init: how their steps start: unknown (the default), or "
     "initial, taken as given",
@@ -269,6 +272,11 @@ inline constexpr Message<> assume{
     "what the plant never does, besides what the file assumes: an expression that is never 0",
     "ce que la partie opérative ne fait jamais, outre ce que le fichier suppose : une expression "
     "qui ne vaut jamais 0"};
+inline constexpr Message<> tolerance{
+    "also find how much the delays of gates may differ (MAX/MIN) before something goes wrong, and "
+    "what goes wrong first",
+    "chercher aussi de combien les retards des portes peuvent différer (MAX/MIN) avant une erreur, "
+    "et quelle erreur vient la première"};
 inline constexpr Message<> max_cases{"give up after so many cases (0: never)",
                                      "abandonner après tant de cas (0 : jamais)"};
 inline constexpr Message<> max_seconds{"give up after so much time (0: never)",

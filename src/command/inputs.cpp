@@ -9,6 +9,7 @@
 #include "command/help.h"
 #include "command/messages.h"
 #include "command/terminal.h"
+#include "netlist/passes/wire_delays.h"
 #include "schedule/delays_text.h"
 #include "text/joined.h"
 #include "text/nearest_name.h"
@@ -52,9 +53,11 @@ std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& graf
     });
 }
 
-std::optional<DelaySchedule> load_delays(const std::string& path, const Netlist& netlist) {
+std::optional<DelaySchedule> load_delays(const std::string& path, Netlist& netlist) {
     SourceFile source;
     return load(path, source, [&](const SourceFile& text, Diagnostics& diagnostics) {
+        const std::vector<Wire> wires = wires_named_in(text, netlist);
+        if (!wires.empty()) netlist = with_wire_delays(netlist, wires);
         return read_delays(text, netlist, diagnostics);
     });
 }

@@ -32,8 +32,9 @@ void show_wiring_warnings(const Chart& chart, CdxForm cdx);
 /// Stimuli for a GRAFCET.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);
 
-/// How long single gates of the netlist take (`.delays`).
-std::optional<DelaySchedule> load_delays(const std::string& path, const Netlist& netlist);
+/// How long single gates of the netlist take (`.delays`). Wires that the file names become cells of
+/// the netlist.
+std::optional<DelaySchedule> load_delays(const std::string& path, Netlist& netlist);
 
 /// Whether both are to come from standard input, which can be read only once; shows it if so.
 bool share_standard_input(const std::string& path, const std::string& stimuli);

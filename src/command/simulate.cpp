@@ -73,8 +73,8 @@ std::optional<Netlist> netlist_for(const SimulateArguments& request, const Chart
     return netlist;
 }
 
-/// How long its gates take.
-std::optional<GateDelays> delays_for(const SimulateArguments& request, const Netlist& netlist) {
+/// How long its gates take, and the wires that are named.
+std::optional<GateDelays> delays_for(const SimulateArguments& request, Netlist& netlist) {
     const DelayModel model = request.netlist.delays();
     if (request.delays.empty() && !model.is_fixed()) {
         complain(say::delays_are_open(model.name));
@@ -177,7 +177,7 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     // Make the netlist, or read it.
-    const auto netlist = netlist_for(request, *chart, line);
+    auto netlist = netlist_for(request, *chart, line);
     if (!netlist) return ExitStatus::bad_request;
     const auto delays = delays_for(request, *netlist);
     if (!delays) return ExitStatus::bad_request;

@@ -77,7 +77,9 @@ class DelaysWriter {
             out_ += '\n';
         }
         for (const auto& [cell, change] : section) {
-            if (change.width == 0 && times_of(change) == others) continue;
+            // A wire that is not named would take no time at all.
+            const bool is_named = is_start && is_wire(netlist_, netlist_.cells[cell]);
+            if (change.width == 0 && times_of(change) == others && !is_named) continue;
             append_gate(cell, change);
         }
     }

@@ -17,6 +17,7 @@
 #include "explain/write_explanation.h"
 #include "grafcet/messages.h"
 #include "laddercheck/ladder_device.h"
+#include "netlist/passes/wire_delays.h"
 #include "netlist/styles/messages.h"
 #include "plcopen/messages.h"
 #include "plcopen/read_ladder.h"
@@ -127,27 +128,78 @@ void add_files_of_gates(Judgement& judgement, const Grafcet& grafcet, const Netl
     }
 }
 
-/// Explains the witness, with its files beside it if they are wanted.
-void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
-                     const CheckRequest& request) {
-    const CellDelays delays = cell_delays(netlist, request.subject.delays);
-    const Witness& witness = *judgement.result.witness;
+/// Puts a witness into words; `whole`: all of it, in the language of the request.
+ExplainedWitness explained_by_gates(const Grafcet& grafcet, const Netlist& netlist,
+                                    const CellDelays& delays, const Witness& witness,
+                                    const CheckRequest& request, std::string& whole) {
     const Netlist powered = with_power_up(netlist, witness.power_up);
     const Explanation explanation = explain(grafcet, powered, delays, witness);
     const auto text_in = [&](Language language, std::size_t links) {
         return write_explanation(grafcet, powered, witness, explanation,
                                  {language, links, request.subject.against});
     };
-    judgement.explained.text = text_in(request.language, most_links);
+    ExplainedWitness explained;
+    explained.text = text_in(request.language, most_links);
     for (const Netlist::InitialValue& initial : witness.power_up) {
-        judgement.explained.power_up.emplace_back(netlist.names[initial.net], initial.value);
+        explained.power_up.emplace_back(netlist.names[initial.net], initial.value);
     }
-    if (explanation.cause) judgement.explained.cause = identifier_of(explanation.cause->kind);
-    judgement.explained.lines = lines_of(text_in(Language::english, 0));
+    if (explanation.cause) explained.cause = identifier_of(explanation.cause->kind);
+    explained.lines = lines_of(text_in(Language::english, 0));
+    whole = text_in(request.language, 0);
+    return explained;
+}
+
+/// Explains the witness, with its files beside it if they are wanted.
+void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist& netlist,
+                     const CheckRequest& request) {
+    const CellDelays delays = cell_delays(netlist, request.subject.delays);
+    const Witness& witness = *judgement.result.witness;
+    std::string whole;
+    judgement.explained = explained_by_gates(grafcet, netlist, delays, witness, request, whole);
     if (request.with_files) {
-        add_files_of_gates(judgement, grafcet, powered, delays, text_in(request.language, 0),
-                           request.language);
+        add_files_of_gates(judgement, grafcet, with_power_up(netlist, witness.power_up), delays,
+                           whole, request.language);
     }
+}
+
+/// Makes the witness one in terms of a netlist in which only those wires take time that the
+/// difference needs, and gives that netlist; else `wired`, where the others are as fast as gates.
+Netlist with_wires_needed(const Grafcet& grafcet, const Netlist& netlist, const Netlist& wired,
+                          const DelayModel& delays, Witness& witness) {
+    const std::vector<Wire> wires = telling_wires(netlist);
+    const std::size_t gates = netlist.cells.size();
+    std::vector<Wire> needed;
+    DelaySchedule schedule = witness.delays;
+    for (DelayChange& change : schedule.changes) {
+        if (index_of(change.cell) < gates) continue;
+        const Wire& wire = wires[index_of(change.cell) - gates];
+        const auto known = std::find(needed.begin(), needed.end(), wire);
+        change.cell = static_cast<CellId>(gates + static_cast<std::size_t>(known - needed.begin()));
+        if (known == needed.end()) needed.push_back(wire);
+    }
+    Netlist fewer = with_wire_delays(netlist, needed);
+    auto again = replay(grafcet, with_power_up(fewer, witness.power_up), cell_delays(fewer, delays),
+                        witness.stimuli, 0, schedule);
+    if (!again || again->kind != witness.kind) return wired;
+    again->power_up = std::move(witness.power_up);
+    again->delays = std::move(schedule);
+    witness = std::move(*again);
+    return fewer;
+}
+
+/// Finds how much delays may differ, and explains what goes wrong first.
+void add_tolerance(Judgement& judgement, const Grafcet& grafcet, const CheckRequest& request) {
+    Tolerance tolerance = find_tolerance(grafcet, request.tolerance_of, check_options(request));
+    if (tolerance.witness) {
+        const DelayModel delays = delays_of_ratio(tolerance.fails);
+        if (const auto netlist = request.tolerance_of(delays)) {
+            std::string whole;
+            judgement.explained.at_tolerance.push_back(
+                explained_by_gates(grafcet, *netlist, cell_delays(*netlist, delays),
+                                   *tolerance.witness, request, whole));
+        }
+    }
+    judgement.result.tolerance = std::move(tolerance);
 }
 
 }  // namespace
@@ -180,12 +232,24 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
     }
     subject.power_up = power_up_of(chart, netlist, !subject.against.empty());
     subject.warnings = chart.warnings;
+    if (subject.delays.family != nullptr) {
+        subject.figures = used_figures(*subject.delays.family, netlist);
+    }
     // Compare it with the reference in every reachable case.
     CheckOptions options = check_options(request);
     options.scan_period = request.period;
-    judgement.result = check_equivalence(chart.grafcet, netlist, options);
+    const bool has_wires = subject.delays.kind == DelayModel::Kind::any_wire;
+    Netlist compared = has_wires ? with_wire_delays(netlist, telling_wires(netlist)) : netlist;
+    judgement.result = check_equivalence(chart.grafcet, compared, options);
     // Explain a difference.
-    if (judgement.result.witness) add_explanation(judgement, chart.grafcet, netlist, request);
+    if (auto& witness = judgement.result.witness) {
+        if (has_wires) {
+            compared =
+                with_wires_needed(chart.grafcet, netlist, compared, subject.delays, *witness);
+        }
+        add_explanation(judgement, chart.grafcet, compared, request);
+    }
+    if (request.tolerance_of) add_tolerance(judgement, chart.grafcet, request);
     return judgement;
 }
 

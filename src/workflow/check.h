@@ -9,6 +9,7 @@
 
 #include "check/check_result.h"
 #include "check/report.h"
+#include "check/tolerance.h"
 #include "draw/scene.h"
 #include "ladder/ladder.h"
 #include "netlist/netlist.h"
@@ -36,6 +37,9 @@ struct CheckRequest {
     KeepGoing keep_going;
     Language language = Language::english;  ///< of the explanation
     bool with_files = false;                ///< whether the files of a witness are wanted
+    /// Asynchronous netlists: to find how much delays may differ as well, what to check then under
+    /// a model; none: not wanted.
+    NetlistFor tolerance_of{};
 };
 
 /// A file as it would be written: its name and its text.

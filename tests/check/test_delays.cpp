@@ -5,9 +5,13 @@
 
 #include "check/check_equivalence.h"
 #include "check/netlist_witness.h"
+#include "check/tolerance.h"
 #include "evolution/run.h"
+#include "netlist/part_families.h"
+#include "netlist/passes/wire_delays.h"
 #include "random/random_grafcet.h"
 #include "random/read_text.h"
+#include "settling/cell_bands.h"
 #include "simulate/simulate.h"
 #include "support/small_netlist.h"
 #include "support/small_netlists.h"
@@ -106,6 +110,41 @@ TEST_CASE("delays: models by the words that ask for them") {
     }
 }
 
+TEST_CASE("delays: a part family gives every cell bounds of its own") {
+    const auto model = delay_model_of("74LS");
+    REQUIRE(model);
+    CHECK(model->kind == DelayModel::Kind::bounded);
+    CHECK(model->family == part_family_named("74LS"));
+    CHECK(model->gate == DelayBand{2'000, 33'000});
+    CHECK(model->bands(CellType::nand_gate, 8) == edges(2, 23, 3, 30));
+    // Two 74LS32, one behind the other or not.
+    CHECK(model->bands(CellType::or_gate, 3) == either_edge(3, 66));
+    // No part is a timer that counts scans.
+    CHECK(model->bands(CellType::scan_timer, 2).rise == model->gate);
+    CHECK(delay_model_of("4000-typical")->bands(CellType::nor_gate, 2) == either_edge(44, 200));
+    CHECK(!delay_model_of("74hc"));
+}
+
+TEST_CASE("delays: what a witness takes lies within the bounds of each edge") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    for (const char* family : {"74HC", "74LS", "4000"}) {
+        CAPTURE(family);
+        const Netlist netlist = made_for(grafcet, Style::nand, family);
+        const CheckResult result = checked(grafcet, netlist, family);
+        REQUIRE(result.verdict == Verdict::different);
+        CHECK(replays(grafcet, netlist, *result.witness, family));
+        REQUIRE(!result.witness->delays.changes.empty());
+        const CellBands bands = cell_bands(netlist, *delay_model_of(family));
+        for (const DelayChange& change : result.witness->delays.changes) {
+            CAPTURE(netlist.names[netlist.cells[change.cell].output]);
+            const DelayBand rise = bands.rise[index_of(change.cell)];
+            const DelayBand fall = bands.fall[index_of(change.cell)];
+            CHECK((rise.min <= change.rise && change.rise <= rise.max));
+            CHECK((fall.min <= change.fall && change.fall <= fall.max));
+        }
+    }
+}
+
 TEST_CASE("delays: a step that never moves is right whatever they are") {
     const Grafcet grafcet = grafcet_of(alone);
     for (const Style style : asynchronous_styles()) {
@@ -142,6 +181,67 @@ TEST_CASE("delays: the same sequence is right between bounds that are close") {
         }
         CHECK(replays(grafcet, netlist, *result.witness, "1..8"));
     }
+}
+
+TEST_CASE("delays: the ratio up to which a sequence is right lies between two that are checked") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    for (const Style style : {Style::gates, Style::nand}) {
+        const NetlistFor made = [&](const DelayModel& delays) {
+            return std::optional(made_for(grafcet, style, delays.name));
+        };
+        const Tolerance tolerance = find_tolerance(grafcet, made, {});
+        CHECK(!tolerance.is_unlimited);
+        REQUIRE(tolerance.holds >= 15);
+        CHECK(tolerance.fails == next_ratio(tolerance.holds));
+        const std::string holds = delays_of_ratio(tolerance.holds).name;
+        const std::string fails = delays_of_ratio(tolerance.fails).name;
+        CHECK(checked(grafcet, made_for(grafcet, style, holds), holds).verdict ==
+              Verdict::equivalent);
+        REQUIRE(tolerance.witness);
+        CHECK(replays(grafcet, made_for(grafcet, style, fails), *tolerance.witness, fails));
+    }
+}
+
+TEST_CASE("delays: a ratio is told from both sides where checks are cut short") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    const NetlistFor made = [&](const DelayModel& delays) {
+        return std::optional(made_for(grafcet, Style::nand, delays.name));
+    };
+    CheckOptions options;
+    options.max_cases = 1;
+    const Tolerance cut = find_tolerance(grafcet, made, options);
+    CHECK(cut.holds == 0);
+    CHECK(!cut.is_unlimited);
+    options.max_cases = 0;
+    options.keep_going = [] { return false; };
+    const Tolerance stopped = find_tolerance(grafcet, made, options);
+    CHECK(stopped.holds == 0);
+    CHECK(stopped.fails == 0);
+}
+
+TEST_CASE("delays: ratios have two digits") {
+    CHECK(next_ratio(0) == 10);
+    CHECK(next_ratio(10) == 11);
+    CHECK(next_ratio(99) == 100);
+    CHECK(next_ratio(100) == 110);
+    CHECK(delays_of_ratio(17).gate == DelayBand{1'000, 1'700});
+    CHECK(delays_of_ratio(120).gate == DelayBand{1'000, 12'000});
+}
+
+TEST_CASE("delays: with wires of any delay a difference replays in the netlist that has them") {
+    const Grafcet grafcet = grafcet_of(sequence);
+    for (const Style style : {Style::gates, Style::nand, Style::rs}) {
+        const Netlist netlist = netlist_of(grafcet, style);
+        const Netlist wired = with_wire_delays(netlist, telling_wires(netlist));
+        const CheckResult result = checked(grafcet, wired, "any-wire");
+        CHECK(result.verdict != Verdict::equivalent);
+        if (result.verdict != Verdict::different) continue;
+        CHECK(replays(grafcet, wired, *result.witness, "any-wire"));
+    }
+    const Grafcet still = grafcet_of(alone);
+    const Netlist netlist = netlist_of(still, Style::nand);
+    CHECK(checked(still, with_wire_delays(netlist, telling_wires(netlist)), "any-wire").verdict ==
+          Verdict::equivalent);
 }
 
 TEST_CASE("delays: no circuit within the bounds contradicts an equivalence") {

@@ -92,7 +92,7 @@ TEST_CASE("delays: the clocked style has none to be open, and a model has to be 
     CHECK(contains(clocked.err, "clock"));
     const Ran wrong = grafwire_with({"check", sequence_chart, "--delay", "2..1"});
     CHECK(wrong.status == 2);
-    CHECK(contains(wrong.err, "--delay: 2..1 not in {unit,MIN..MAX,any}"));
+    CHECK(contains(wrong.err, "--delay: 2..1 not in {unit,MIN..MAX,any,74HC,"));
 }
 
 TEST_CASE("delays: bounds in JSON and in French") {
@@ -103,6 +103,91 @@ TEST_CASE("delays: bounds in JSON and in French") {
     const Ran french = grafwire_with(
         {"check", sequence_chart, "--style", "nand", "--delay", "1..1.5", "--lang", "fr"});
     CHECK(contains(french.out, "retards\u00a0: 1 à 1.5\u00a0ns par changement de porte"));
+}
+
+TEST_CASE("delays: a report says which figures of a part family it rests on") {
+    const std::vector<std::string> request = {"check", sequence_chart, "--style",
+                                              "nand",  "--delay",      "74HC"};
+    const Ran check = grafwire_with(request);
+    CHECK(check.status == 1);
+    CHECK(contains(check.out, "  delays: 74HC, as far as its data sheets let gates differ; "));
+    CHECK(contains(check.out,
+                   "  every change of a gate takes, in ns:\n"
+                   "    NOT gate: 2 to 24 (74HC04: TI-HC, LT)\n"));
+    CHECK(contains(check.out,
+                   "    NAND gate, 2 inputs: 1 to 23 (74HC00: Philips 74HC/HCT00, TI-HC, LT)\n"));
+    CHECK(contains(check.out, "; no maximum was found: that of the next wider gate)\n"));
+    std::vector<std::string> as_json = request;
+    as_json.insert(as_json.end(), {"--to", "json"});
+    const auto json = nlohmann::json::parse(grafwire_with(as_json).out);
+    CHECK(json["delay"] == "74HC");
+    CHECK(json["figures"][0]["cell"] == "not");
+    CHECK(json["figures"][0]["rise"] == std::vector<double>{2, 24});
+    CHECK(json["figures"][0]["part"] == "74HC04");
+}
+
+TEST_CASE("delays: gates wider than any part are told, and edges that differ") {
+    const ScratchFolder folder;
+    folder.file("wide.blif",
+                ".model wide\n.inputs a b c Init AUdur AUdoux\n.outputs X0\n"
+                ".names a b c ab\n1-- 1\n-1- 1\n--1 1\n"
+                ".names Init ab X0\n1- 1\n-1 1\n-0 1\n.end\n");
+    folder.file("one.grafcet", "input a\ninput b\ninput c\ngraph G {\n  initial 0\n}\n");
+    const Ran check = grafwire_with({"check", folder.path("one.grafcet"), "--against",
+                                     folder.path("wide.blif"), "--delay", "74LS", "--lang", "fr"});
+    CHECK(contains(check.out, "retards : 74LS, autant que ses notices laissent les portes"));
+    CHECK(contains(check.out,
+                   "    porte OU, 3 entrées : 3 à 66 (composée de plusieurs, prise pour une "
+                   "seule porte)\n"));
+}
+
+TEST_CASE("delays: of wires as well, and the witness names them") {
+    const ScratchFolder folder;
+    const Ran check = grafwire_with({"check", sequence_chart, "--style", "nand", "--delay",
+                                     "any-wire", "--witness", folder.path("witness")});
+    CHECK(check.status == 1);
+    CHECK(contains(check.out, "  delays: any finite one of every gate and of every wire; "));
+    const Ran run = grafwire_with({"simulate", sequence_chart, folder.path("witness/witness.stim"),
+                                   "--style", "nand", "--delay", "any-wire", "--delays",
+                                   folder.path("witness/witness.delays")});
+    CHECK(run.status == 0);
+    CHECK(run.out == text_of(folder.path("witness/got.csv")));
+    CHECK(run.out != text_of(folder.path("witness/expected.csv")));
+}
+
+TEST_CASE("a wire takes the time that a file gives it, and none else") {
+    // m reaches X1$set0 20 ns after what else it reaches.
+    const Ran slow = simulate_with("m->X1$set0 20\n", {"--style", "nand", "--explain"});
+    CHECK(slow.status == 0);
+    CHECK(contains(slow.out, "  X1 becomes 1 after 22 ns: m=1, buffer m->X1$set0=1 (+20 ns), "));
+    const Ran none = simulate_with("m->X0 20\n", {"--style", "nand"});
+    CHECK(none.status == 2);
+    CHECK(contains(none.err, "the netlist has no net 'm->X0'"));
+}
+
+TEST_CASE("a check finds how much delays may differ") {
+    const std::vector<std::string> request = {"check", sequence_chart, "--style", "nand",
+                                              "--tolerance"};
+    const Ran check = grafwire_with(request);
+    CHECK(check.status == 0);
+    CHECK(contains(check.out,
+                   "\nTolerance: it holds as long as no change of a gate takes more than "));
+    CHECK(contains(check.out, " times it does not:\n  at 0 "));
+    CHECK(contains(check.out, "A race of gates: "));
+    std::vector<std::string> as_json = request;
+    as_json.insert(as_json.end(), {"--to", "json"});
+    const auto json = nlohmann::json::parse(grafwire_with(as_json).out);
+    CHECK(json["verdict"] == "equivalent");
+    CHECK(json["tolerance"]["holds"] < json["tolerance"]["fails"]);
+    CHECK(json["tolerance"]["unlimited"] == false);
+    CHECK(json["tolerance"]["witness"]["kind"] == "situation");
+    const Ran handshake =
+        grafwire_with({"check", sequence_chart, "--style", "handshake", "--tolerance"});
+    CHECK(contains(handshake.out,
+                   "\nTolerance: it holds however much the delays of gates differ.\n"));
+    const Ran clocked =
+        grafwire_with({"check", sequence_chart, "--style", "clocked", "--tolerance"});
+    CHECK(clocked.status == 2);
 }
 
 TEST_CASE("delays of single gates are in the waveform") {
