@@ -3,11 +3,11 @@
 // Where wires are cells, the orders of firings (any_order.cpp) are all there is to them, but there
 // are many more. For such circuits ternary simulation is more than a safe answer: a net that it
 // leaves unknown does end at either value, or never at rest, as delays want (J. A. Brzozowski,
-// C.-J. H. Seger, "Asynchronous Circuits", 1995, chapter 7; for gates, that is, while timers and
-// pulse cells are taken for worse than they may be). So where the orders are too many, its one
-// rest, with what is unknown in it, stands for all of them: nothing is missed. A difference that
-// comes of it has to be shown by a run, as any other, and for that orders with one late gate or
-// wire are tried.
+// C.-J. H. Seger, "Asynchronous Circuits", 1995, chapter 7). That is so of gates with inputs of
+// their own; latches, pulse cells, timers and inputs tied together are taken for worse than they
+// may be. So where the orders are too many, its one rest, with what is unknown in it, stands for
+// all of them: nothing is missed. A difference that comes of it has to be shown by a run, as any
+// other, and for that orders with one late gate or wire are tried.
 
 #include "settling/any_wire.h"
 

@@ -21,6 +21,7 @@ SmallNetlist some_netlist() {
     small.timed(CellType::rise_pulse, "p", {"q"}, {0, 3 * nanosecond, 0});
     small.cell(CellType::inverter, "q", {"z"});
     small.output("p");
+    small.netlist.modules.push_back({"all", "", 0, 5});
     return small;
 }
 

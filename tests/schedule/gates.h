@@ -14,6 +14,7 @@ inline Netlist some_gates() {
     small.cell(CellType::nand_gate, "X1$q", {"X1$set", "a"});
     small.cell(CellType::buffer, "two words", {"X1$q"});
     small.cell(CellType::inverter, "été", {"two words"});
+    small.netlist.modules.push_back({"all", "", 0, 5});
     return small.netlist;
 }
 
