@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -33,9 +32,9 @@ inline constexpr Message<std::string, std::string> bounded_delays{
 inline constexpr Message<Localized> family_delays{"delays: {}", "retards : {}"};
 inline constexpr Message<> figures_of_parts{"  every change of a gate takes, in ns:\n",
                                             "  chaque changement de porte prend, en ns :\n"};
-/// Arguments: the type of a cell, how many inputs it has.
-inline constexpr Message<Localized, std::size_t> cell_with_inputs{"{}, {} inputs",
-                                                                  "{}, {} entrées"};
+/// Counts inputs; argument: the type of the cell.
+inline constexpr CountedMessage<Localized> cell_with_inputs{
+    {"{1}, {0} input", "{1}, {0} entrée"}, {"{1}, {0} inputs", "{1}, {0} entrées"}};
 inline constexpr Message<std::string, std::string> from_to{"{} to {}", "{} à {}"};
 /// Arguments: bounds of the rise, of the fall.
 inline constexpr Message<std::string, std::string> rise_and_fall{"rise {}, fall {}",

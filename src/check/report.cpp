@@ -237,7 +237,7 @@ void TextReport::write_figures() {
         }
         say(words::figures_of_cell,
             used.inputs < 2 ? type.in(language_)
-                            : in_words(words::cell_with_inputs, type, used.inputs),
+                            : words::cell_with_inputs.in(language_, used.inputs, type),
             rise == fall ? rise : in_words(words::rise_and_fall, rise, fall), source);
     }
 }
