@@ -188,11 +188,11 @@ inline constexpr Message<> simulate_explain{
 
 inline constexpr Message<> simulate_delays{
     "how long single gates take, from a .delays file: a line 'X1$set 3 5' gives the gate that "
-    "drives this net 3 ns to rise and 5 ns to fall, '*' stands for every other gate; delays may "
-    "change in time",
+    "drives this net 3 ns to rise and 5 ns to fall, '*' stands for every other gate, 'a->X1$set' "
+    "for a wire; delays may change in time",
     "retards de certaines portes, lus dans un fichier .delays : une ligne « X1$set 3 5 » donne "
     "3 ns pour monter et 5 ns pour descendre à la porte qui commande ce fil, « * » désigne "
-    "toutes les autres portes ; les retards peuvent changer avec le temps"};
+    "toutes les autres portes, « a->X1$set » un fil ; les retards peuvent changer avec le temps"};
 inline constexpr Message<> simulate_zoom{
     "in place of the run, draw this instant of it, such as 500ms, gate by gate on a scale of "
     "nanoseconds (--to svg, wavedrom)",
