@@ -37,7 +37,7 @@ inline constexpr Message<> maximum_is_guessed{
 inline constexpr Message<> maximum_is_widened{
     "with the maximum of its neighbours, which is the longer one",
     "avec le maximum de ses voisines, plus long"};
-inline constexpr Message<> is_not_buffered{"not buffered", "sans étage de sortie"};
+inline constexpr Message<> is_not_buffered{"not buffered", "non tamponné"};
 inline constexpr Message<> is_not_of_ub_parts{"the UB parts are faster",
                                               "les modèles UB sont plus rapides"};
 

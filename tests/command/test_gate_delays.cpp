@@ -180,7 +180,7 @@ TEST_CASE("a check finds how much delays may differ") {
     CHECK(json["verdict"] == "equivalent");
     CHECK(json["tolerance"]["holds"] < json["tolerance"]["fails"]);
     CHECK(json["tolerance"]["unlimited"] == false);
-    CHECK(json["tolerance"]["witness"]["kind"] == "oscillation");
+    CHECK(json["tolerance"]["witness"]["kind"] == "situation");
     const Ran handshake =
         grafwire_with({"check", sequence_chart, "--style", "handshake", "--tolerance"});
     CHECK(contains(handshake.out,

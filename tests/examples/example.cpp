@@ -48,6 +48,7 @@ std::vector<Example> load_examples() {
     std::size_t sound_in = 0;
     std::size_t one_at_a_time = 0;
     for (std::string line; std::getline(readme, line);) {
+        if (line.rfind('|', 0) != 0) sound_in = one_at_a_time = 0;  // the table is over
         const std::vector<std::string> cells = cells_of(line);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (cells[i] == "sound in") sound_in = i;
