@@ -28,24 +28,7 @@
 
 #include "settling/stubborn_sets.h"
 
-#include <algorithm>
-
-#include "settling/joint_firings.h"
-
 namespace grafwire {
-
-StubbornSets::StubbornSets(const Circuit& circuit)
-    : circuit_(circuit),
-      reach_(circuit),
-      is_excited_(circuit.netlist().cells.size()),
-      is_in_(circuit.netlist().cells.size()) {}
-
-bool StubbornSets::add(std::uint32_t cell) {
-    if (cell == Circuit::none || is_in_[cell] != 0) return false;
-    is_in_[cell] = 1;
-    set_.push_back(cell);
-    return true;
-}
 
 /// Whether any was added.
 bool StubbornSets::add_open_drivers(std::uint32_t cell) {
@@ -82,12 +65,7 @@ bool StubbornSets::add_readers(std::uint32_t cell) {
     return is_added;
 }
 
-/// Makes `set_` the stubborn set of a seed; the number of excited cells in it, or as soon as there
-/// are more than `least`, some number above that.
-std::size_t StubbornSets::close(const CircuitState& state, std::uint32_t seed, std::size_t least) {
-    for (const std::uint32_t cell : set_) is_in_[cell] = 0;
-    set_.clear();
-    add(seed);
+std::size_t StubbornSets::close(const CircuitState& state, std::size_t most) {
     for (;;) {
         reach_.make(state, excited_, is_in_);
         std::size_t excited = 0;
@@ -96,39 +74,11 @@ std::size_t StubbornSets::close(const CircuitState& state, std::uint32_t seed, s
             const std::uint32_t cell = set_[next];
             is_added |= keep_asked(state, cell);
             if (is_excited_[cell] == 0) continue;
-            if (++excited > least) return excited;
+            if (++excited > most) return excited;
             is_added |= add_readers(cell);
         }
         if (!is_added) return excited;
     }
-}
-
-bool StubbornSets::choose(const CircuitState& state, std::vector<Firing>& firings) {
-    firings.clear();
-    std::vector<CellAction> actions = circuit_.actions(state);
-    if (actions.size() < 2) {
-        if (!actions.empty()) firings.push_back(actions);
-        append_ending_delays(circuit_, state, firings);
-        return true;
-    }
-    for (const std::uint32_t cell : excited_) is_excited_[cell] = 0;
-    excited_.clear();
-    for (const CellAction& action : actions) {
-        if (is_excited_[action.cell] == 0) excited_.push_back(action.cell);
-        is_excited_[action.cell] = 1;
-    }
-    std::size_t least = excited_.size();
-    std::uint32_t best = excited_[0];
-    for (const std::uint32_t cell : excited_) {
-        const std::size_t excited = close(state, cell, least - 1);
-        if (excited >= least) continue;
-        least = excited;
-        best = cell;
-        if (least == 1) break;
-    }
-    close(state, best, excited_.size());
-    std::erase_if(actions, [&](const CellAction& action) { return is_in_[action.cell] == 0; });
-    return append_firings(circuit_, state, actions, firings);
 }
 
 }  // namespace grafwire

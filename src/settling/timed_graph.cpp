@@ -7,9 +7,9 @@
 // every path is one that they allow. A class that another one with the same state includes is not
 // gone through again.
 //
-// Merged, a class stands for all times at which its state has been reached, and for whatever lies
-// between them: the smallest domain that includes both. So there are only as many classes as
-// states, no rest is missed, and some may be found that cannot be.
+// A merged class stands for all times at which its state has been reached, and for whatever lies
+// between them: the smallest domain that includes both. So the classes of a state need not be more
+// than a given number; no rest is missed, and some may be found that cannot be.
 //
 // As times of different corners are not compared, one corner may go round while another waits, and
 // classes with ever other times come up. Then the circuit is taken to be able to go round for ever,

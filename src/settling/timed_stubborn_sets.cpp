@@ -9,47 +9,33 @@
 // beginning with one excited cell:
 //
 // - For an excited cell, whatever could change what its inputs ask for. If one pin decides by
-// itself (a
-//   0 at a NAND) that is the driver of this pin alone, since nothing else matters while it stays.
+//   itself (a 0 at a NAND) that is the driver of this pin alone, since nothing else matters while
+//   it stays.
 // - For an excited cell, the cells that read its output, as they may be changed by its firing. Not
 //   those for which another pin decides whose driver is quiet: that driver is taken in instead.
 // - For a quiet cell, whatever has to change first to wake it: the driver of a deciding pin, else
 //   of any pin.
 // - When a gate becomes excited by several inputs, it is so from the last of them on; for the last
-// one
-//   tried to be the last in time, cells with a common reader belong together.
+//   one tried to be the last in time, cells with a common reader belong together.
 //
 // Cells that nothing can make fire from this state on (reach.h) are left out: the circuit is the
 // same without them, with what they show as constants.
 
 #include "settling/timed_stubborn_sets.h"
 
-#include <algorithm>
-
-#include "settling/joint_firings.h"
-
 namespace grafwire {
-
-TimedStubbornSets::TimedStubbornSets(const Circuit& circuit)
-    : circuit_(circuit),
-      reach_(circuit),
-      none_(circuit.netlist().cells.size()),
-      is_excited_(circuit.netlist().cells.size()),
-      is_in_(circuit.netlist().cells.size()) {}
 
 /// Whether a cell never fires from the state at hand on.
 bool TimedStubbornSets::is_fixed(std::uint32_t cell) const {
     return is_excited_[cell] == 0 && !reach_.is_open(circuit_.output(cell));
 }
 
-void TimedStubbornSets::add(std::uint32_t cell) {
-    if (cell == Circuit::none || is_in_[cell] != 0 || is_fixed(cell)) return;
-    is_in_[cell] = 1;
-    set_.push_back(cell);
+void TimedStubbornSets::add_moving(std::uint32_t cell) {
+    if (cell != Circuit::none && !is_fixed(cell)) add(cell);
 }
 
 void TimedStubbornSets::add_driver(NetId net) {
-    add(circuit_.driver(net));
+    add_moving(circuit_.driver(net));
 }
 
 /// What could change that the cell is excited, or quiet.
@@ -72,61 +58,24 @@ void TimedStubbornSets::add_readers(const CircuitState& state, std::uint32_t cel
         const NetId deciding = circuit_.deciding_pin(state, reader, output);
         const std::uint32_t driver = deciding == no_net ? Circuit::none : circuit_.driver(deciding);
         if (deciding == no_net || (driver != Circuit::none && is_excited_[driver] != 0)) {
-            add(reader);
+            add_moving(reader);
             for (const NetId pin : circuit_.pins(reader)) add_driver(pin);
         } else {
-            add(driver);
+            add_moving(driver);
         }
     }
 }
 
-/// Makes `set_` the stubborn set of a seed; the number of excited cells in it, or as soon as there
-/// are more than `least`, some number above that.
-std::size_t TimedStubbornSets::close(const CircuitState& state, std::uint32_t seed,
-                                     std::size_t least) {
-    for (const std::uint32_t cell : set_) is_in_[cell] = 0;
-    set_.clear();
-    add(seed);
+std::size_t TimedStubbornSets::close(const CircuitState& state, std::size_t most) {
     std::size_t excited = 0;
     for (std::size_t next = 0; next < set_.size(); ++next) {
         const std::uint32_t cell = set_[next];
         add_inputs(state, cell);
         if (is_excited_[cell] == 0) continue;
-        if (++excited > least) return excited;
+        if (++excited > most) return excited;
         add_readers(state, cell);
     }
     return excited;
-}
-
-bool TimedStubbornSets::choose(const CircuitState& state, std::vector<Firing>& firings) {
-    firings.clear();
-    std::vector<CellAction> actions = circuit_.actions(state);
-    for (const std::uint32_t cell : set_) is_in_[cell] = 0;
-    set_.clear();
-    if (actions.size() < 2) {
-        if (!actions.empty()) firings.push_back(actions);
-        append_ending_delays(circuit_, state, firings);
-        return true;
-    }
-    std::fill(is_excited_.begin(), is_excited_.end(), 0);
-    std::vector<std::uint32_t> excited_cells;
-    for (const CellAction& action : actions) {
-        is_excited_[action.cell] = 1;
-        excited_cells.push_back(action.cell);
-    }
-    reach_.make(state, excited_cells, none_);
-    std::size_t least = actions.size();
-    std::uint32_t best = actions[0].cell;
-    for (const CellAction& action : actions) {
-        const std::size_t excited = close(state, action.cell, least - 1);
-        if (excited >= least) continue;
-        least = excited;
-        best = action.cell;
-        if (least == 1) break;
-    }
-    close(state, best, actions.size());
-    std::erase_if(actions, [&](const CellAction& action) { return is_in_[action.cell] == 0; });
-    return append_firings(circuit_, state, actions, firings);
 }
 
 }  // namespace grafwire
