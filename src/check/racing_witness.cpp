@@ -77,10 +77,7 @@ class DelayReduction {
         for (const DelaySchedule& candidate : {constant(moments), moments}) {
             if (shows(candidate)) break;
         }
-        if (!best_) return std::nullopt;
-        leave_out();
-        shorten();
-        return std::move(best_);
+        return reduced();
     }
 
     /// Of the circuits that are tried, every other one is slow only where something changes at the
@@ -95,13 +92,18 @@ class DelayReduction {
                              : extreme_circuit(bands, all, 1U << i / 2 % 5, random));
         }
         trials_ = 0;
+        return reduced();
+    }
+
+  private:
+    /// What has been found, with delays as few and as small as can be.
+    std::optional<Witness> reduced() {
         if (!best_) return std::nullopt;
         leave_out();
         shorten();
         return std::move(best_);
     }
 
-  private:
     /// Per cell the longest of its delays.
     static DelaySchedule constant(const DelaySchedule& moments) {
         std::map<CellId, DelayChange> longest;
