@@ -247,10 +247,9 @@ class IecDeclarations {
         if (declared_) text_ += block_ + "END_VAR\n";
         declared_ = false;
     }
-    void declare_table(BitKind kind, std::size_t size, const Message<>& comment) {
-        if (size == 0) return;
-        declare(names_.table(kind), fmt::format("ARRAY[0..{}] OF BOOL", size - 1), comment);
-    }
+    /// The tables that the program needs: what for, how long, and how they are called.
+    template <typename Visit>
+    void for_each_table(const Visit& visit) const;
 
     const Grafcet& grafcet_;
     const ScanProgram& program_;
@@ -322,51 +321,41 @@ void IecDeclarations::write_indices() {
     end();
 }
 
-void IecDeclarations::write_tables() {
+template <typename Visit>
+void IecDeclarations::for_each_table(const Visit& visit) const {
     const std::size_t steps = grafcet_.steps.size();
-    begin("VAR", say::tables);
-    declare_table(BitKind::step, steps, say::steps);
-    declare_table(BitKind::previous, steps, say::steps_before);
-    declare_table(BitKind::activate, steps, say::to_activate);
-    declare_table(BitKind::deactivate, steps, say::to_deactivate);
-    if (uses(program_, BitKind::pulse)) {
-        declare_table(BitKind::pulse, steps, say::just_activated);
-    }
+    visit(BitKind::step, steps, say::steps);
+    visit(BitKind::previous, steps, say::steps_before);
+    visit(BitKind::activate, steps, say::to_activate);
+    visit(BitKind::deactivate, steps, say::to_deactivate);
+    if (uses(program_, BitKind::pulse)) visit(BitKind::pulse, steps, say::just_activated);
     if (has_forcing(program_)) {
-        declare_table(BitKind::forced_on, steps, say::forced_on);
-        declare_table(BitKind::forced_off, steps, say::forced_off);
+        visit(BitKind::forced_on, steps, say::forced_on);
+        visit(BitKind::forced_off, steps, say::forced_off);
     }
-    declare_table(BitKind::transition, grafcet_.transitions.size(), say::transition_conditions);
+    visit(BitKind::transition, grafcet_.transitions.size(), say::transition_conditions);
     if (uses(program_, BitKind::may_evolve)) {
-        declare_table(BitKind::may_evolve, grafcet_.graphs.size(), say::graphs);
+        visit(BitKind::may_evolve, grafcet_.graphs.size(), say::graphs);
     }
+}
+
+void IecDeclarations::write_tables() {
+    begin("VAR", say::tables);
+    for_each_table([&](BitKind kind, std::size_t size, const Message<>& comment) {
+        if (size == 0) return;
+        declare(names_.table(kind), fmt::format("ARRAY[0..{}] OF BOOL", size - 1), comment);
+    });
     declare(names_.started, "BOOL", say::started);
-    if (steps != 0) declare(names_.any, index_, say::runs_through);
+    if (grafcet_.steps.size() != 0) declare(names_.any, index_, say::runs_through);
     end();
 }
 
 void IecDeclarations::write_bits_of_tables() {
-    const auto declare_all = [&](BitKind kind, std::size_t size, const Message<>& comment) {
+    for_each_table([&](BitKind kind, std::size_t size, const Message<>& comment) {
         begin("VAR", comment);
         for (std::uint32_t i = 0; i < size; ++i) declare(names_.of({kind, i}), "BOOL");
         end();
-    };
-    const std::size_t steps = grafcet_.steps.size();
-    declare_all(BitKind::step, steps, say::steps);
-    declare_all(BitKind::previous, steps, say::steps_before);
-    declare_all(BitKind::activate, steps, say::to_activate);
-    declare_all(BitKind::deactivate, steps, say::to_deactivate);
-    if (uses(program_, BitKind::pulse)) {
-        declare_all(BitKind::pulse, steps, say::just_activated);
-    }
-    if (has_forcing(program_)) {
-        declare_all(BitKind::forced_on, steps, say::forced_on);
-        declare_all(BitKind::forced_off, steps, say::forced_off);
-    }
-    declare_all(BitKind::transition, grafcet_.transitions.size(), say::transition_conditions);
-    if (uses(program_, BitKind::may_evolve)) {
-        declare_all(BitKind::may_evolve, grafcet_.graphs.size(), say::graphs);
-    }
+    });
     begin("VAR");
     declare(names_.started, "BOOL", say::started);
     end();
