@@ -13,6 +13,7 @@
 #include "random/read_text.h"
 #include "settling/cell_bands.h"
 #include "simulate/simulate.h"
+#include "support/delay_checks.h"
 #include "support/small_netlist.h"
 #include "support/small_netlists.h"
 #include "support/styles.h"
@@ -42,15 +43,6 @@ graph G {
 }
 )";
 
-CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::string_view delays,
-                    std::uint64_t max_cases = 0) {
-    CheckOptions options;
-    options.delays = *delay_model_of(delays);
-    options.looks_at_many = false;
-    options.max_cases = max_cases;
-    return check_equivalence(grafcet, netlist, options);
-}
-
 /// The netlist made for a delay model.
 Netlist made_for(const Grafcet& grafcet, Style style, std::string_view delays) {
     const Equations equations = equations_from(grafcet, {CdxForm::successor, true});
@@ -58,15 +50,6 @@ Netlist made_for(const Grafcet& grafcet, Style style, std::string_view delays) {
     auto netlist = netlist_from(grafcet, equations, style, diagnostics, *delay_model_of(delays));
     REQUIRE(netlist);
     return std::move(*netlist);
-}
-
-/// Whether the delays of a witness show it in a simulation.
-bool replays(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness,
-             std::string_view delays) {
-    const CellDelays nominal = cell_delays(netlist, *delay_model_of(delays));
-    const Netlist powered = with_power_up(netlist, witness.power_up);
-    const auto again = replay(grafcet, powered, nominal, witness.stimuli, 0, witness.delays);
-    return again && again->kind == witness.kind;
 }
 
 /// One change of an input every 10 ms.

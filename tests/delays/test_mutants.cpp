@@ -3,10 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "check/check_equivalence.h"
-#include "check/netlist_witness.h"
 #include "delays/chart_orders.h"
 #include "delays/delay_cases.h"
+#include "support/delay_checks.h"
 #include "support/mutate.h"
 #include "support/small_netlists.h"
 
@@ -32,25 +31,11 @@ struct MutantCounts {
     int undecided = 0;  ///< a memory that nothing brings to a known value at power-up, mostly
 };
 
-CheckResult checked_under_any(const Grafcet& grafcet, const Netlist& netlist) {
-    CheckOptions options;
-    options.delays = *delay_model_of("any");
-    options.looks_at_many = false;
-    return check_equivalence(grafcet, netlist, options);
-}
-
-bool is_replayed(const Grafcet& grafcet, const Netlist& netlist, const Witness& witness) {
-    const CellDelays nominal = cell_delays(netlist, *delay_model_of("any"));
-    const Netlist powered = with_power_up(netlist, witness.power_up);
-    const auto again = replay(grafcet, powered, nominal, witness.stimuli, 0, witness.delays);
-    return again && again->kind == witness.kind;
-}
-
 void judge_mutant(const Grafcet& grafcet, const Netlist& netlist, MutantCounts& counts) {
-    const CheckResult result = checked_under_any(grafcet, netlist);
+    const CheckResult result = checked(grafcet, netlist, "any");
     if (result.verdict == Verdict::different) {
         REQUIRE(result.witness);
-        CHECK(is_replayed(grafcet, netlist, *result.witness));
+        CHECK(replays(grafcet, netlist, *result.witness, "any"));
         ++counts.different;
         return;
     }
@@ -74,7 +59,7 @@ TEST_CASE(
         CAPTURE(chart);
         const Grafcet grafcet = grafcet_of(chart);
         const Netlist netlist = netlist_of(grafcet, Style::handshake, true);
-        CHECK(checked_under_any(grafcet, netlist).verdict == Verdict::equivalent);
+        CHECK(checked(grafcet, netlist, "any").verdict == Verdict::equivalent);
         const std::vector<Mutation> mutations = mutations_of(netlist);
         for (std::size_t i = 0; i < mutations.size(); i += every) {
             CAPTURE(describe(netlist, mutations[i]));

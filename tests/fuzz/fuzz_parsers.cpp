@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "equations/equations.h"
@@ -18,6 +16,7 @@
 #include "ladder/draw/write_drawings.h"
 #include "ladder/machine.h"
 #include "plcopen/read_ladder.h"
+#include "require.h"
 #include "s7/addresses/io_assignment.h"
 #include "s7/machine/machine.h"
 #include "s7/parse_listing.h"
@@ -28,12 +27,6 @@
 namespace grafwire {
 
 namespace {
-
-void require(bool condition, const char* what, const std::string& text) {
-    if (condition) return;
-    std::fprintf(stderr, "%s\n%s\n", what, text.c_str());
-    std::abort();
-}
 
 std::optional<Grafcet> read_grafcet(std::string text) {
     const SourceFile source{"fuzz.grafcet", std::move(text)};

@@ -6,8 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +17,7 @@
 #include "random/random_grafcet.h"
 #include "random/random_source.h"
 #include "random/random_stimuli.h"
+#include "require.h"
 #include "trace/stimuli.h"
 #include "workflow/chart.h"
 #include "workflow/check.h"
@@ -29,12 +28,6 @@
 namespace grafwire {
 
 namespace {
-
-void require(bool condition, const char* what, const std::string& text) {
-    if (condition) return;
-    std::fprintf(stderr, "%s\n%s\n", what, text.c_str());
-    std::abort();
-}
 
 Netlist read_back(const NetlistFormat& format, const std::string& written) {
     const SourceFile source{"fuzz", written};
