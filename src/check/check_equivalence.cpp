@@ -40,12 +40,13 @@ CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
 ExplorationResult explore_netlist(const Grafcet& grafcet, const Netlist& netlist,
                                   const CheckOptions& options, const ExplorationPlan& plan) {
     const CellDelays delays = cell_delays(netlist, options.delays);
-    if (options.delays.is_fixed()) {
-        NetlistCases cases(grafcet, netlist, delays, options.keep_going);
-        return explore(grafcet, cases, options, plan);
-    }
-    RacingCases cases(grafcet, netlist, delays, options.delays, options.keep_going);
-    return explore(grafcet, cases, options, plan);
+    const auto make_netlist = [&](const KeepGoing& keep_going) -> std::unique_ptr<ExploredNetlist> {
+        if (options.delays.is_fixed()) {
+            return std::make_unique<NetlistCases>(grafcet, netlist, delays, keep_going);
+        }
+        return std::make_unique<RacingCases>(grafcet, netlist, delays, options.delays, keep_going);
+    };
+    return explore(grafcet, make_netlist, options, plan);
 }
 
 /// How time passes where the lengths of delays count.

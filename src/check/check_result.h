@@ -10,6 +10,7 @@
 #include "grafcet/grafcet.h"
 #include "netlist/delay_model.h"
 #include "text/keep_going.h"
+#include "text/workers.h"
 #include "trace/stimuli.h"
 
 namespace grafwire {
@@ -59,9 +60,11 @@ struct CheckOptions {
     /// Called many times a second with how far the present exploration is; a check may take
     /// several. None by default.
     std::function<void(const Coverage&)> progress;
-    /// Asked as often, also within a case; the check stops undecided once it says no. That is how a
-    /// caller bounds time and memory, and cancels.
+    /// Asked as often, also within a case, and by all workers at the same time; the check stops
+    /// undecided once it says no. That is how a caller bounds time and memory, and cancels.
     KeepGoing keep_going;
+    /// Who shares the exploration; nullptr: nobody does. They must outlive the check.
+    Workers* workers = nullptr;
 };
 
 /// What becomes of a netlist that is equivalent under Changes::one under Changes::many.

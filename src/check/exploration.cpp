@@ -41,10 +41,12 @@
 #include "check/exploration.h"
 
 #include <algorithm>
-#include <cassert>
+#include <atomic>
 #include <deque>
 
 #include "check/coverage.h"
+#include "check/expansion.h"
+#include "check/hand_over.h"
 #include "check/partial_inputs.h"
 #include "check/state_encoding.h"
 #include "check/state_space.h"
@@ -59,86 +61,119 @@ struct Node {
     std::uint32_t step = PredecessorTree::root;  ///< that led to it
 };
 
-/// An instant or scan that comes to a node (none: the first).
-struct Edge {
-    const Node* source = nullptr;
+/// A case that somebody has gone through and that waits for its turn.
+struct StoredCase {
     RunningDelays::Ending ending;
+    ReferenceOutcome expected;
+    PathStep step;
+    NetlistOutcomes outcomes;
+};
 
-    std::uint32_t predecessor() const {
-        return source == nullptr ? PredecessorTree::root : source->step;
-    }
-    const EvolutionState* reference() const {
-        return source == nullptr ? nullptr : &source->state.reference;
-    }
-    const SimulatorState* netlist() const {
-        return source == nullptr ? nullptr : &source->state.netlist;
+/// A node that is expanded while those before it may not have had their turn.
+struct Task {
+    Node node;
+    bool is_left_out = false;  ///< it was covered before
+    HandOver<StoredCase> cases;
+    bool is_whole = true;               ///< or it was broken off after these
+    std::atomic<bool> is_done = false;  ///< no more cases come
+    bool has_begun = false;             ///< its turn has come
+    bool is_covered = false;            ///< by then
+};
+
+/// Sees to it that an exception of one worker ends the others as well.
+struct EndsOthers {
+    const Task& task;
+    std::atomic<bool>& done;
+    ~EndsOthers() {
+        if (!task.is_done) done = true;
     }
 };
 
+/// So many nodes a worker has before it at a time.
+constexpr std::size_t nodes_of_a_worker = 32;
+
 class Exploration {
   public:
-    Exploration(const Grafcet& grafcet, ExploredNetlist& netlist, const CheckOptions& options,
-                const ExplorationPlan& plan)
+    Exploration(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
+                const CheckOptions& options, const ExplorationPlan& plan)
         : grafcet_(grafcet),
-          netlist_(netlist),
+          netlist_(make_netlist(options.keep_going)),
+          workers_(options.workers),
           plan_(plan),
           evolution_(grafcet),
-          reference_(evolution_, [this] { return coverage_.goes_on(); }),
+          reference_(evolution_, {}),
           relevance_(grafcet),
           assumptions_(grafcet),
-          coverage_(grafcet, assumptions_, netlist.has_modes(), options, explored_.result.coverage),
+          coverage_(grafcet, assumptions_, netlist_->has_modes(), options,
+                    explored_.result.coverage),
           predecessors_(assumptions_, !is_one_at_a_time()) {
         facts_.passing = plan.passing;
         facts_.period = plan.period;
-        facts_.quantum = common_quantum(grafcet, netlist.delays(), plan.period);
-        facts_.condition_of_timer = netlist.conditions_of_timers();
+        facts_.quantum = common_quantum(grafcet, netlist_->delays(), plan.period);
+        facts_.condition_of_timer = netlist_->conditions_of_timers();
         facts_.is_relevant_condition = relevance_.time_conditions();
-        facts_.is_relevant_timer = netlist.relevant_timers();
+        facts_.is_relevant_timer = netlist_->relevant_timers();
+        const auto add_expander = [&](const KeepGoing& keep_going) {
+            expanders_.push_back(
+                std::make_unique<Expander>(grafcet, make_netlist(keep_going), plan, keep_going));
+        };
+        add_expander([this] {
+            take_turns();  // what others have found may end it
+            return !done_ && coverage_.goes_on();
+        });
+        const std::size_t count = workers_ == nullptr ? 1 : workers_->count();
+        while (expanders_.size() < count) {
+            add_expander([this, ask = options.keep_going] { return !done_ && (!ask || ask()); });
+        }
     }
 
     ExplorationResult run() {
-        explore_edge({}, unassigned_inputs(grafcet_, netlist_.has_modes()));
+        expand(nullptr);
         while (!done_ && !waiting_.empty()) {
-            const Node node = std::move(waiting_.front());
-            waiting_.pop_front();
-            if (!visited_.is_covered(node.state)) expand(node);
+            if (expanders_.size() > 1 && waiting_.size() > 1) {
+                expand_together();
+            } else {
+                expand_first();
+            }
         }
         CheckResult& result = explored_.result;
         result.never = coverage_.never_exercised();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
         const bool is_complete = waiting_.empty() && !done_ && !result.is_unexplained &&
                                  !result.has_unexplored_orders && !no_period_shows_it_;
-        conclude(result, is_complete, waiting_.size());
+        conclude(result, is_complete, waiting());
         return std::move(explored_);
     }
 
   private:
     bool is_one_at_a_time() const {
-        return !netlist_.is_clocked() && plan_.changes == Changes::one;
+        return !netlist_->is_clocked() && plan_.changes == Changes::one;
     }
 
-    void expand(const Node& node);
-    void explore_edge(const Edge& edge, const PartialInputs& inputs);
-    ReferenceOutcome run_reference(const Edge& edge, const PartialInputs& inputs);
-    std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
-    void compare(const Edge& edge, const ReferenceOutcome& expected);
-    void follow(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
-                NetlistOutcomes& outcomes);
-    void split_case(const PathStep& step, const UnknownCause& cause,
-                    std::vector<PathStep>& remaining) const;
-    void add_successor(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
-                       SimulatorState&& netlist_state);
+    void expand(const Node* node);
+    void expand_first();
+    void expand_together();
+    void take_turns();
+    /// The nodes that have not had their turn.
+    std::size_t waiting() const { return waiting_.size() + ahead_; }
+    bool take(const Node* node, const RunningDelays::Ending& ending,
+              const ReferenceOutcome& expected, const PathStep& step, NetlistOutcomes& outcomes);
+    void follow(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
+                const ReferenceOutcome& expected, NetlistOutcomes& outcomes);
+    void add_successor(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
+                       const ReferenceOutcome& expected, SimulatorState&& netlist_state);
     void abstract_unread_inputs(ProductState& state);
     void encode(ProductState& state) const;
-    bool show_difference(const Edge& edge, const PathStep& step);
-    std::vector<PathStep> path_of_instants(const Edge& edge, const PathStep& step) const;
+    bool show_difference(const Node* node, const PathStep& step);
+    std::vector<PathStep> path_of_instants(const Node* node, const PathStep& step) const;
     bool show_after_instants(const std::vector<PathStep>& path);
     bool show_after_scans(const std::vector<PathStep>& path);
     void record_case(const ReferenceOutcome& expected, const PathStep& step);
-    void note_unstable(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected);
+    void note_unstable(const Node* node, const PathStep& step, const ReferenceOutcome& expected);
 
     const Grafcet& grafcet_;
-    ExploredNetlist& netlist_;
+    std::unique_ptr<ExploredNetlist> netlist_;
+    Workers* workers_;
     ExplorationPlan plan_;
     ExplorationResult explored_;
     Evolution evolution_;
@@ -147,124 +182,106 @@ class Exploration {
     DelayFacts facts_;
     Assumptions assumptions_;
     CoverageRecorder coverage_;
+    std::vector<std::unique_ptr<Expander>> expanders_;  ///< one a worker
     std::deque<Node> waiting_;
+    std::deque<Task> tasks_;  ///< nodes that are being expanded together, in their order
+    std::size_t turn_ = 0;    ///< of tasks_: whose turn it is
+    std::size_t ahead_ = 0;   ///< of tasks_: those after it
     VisitedStates visited_;
     PredecessorTree predecessors_;
-    bool done_ = false;
+    std::atomic<bool> done_ = false;  ///< the workers look as well
     bool no_period_shows_it_ = false;
 };
 
-void Exploration::expand(const Node& node) {
-    const PartialInputs& inputs = node.state.inputs;
-    node.state.delays.for_each_ending([&](const RunningDelays::Ending& ending) {
-        const Edge edge{&node, ending};
-        if (!is_one_at_a_time()) {
-            explore_edge(edge, unassigned_inputs(grafcet_, netlist_.has_modes()));
+/// The number of the step that led to a node; the root before power-up.
+std::uint32_t step_of(const Node* node) {
+    return node == nullptr ? PredecessorTree::root : node->step;
+}
+
+/// All cases that leave a node, one after the other.
+void Exploration::expand(const Node* node) {
+    const auto visit = [&](ExpandedCase&& found) {
+        return take(node, found.ending, found.expected, found.step, found.outcomes);
+    };
+    if (!expanders_.front()->expand(node == nullptr ? nullptr : &node->state, visit)) done_ = true;
+}
+
+void Exploration::expand_first() {
+    const Node node = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (!visited_.is_covered(node.state)) expand(&node);
+}
+
+/// The nodes that wait longest, shared among the workers. What they find is taken in the order of
+/// the nodes, so that everything comes as it comes to one worker alone; and as soon as it can be,
+/// since it may end the exploration.
+void Exploration::expand_together() {
+    const std::size_t count = std::min(waiting_.size(), nodes_of_a_worker * expanders_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        Task& task = tasks_.emplace_back();
+        task.node = std::move(waiting_.front());
+        task.is_left_out = visited_.is_covered(task.node.state);
+        waiting_.pop_front();
+    }
+    const auto expand_one = [this](std::size_t item, std::size_t worker) {
+        Task& task = tasks_[item];
+        const EndsOthers ends_others{task, done_};
+        const bool is_caller = worker == 0;
+        const auto visit = [&](ExpandedCase&& found) {
+            task.cases.push(
+                {found.ending, found.expected, std::move(found.step), std::move(found.outcomes)});
+            if (is_caller) take_turns();
             return !done_;
+        };
+        if (!task.is_left_out && !done_) {
+            task.is_whole = expanders_[worker]->expand(&task.node.state, visit);
         }
-        // Delays end, or no assigned input changes: what the unassigned ones do is seen.
-        explore_edge(edge, inputs);
-        if (!ending.ended.none()) return !done_;
-        for (const PartialInputs& changed :
-             single_changes(assumptions_, inputs, netlist_.has_modes())) {
-            if (!done_) explore_edge(edge, changed);
-        }
-        return !done_;
-    });
+        task.is_done = true;
+        if (is_caller) take_turns();
+    };
+    workers_->share(count, expand_one, [this] { take_turns(); });
+    take_turns();
+    tasks_.clear();
+    turn_ = 0;
 }
 
-ReferenceOutcome Exploration::run_reference(const Edge& edge, const PartialInputs& inputs) {
-    const std::vector<std::uint32_t>& due = edge.ending.ended.conditions;
-    return netlist_.is_clocked() ? reference_.scan_after(edge.reference(), due, inputs)
-                                 : reference_.instant(edge.reference(), due, inputs);
-}
-
-/// All cases of one instant or scan under partial inputs.
-void Exploration::explore_edge(const Edge& edge, const PartialInputs& inputs) {
-    for_each_case(
-        assumptions_, inputs, [&](const PartialInputs& some) { return run_reference(edge, some); },
-        [&](const ReferenceOutcome& expected) {
-            if (expected.broken_off) {
-                done_ = true;
-            } else {
-                compare(edge, expected);
+/// Takes the cases of the nodes whose turn it is, as far as they are there. Only the caller of the
+/// workers does, since all that is known of the nodes is kept here.
+void Exploration::take_turns() {
+    for (; turn_ < tasks_.size() && !done_; ++turn_) {
+        Task& task = tasks_[turn_];
+        const bool is_done = task.is_done;  // asked first: then all its cases are there
+        ahead_ = tasks_.size() - turn_ - 1;
+        if (!task.has_begun) task.is_covered = visited_.is_covered(task.node.state);
+        task.has_begun = true;
+        while (auto found = task.cases.pop()) {
+            if (task.is_covered) continue;
+            if (!take(&task.node, found->ending, found->expected, found->step, found->outcomes)) {
+                return;
             }
-            return !done_;
-        });
+        }
+        if (!is_done) return;
+        if (!task.is_whole) done_ = true;
+    }
 }
 
 void Exploration::record_case(const ReferenceOutcome& expected, const PathStep& step) {
-    if (!coverage_.record_case(expected, step.inputs, waiting_.size())) done_ = true;
+    if (!coverage_.record_case(expected, step.inputs, waiting())) done_ = true;
 }
 
-/// The step from a node to inputs of a case; nothing where it takes more changes at once than the
-/// plan has.
-std::optional<PathStep> Exploration::step_to(const Edge& edge, const PartialInputs& inputs) const {
-    PathStep step{inputs, inputs, edge.ending.ended, edge.ending.running};
-    if (edge.source == nullptr) return step;
-    step.before = edge.source->state.inputs;
-    if (!is_one_at_a_time()) return step;
-    auto before = inputs_before(assumptions_, edge.source->state.inputs, inputs);
-    if (!before) return std::nullopt;
-    step.before = std::move(*before);
-    return step;
-}
-
-/// The two halves of a case, by the unassigned input that the netlist turns out to react to.
-void Exploration::split_case(const PathStep& step, const UnknownCause& cause,
-                             std::vector<PathStep>& remaining) const {
-    const bool is_before = cause.kind == UnknownCause::Kind::unassigned_before;
-    for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
-        PathStep half = step;
-        if (!is_before) half.inputs[cause.input] = value;
-        if (is_before || is_one_at_a_time()) half.before[cause.input] = value;
-        if (is_one_at_a_time() && assumptions_.can_hold(half.inputs) &&
-            !assumptions_.can_hold(half.before)) {
-            // It cannot have been so before, together with the inputs that change: it changes too.
-            half.before[cause.input] = opposite(value);
-        }
-        remaining.push_back(std::move(half));
-    }
-}
-
-/// Compares the netlist in a case of the reference, split as far as the netlist needs it.
-void Exploration::compare(const Edge& edge, const ReferenceOutcome& expected) {
-    const PartialInputs& left =
-        edge.source == nullptr ? expected.inputs : edge.source->state.inputs;
-    std::vector<PathStep> remaining;
-    if (auto step = step_to(edge, expected.inputs)) remaining.push_back(std::move(*step));
-    while (!remaining.empty() && !done_) {
-        PathStep step = std::move(remaining.back());
-        remaining.pop_back();
-        if (edge.source == nullptr) step.before = step.inputs;
-        if (!assumptions_.can_hold(step.inputs) || !assumptions_.can_hold(step.before)) continue;
-        if (!expected.stable) {
-            note_unstable(edge, step, expected);
-            record_case(expected, step);
-            continue;
-        }
-        NetlistOutcomes outcomes = netlist_.run(edge.netlist(), left, step, expected);
-        assert(!outcomes.empty());
-        const auto is = [](NetlistOutcome::Kind kind) {
-            return [kind](const NetlistOutcome& outcome) { return outcome.kind == kind; };
-        };
-        if (std::any_of(outcomes.begin(), outcomes.end(), is(NetlistOutcome::Kind::broken_off))) {
-            done_ = true;
-            return;
-        }
-        const auto unassigned =
-            std::find_if(outcomes.begin(), outcomes.end(), is(NetlistOutcome::Kind::unassigned));
-        if (unassigned != outcomes.end()) {
-            split_case(step, *unassigned->unknown, remaining);
-        } else {
-            record_case(expected, step);
-            follow(edge, step, expected, outcomes);
-        }
-    }
+/// Counts a case, and follows what the netlist does in it; false where the exploration is to end.
+bool Exploration::take(const Node* node, const RunningDelays::Ending& ending,
+                       const ReferenceOutcome& expected, const PathStep& step,
+                       NetlistOutcomes& outcomes) {
+    if (!expected.stable) note_unstable(node, step, expected);
+    record_case(expected, step);
+    follow(node, ending, step, expected, outcomes);
+    return !done_;
 }
 
 /// Every outcome of a case: on to a successor, or to a witness.
-void Exploration::follow(const Edge& edge, const PathStep& step, const ReferenceOutcome& expected,
+void Exploration::follow(const Node* node, const RunningDelays::Ending& ending,
+                         const PathStep& step, const ReferenceOutcome& expected,
                          NetlistOutcomes& outcomes) {
     for (NetlistOutcome& outcome : outcomes) {
         if (outcome.kind == NetlistOutcome::Kind::not_explored) {
@@ -272,11 +289,11 @@ void Exploration::follow(const Edge& edge, const PathStep& step, const Reference
             continue;
         }
         if (outcome.kind == NetlistOutcome::Kind::differs) {
-            if (show_difference(edge, step)) return;
+            if (show_difference(node, step)) return;
             continue;
         }
         if (outcome.unknown) explored_.result.has_uninitialised_memory = true;
-        add_successor(edge, step, expected, std::move(outcome.state));
+        add_successor(node, ending, step, expected, std::move(outcome.state));
     }
 }
 
@@ -285,16 +302,16 @@ void Exploration::encode(ProductState& state) const {
     relevance_.encode(state.encoding, state.reference);
     state.delays.encode(state.encoding);
     for (const PartialInput value : state.inputs) state.encoding += static_cast<char>(value);
-    netlist_.encode(state.encoding, state.netlist);
+    netlist_->encode(state.encoding, state.netlist);
 }
 
-void Exploration::add_successor(const Edge& edge, const PathStep& step,
-                                const ReferenceOutcome& expected, SimulatorState&& netlist_state) {
+void Exploration::add_successor(const Node* node, const RunningDelays::Ending& ending,
+                                const PathStep& step, const ReferenceOutcome& expected,
+                                SimulatorState&& netlist_state) {
     ProductState next{expected.state, std::move(netlist_state), step.inputs, {}, {}};
-    const RunningDelays& before =
-        edge.source == nullptr ? RunningDelays(facts_) : edge.source->state.delays;
+    const RunningDelays& before = node == nullptr ? RunningDelays(facts_) : node->state.delays;
     next.delays =
-        before.after(facts_, edge.ending.zone, next.reference, next.netlist, predecessors_.next());
+        before.after(facts_, ending.zone, next.reference, next.netlist, predecessors_.next());
     encode(next);
     if (!visited_.add(next)) return;
     abstract_unread_inputs(next);
@@ -304,7 +321,7 @@ void Exploration::add_successor(const Edge& edge, const PathStep& step,
     }
     coverage_.record_situation(next.reference.situation);
     const std::uint32_t number = predecessors_.next();
-    predecessors_.add(edge.predecessor(), step);
+    predecessors_.add(step_of(node), step);
     waiting_.push_back({std::move(next), number});
 }
 
@@ -312,8 +329,8 @@ void Exploration::abstract_unread_inputs(ProductState& state) {
     std::vector<std::uint32_t> unread;
     // Without modes Init, AUdur and AUdoux are always 0.
     const std::size_t changing =
-        netlist_.has_modes() ? state.inputs.size() : grafcet_.inputs.size();
-    if (netlist_.is_clocked()) {
+        netlist_->has_modes() ? state.inputs.size() : grafcet_.inputs.size();
+    if (netlist_->is_clocked()) {
         // Between two scans the reference reads no input.
         for (std::uint32_t i = 0; i < changing; ++i) {
             if (state.inputs[i] != PartialInput::unassigned) unread.push_back(i);
@@ -323,13 +340,13 @@ void Exploration::abstract_unread_inputs(ProductState& state) {
         std::erase_if(unread, [&](std::uint32_t input) { return input >= changing; });
     }
     if (unread.empty()) return;
-    auto abstracted = netlist_.abstracted(state.netlist, unread);
+    auto abstracted = netlist_->abstracted(state.netlist, unread);
     if (!abstracted) {
         // Together they matter to the netlist; some of them may not.
         std::vector<std::uint32_t> rest;
         for (const std::uint32_t input : unread) {
             rest.push_back(input);
-            if (auto more = netlist_.abstracted(state.netlist, rest)) {
+            if (auto more = netlist_->abstracted(state.netlist, rest)) {
                 abstracted = std::move(more);
             } else {
                 rest.pop_back();
@@ -344,9 +361,9 @@ void Exploration::abstract_unread_inputs(ProductState& state) {
 
 /// Turns a difference into the witness, which ends the exploration; false where no run with real
 /// times shows it.
-bool Exploration::show_difference(const Edge& edge, const PathStep& step) {
-    if (netlist_.is_clocked() ? show_after_scans(predecessors_.path(edge.predecessor(), step))
-                              : show_after_instants(path_of_instants(edge, step))) {
+bool Exploration::show_difference(const Node* node, const PathStep& step) {
+    if (netlist_->is_clocked() ? show_after_scans(predecessors_.path(step_of(node), step))
+                               : show_after_instants(path_of_instants(node, step))) {
         done_ = true;
         return true;
     }
@@ -355,8 +372,8 @@ bool Exploration::show_difference(const Edge& edge, const PathStep& step) {
 
 /// The path to a step of an asynchronous netlist, with no more changes at an instant than the plan
 /// has.
-std::vector<PathStep> Exploration::path_of_instants(const Edge& edge, const PathStep& step) const {
-    std::vector<PathStep> path = predecessors_.path(edge.predecessor(), step);
+std::vector<PathStep> Exploration::path_of_instants(const Node* node, const PathStep& step) const {
+    std::vector<PathStep> path = predecessors_.path(step_of(node), step);
     if (!is_one_at_a_time()) return path;
     auto single = one_by_one(assumptions_, path, grafcet_.all_input_count());
     return single ? std::move(*single) : path;
@@ -368,7 +385,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
         const auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap);
         if (!stimuli) continue;
         has_times = true;
-        explored_.result.witness = netlist_.replay(*stimuli, 0);
+        explored_.result.witness = netlist_->replay(*stimuli, 0);
         if (explored_.result.witness) return true;
     }
     if (!has_times && plan_.passing == Passing::free) {
@@ -383,7 +400,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
 bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
     const auto scans = scans_for(grafcet_, assumptions_, path, plan_.period);
     if (scans) {
-        explored_.result.witness = netlist_.replay(scans->stimuli, scans->period);
+        explored_.result.witness = netlist_->replay(scans->stimuli, scans->period);
         if (explored_.result.witness) return true;
         explored_.result.is_unexplained = true;
     } else if (plan_.passing == Passing::free) {
@@ -395,10 +412,10 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
     return false;
 }
 
-void Exploration::note_unstable(const Edge& edge, const PathStep& step,
+void Exploration::note_unstable(const Node* node, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (explored_.result.first_unstable) return;
-    const std::vector<PathStep> path = path_of_instants(edge, step);
+    const std::vector<PathStep> path = path_of_instants(node, step);
     for (const Time gap : gaps_for(path)) {
         if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
             explored_.result.first_unstable =
@@ -410,9 +427,9 @@ void Exploration::note_unstable(const Edge& edge, const PathStep& step,
 
 }  // namespace
 
-ExplorationResult explore(const Grafcet& grafcet, ExploredNetlist& netlist,
+ExplorationResult explore(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
                           const CheckOptions& options, const ExplorationPlan& plan) {
-    return Exploration(grafcet, netlist, options, plan).run();
+    return Exploration(grafcet, make_netlist, options, plan).run();
 }
 
 }  // namespace grafwire

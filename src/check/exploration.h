@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "check/running_delays.h"
 #include "grafcet/grafcet.h"
 #include "simulate/simulator.h"
+#include "text/keep_going.h"
 
 namespace grafwire {
 
@@ -98,9 +101,15 @@ struct ExplorationResult {
     bool needs_lengths = false;
 };
 
+/// Makes the netlist once more, for somebody else to work with at the same time; within a case it
+/// asks whether to go on.
+using ExploredNetlistMaker =
+    std::function<std::unique_ptr<ExploredNetlist>(const KeepGoing& keep_going)>;
+
 /// Goes through every case that can be reached, asynchronous netlists instant by instant, clocked
-/// ones scan by scan, within the bounds of `options`.
-ExplorationResult explore(const Grafcet& grafcet, ExploredNetlist& netlist,
+/// ones scan by scan, within the bounds of `options`. What comes of it does not depend on how many
+/// share the work, as long as nothing but its cases ends it.
+ExplorationResult explore(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
                           const CheckOptions& options, const ExplorationPlan& plan);
 
 }  // namespace grafwire

@@ -15,6 +15,7 @@
 #include "command/messages.h"
 #include "command/option_uses.h"
 #include "command/progress.h"
+#include "command/worker_pool.h"
 #include "text/utf8.h"
 
 namespace grafwire {
@@ -39,6 +40,7 @@ struct CheckArguments {
     std::string witness;
     bool tolerance = false;
     std::vector<std::string> assumptions;
+    std::uint64_t jobs = 0;  ///< 0: as many as there are cores
     std::uint64_t max_cases = 0;
     double max_seconds = 0;
     std::string max_memory;  ///< empty: no bound
@@ -115,6 +117,8 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
     asked.changes = request.changes == "many" ? Changes::many : Changes::one;
     asked.period = session.period;
     asked.max_cases = request.max_cases;
+    WorkerPool workers(request.jobs);
+    asked.workers = &workers;
     asked.language = session.language;
     asked.with_files = !request.witness.empty();
     Diagnostics messages;
@@ -329,6 +333,7 @@ void declare_report(const CommandLine& line, CheckArguments& request) {
     line.add("--witness", request.witness, help::witness());
     line.add_flag("--tolerance", request.tolerance, help::tolerance());
     line.add("--assume", request.assumptions, help::assume());
+    line.add("-j", request.jobs, help::jobs());
     line.add("--max-cases", request.max_cases, help::max_cases());
     line.add("--max-seconds", request.max_seconds, help::max_seconds());
     line.add("--max-memory", request.max_memory, help::max_memory());

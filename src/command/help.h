@@ -277,6 +277,10 @@ inline constexpr Message<> tolerance{
     "what goes wrong first",
     "chercher aussi de combien les retards des portes peuvent différer (MAX/MIN) avant une erreur, "
     "et quelle erreur vient la première"};
+inline constexpr Message<> jobs{
+    "how many cores share the work; nothing but the time it takes depends on it (default: all)",
+    "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en "
+    "dépend (par défaut : tous)"};
 inline constexpr Message<> max_cases{"give up after so many cases (0: never)",
                                      "abandonner après tant de cas (0 : jamais)"};
 inline constexpr Message<> max_seconds{"give up after so much time (0: never)",

@@ -63,10 +63,13 @@ double Progress::elapsed() const {
 
 bool Progress::goes_on() {
     const double now = elapsed();
-    is_over_ = is_over_ || is_interrupted != 0 || (max_seconds_ != 0 && now >= max_seconds_);
-    if (max_memory_ != 0 && now >= next_look_at_memory_) {
-        is_over_ = is_over_ || memory_held() >= max_memory_;
-        next_look_at_memory_ = now + 0.05;
+    if (is_interrupted != 0 || (max_seconds_ != 0 && now >= max_seconds_)) is_over_ = true;
+    if (max_memory_ != 0) {
+        const std::lock_guard lock(mutex_);
+        if (now >= next_look_at_memory_) {
+            if (memory_held() >= max_memory_) is_over_ = true;
+            next_look_at_memory_ = now + 0.05;
+        }
     }
     return !is_over_;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -22,6 +24,7 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
 
     void show(const Coverage& coverage);
+    /// Many may ask at the same time.
     bool goes_on();
 
   private:
@@ -34,7 +37,8 @@ class Progress {
     std::uint64_t max_memory_;
     double next_ = 1.0;
     double next_look_at_memory_ = 0;
-    bool is_over_ = false;
+    std::atomic<bool> is_over_ = false;
+    std::mutex mutex_;  ///< of next_look_at_memory_
     bool is_terminal_;
     bool shown_ = false;
 };

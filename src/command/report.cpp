@@ -9,6 +9,7 @@
 #include "command/help.h"
 #include "command/inputs.h"
 #include "command/progress.h"
+#include "command/worker_pool.h"
 #include "workflow/schematics.h"
 
 namespace grafwire {
@@ -24,6 +25,7 @@ struct ReportArguments {
     std::string style = "gates";
     std::string symbols = "iec";
     std::string changes = "one";
+    std::uint64_t jobs = 0;  ///< 0: as many as there are cores
     std::uint64_t max_cases = 0;
     double max_seconds = 0;
     std::string max_memory;  ///< empty: no bound
@@ -58,6 +60,8 @@ ExitStatus write_page(const ReportArguments& request, const CommandLine& line) {
     asked.shapes = row_named(gate_shapes_table, request.symbols)->shapes;
     asked.changes = request.changes == "many" ? Changes::many : Changes::one;
     asked.max_cases = request.max_cases;
+    WorkerPool workers(request.jobs);
+    asked.workers = &workers;
     asked.language = line.language();
     std::string page;
     {
@@ -84,6 +88,7 @@ Task declare_report(const CommandLine& line) {
         .one_of_names(gate_shapes_table)
         .shows_default();
     line.add("--changes", request->changes, help::changes()).one_of({"one", "many"});
+    line.add("-j", request->jobs, help::jobs());
     line.add("--max-cases", request->max_cases, help::report_max_cases());
     line.add("--max-seconds", request->max_seconds, help::report_max_seconds());
     line.add("--max-memory", request->max_memory, help::max_memory());

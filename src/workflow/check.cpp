@@ -57,6 +57,7 @@ bool is_worth_checking(const Chart& chart, const std::string& file, bool has_mod
 CheckOptions check_options(const CheckRequest& request) {
     CheckOptions options;
     options.max_cases = request.max_cases;
+    options.workers = request.workers;
     options.changes = request.changes;
     options.delays = request.subject.delays;
     options.progress = request.progress;

@@ -31,6 +31,7 @@ struct CheckRequest {
     /// Clocked netlists: the only scan period that the verdict is for (none: every one). Programs:
     /// the scan period (none: one that divides all delays).
     std::optional<Time> period;
+    Workers* workers = nullptr;   ///< as in CheckOptions
     std::uint64_t max_cases = 0;  ///< give up after this many; 0: never
     /// As in CheckOptions: shown how far the exploration is, and asked whether to go on.
     std::function<void(const Coverage&)> progress;

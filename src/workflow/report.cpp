@@ -106,6 +106,7 @@ CheckRequest check_request(const StyleRow& row, const ReportRequest& request) {
     asked.subject.cdx = name_of(row.default_cdx);
     asked.changes = request.changes;
     asked.max_cases = request.max_cases;
+    asked.workers = request.workers;
     asked.progress = request.progress;
     asked.keep_going = request.keep_going;
     asked.language = request.language;

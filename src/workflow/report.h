@@ -22,6 +22,7 @@ struct ReportRequest {
     Style style = Style::gates;  ///< whose schematic is shown
     GateShapes shapes = GateShapes::iec;
     Changes changes = Changes::one;  ///< of asynchronous netlists
+    Workers* workers = nullptr;      ///< as in CheckOptions
     std::uint64_t max_cases = 0;     ///< of each check; 0: no bound
     /// As in CheckOptions; once it says no, this check and those that follow are undecided.
     std::function<void(const Coverage&)> progress;

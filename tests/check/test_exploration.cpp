@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
 #include <set>
 
 #include "check/exploration.h"
 #include "evolution/run.h"
 #include "grafcet/parse_grafcet.h"
+#include "support/backward_workers.h"
 
 namespace grafwire::testing {
 
@@ -27,10 +29,9 @@ class CoinDevice : public ExploredNetlist {
     static constexpr int never_flipped = 2;
     static constexpr int no_fault = 3;
 
-    CoinDevice(const Grafcet& grafcet, int fault) : grafcet_(grafcet), fault_(fault) {}
-
-    /// The sides of the coin that cases have started from.
-    const std::set<int>& sides() const { return sides_; }
+    /// `sides` gets the sides of the coin that cases have started from.
+    CoinDevice(const Grafcet& grafcet, int fault, std::set<int>& sides)
+        : grafcet_(grafcet), fault_(fault), sides_(sides) {}
 
     bool is_clocked() const override { return false; }
     bool has_modes() const override { return false; }
@@ -121,11 +122,24 @@ class CoinDevice : public ExploredNetlist {
 
     const Grafcet& grafcet_;
     int fault_;
-    std::set<int> sides_;
+    std::set<int>& sides_;
 };
 
-CheckResult explored(const Grafcet& grafcet, CoinDevice& device) {
-    return explore(grafcet, device, {}, {Changes::one, Passing::free, 0}).result;
+/// What comes of exploring the device with a fault, and the sides of the coin that it has seen.
+struct Explored {
+    CheckResult result;
+    std::set<int> sides;
+};
+
+Explored explored(const Grafcet& grafcet, int fault, Workers* workers = nullptr) {
+    Explored all;
+    CheckOptions options;
+    options.workers = workers;
+    const auto make_device = [&](const KeepGoing&) -> std::unique_ptr<ExploredNetlist> {
+        return std::make_unique<CoinDevice>(grafcet, fault, all.sides);
+    };
+    all.result = explore(grafcet, make_device, options, {Changes::one, Passing::free, 0}).result;
+    return all;
 }
 
 Grafcet parsed_chart() {
@@ -139,11 +153,10 @@ Grafcet parsed_chart() {
 
 TEST_CASE("every outcome of a case is followed") {
     const Grafcet grafcet = parsed_chart();
-    CoinDevice device(grafcet, CoinDevice::no_fault);
-    const CheckResult result = explored(grafcet, device);
+    const auto [result, sides] = explored(grafcet, CoinDevice::no_fault);
     CHECK(result.verdict == Verdict::equivalent);
     CHECK(result.complete);
-    CHECK(device.sides() == std::set<int>{0, 1, CoinDevice::never_flipped});
+    CHECK(sides == std::set<int>{0, 1, CoinDevice::never_flipped});
     CHECK(result.coverage.situations == 2);
 }
 
@@ -151,24 +164,41 @@ TEST_CASE("a difference behind either outcome is found, and its witness replays"
     const Grafcet grafcet = parsed_chart();
     for (const int fault : {0, 1}) {
         CAPTURE(fault);
-        CoinDevice device(grafcet, fault);
-        const CheckResult result = explored(grafcet, device);
+        const CheckResult result = explored(grafcet, fault).result;
         CHECK(result.verdict == Verdict::different);
         REQUIRE(result.witness);
         CHECK(result.witness->kind == DifferenceKind::situation);
         // High from the start, low, and high again: the shortest with two rises.
         CHECK(write_stimuli(result.witness->stimuli, grafcet) ==
               "0s : a=1\n100ms : a=0\n200ms : a=1\n200ms : end\n");
-        const auto again = device.replay(result.witness->stimuli, 0);
+        std::set<int> sides;
+        const auto again = CoinDevice(grafcet, fault, sides).replay(result.witness->stimuli, 0);
         REQUIRE(again);
         CHECK(again->kind == result.witness->kind);
         CHECK(again->stimuli.end == result.witness->stimuli.end);
     }
     // What goes wrong at once, whatever the coin will say.
-    CoinDevice device(grafcet, CoinDevice::never_flipped);
-    const CheckResult result = explored(grafcet, device);
+    const CheckResult result = explored(grafcet, CoinDevice::never_flipped).result;
     REQUIRE(result.witness);
     CHECK(write_stimuli(result.witness->stimuli, grafcet) == "0s : a=1\n0s : end\n");
+}
+
+TEST_CASE("it comes to the same whoever shares the work, and in whatever order") {
+    const Grafcet grafcet = parsed_chart();
+    for (const int fault : {0, 1, CoinDevice::never_flipped, CoinDevice::no_fault}) {
+        CAPTURE(fault);
+        const CheckResult alone = explored(grafcet, fault).result;
+        BackwardWorkers backward;
+        const CheckResult shared = explored(grafcet, fault, &backward).result;
+        CHECK(shared.verdict == alone.verdict);
+        CHECK(shared.coverage.cases == alone.coverage.cases);
+        CHECK(shared.coverage.situations == alone.coverage.situations);
+        CHECK(shared.coverage.waiting == alone.coverage.waiting);
+        CHECK(shared.witness.has_value() == alone.witness.has_value());
+        if (!shared.witness || !alone.witness) continue;
+        CHECK(write_stimuli(shared.witness->stimuli, grafcet) ==
+              write_stimuli(alone.witness->stimuli, grafcet));
+    }
 }
 
 }  // namespace grafwire::testing

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "check/exploration.h"
+#include "check/partial_inputs.h"
+#include "check/path.h"
+#include "check/reference_case.h"
+#include "check/running_delays.h"
+#include "check/state_space.h"
+#include "evolution/evolution.h"
+#include "grafcet/grafcet.h"
+#include "text/keep_going.h"
+
+namespace grafwire {
+
+/// An instant or scan after a product state, under inputs that both sides have looked at.
+struct ExpandedCase {
+    const RunningDelays::Ending& ending;
+    const ReferenceOutcome& expected;
+    PathStep step;
+    /// What the netlist does; empty where the reference is not stable, and no netlist was run.
+    NetlistOutcomes outcomes;
+};
+
+/// The cases that leave a product state. It holds nothing from one state to the next, and what it
+/// is made of is its own, so several of them can work side by side.
+class Expander {
+  public:
+    /// `grafcet` must outlive it.
+    Expander(const Grafcet& grafcet, std::unique_ptr<ExploredNetlist> netlist,
+             const ExplorationPlan& plan, KeepGoing keep_going);
+
+    /// Gives every case of the next instant or scan, in an order that depends on the state alone
+    /// (nullptr: before power-up), until `visit` says no. False where it was broken off before.
+    bool expand(const ProductState* source, const std::function<bool(ExpandedCase&&)>& visit);
+
+  private:
+    struct Edge {
+        const ProductState* source;
+        const RunningDelays::Ending& ending;
+    };
+    using Visit = std::function<bool(ExpandedCase&&)>;
+
+    bool is_one_at_a_time() const;
+    bool explore_edge(const Edge& edge, const PartialInputs& inputs, const Visit& visit);
+    ReferenceOutcome run_reference(const Edge& edge, const PartialInputs& inputs) const;
+    std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
+    void split_case(const PathStep& step, const UnknownCause& cause,
+                    std::vector<PathStep>& remaining) const;
+    bool compare(const Edge& edge, const ReferenceOutcome& expected, const Visit& visit);
+
+    const Grafcet& grafcet_;
+    std::unique_ptr<ExploredNetlist> netlist_;
+    ExplorationPlan plan_;
+    Evolution evolution_;
+    ReferenceCases reference_;
+    Assumptions assumptions_;
+    bool is_broken_off_ = false;
+};
+
+}  // namespace grafwire
