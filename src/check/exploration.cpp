@@ -41,13 +41,12 @@
 #include "check/exploration.h"
 
 #include <algorithm>
-#include <atomic>
 #include <deque>
 
 #include "check/coverage.h"
 #include "check/expansion.h"
-#include "check/hand_over.h"
 #include "check/partial_inputs.h"
+#include "check/shared_nodes.h"
 #include "check/state_encoding.h"
 #include "check/state_space.h"
 #include "evolution/evolution.h"
@@ -69,36 +68,13 @@ struct StoredCase {
     NetlistOutcomes outcomes;
 };
 
-/// A node that is expanded while those before it may not have had their turn.
-struct Task {
-    Node node;
-    bool is_left_out = false;  ///< it was covered before
-    HandOver<StoredCase> cases;
-    bool is_whole = true;               ///< or it was broken off after these
-    std::atomic<bool> is_done = false;  ///< no more cases come
-    bool has_begun = false;             ///< its turn has come
-    bool is_covered = false;            ///< by then
-};
-
-/// Sees to it that an exception of one worker ends the others as well.
-struct EndsOthers {
-    const Task& task;
-    std::atomic<bool>& done;
-    ~EndsOthers() {
-        if (!task.is_done) done = true;
-    }
-};
-
-/// So many nodes a worker has before it at a time.
-constexpr std::size_t nodes_of_a_worker = 32;
-
 class Exploration {
   public:
     Exploration(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
                 const CheckOptions& options, const ExplorationPlan& plan)
         : grafcet_(grafcet),
           netlist_(make_netlist(options.keep_going)),
-          workers_(options.workers),
+          together_(options.workers),
           plan_(plan),
           evolution_(grafcet),
           reference_(evolution_, {}),
@@ -118,18 +94,19 @@ class Exploration {
                 std::make_unique<Expander>(grafcet, make_netlist(keep_going), plan, keep_going));
         };
         add_expander([this] {
-            take_turns();  // what others have found may end it
-            return !done_ && coverage_.goes_on();
+            together_.take_turns();  // what others have found may end it
+            return !together_.is_over() && coverage_.goes_on();
         });
-        const std::size_t count = workers_ == nullptr ? 1 : workers_->count();
-        while (expanders_.size() < count) {
-            add_expander([this, ask = options.keep_going] { return !done_ && (!ask || ask()); });
+        while (expanders_.size() < together_.count()) {
+            add_expander([this, ask = options.keep_going] {
+                return !together_.is_over() && (!ask || ask());
+            });
         }
     }
 
     ExplorationResult run() {
         expand(nullptr);
-        while (!done_ && !waiting_.empty()) {
+        while (!together_.is_over() && !waiting_.empty()) {
             if (expanders_.size() > 1 && waiting_.size() > 1) {
                 expand_together();
             } else {
@@ -139,8 +116,9 @@ class Exploration {
         CheckResult& result = explored_.result;
         result.never = coverage_.never_exercised();
         result.depends_on_period = no_period_shows_it_ && !result.witness;
-        const bool is_complete = waiting_.empty() && !done_ && !result.is_unexplained &&
-                                 !result.has_unexplored_orders && !no_period_shows_it_;
+        const bool is_complete = waiting_.empty() && !together_.is_over() &&
+                                 !result.is_unexplained && !result.has_unexplored_orders &&
+                                 !no_period_shows_it_;
         conclude(result, is_complete, waiting());
         return std::move(explored_);
     }
@@ -153,10 +131,9 @@ class Exploration {
     void expand(const Node* node);
     void expand_first();
     void expand_together();
-    void take_turns();
     /// The nodes that have not had their turn.
-    std::size_t waiting() const { return waiting_.size() + ahead_; }
-    bool take(const Node* node, const RunningDelays::Ending& ending,
+    std::size_t waiting() const { return waiting_.size() + together_.ahead(); }
+    void take(const Node* node, const RunningDelays::Ending& ending,
               const ReferenceOutcome& expected, const PathStep& step, NetlistOutcomes& outcomes);
     void follow(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
                 const ReferenceOutcome& expected, NetlistOutcomes& outcomes);
@@ -173,7 +150,7 @@ class Exploration {
 
     const Grafcet& grafcet_;
     std::unique_ptr<ExploredNetlist> netlist_;
-    Workers* workers_;
+    SharedNodes<Node, StoredCase> together_;
     ExplorationPlan plan_;
     ExplorationResult explored_;
     Evolution evolution_;
@@ -184,12 +161,8 @@ class Exploration {
     CoverageRecorder coverage_;
     std::vector<std::unique_ptr<Expander>> expanders_;  ///< one a worker
     std::deque<Node> waiting_;
-    std::deque<Task> tasks_;  ///< nodes that are being expanded together, in their order
-    std::size_t turn_ = 0;    ///< of tasks_: whose turn it is
-    std::size_t ahead_ = 0;   ///< of tasks_: those after it
     VisitedStates visited_;
     PredecessorTree predecessors_;
-    std::atomic<bool> done_ = false;  ///< the workers look as well
     bool no_period_shows_it_ = false;
 };
 
@@ -201,9 +174,11 @@ std::uint32_t step_of(const Node* node) {
 /// All cases that leave a node, one after the other.
 void Exploration::expand(const Node* node) {
     const auto visit = [&](ExpandedCase&& found) {
-        return take(node, found.ending, found.expected, found.step, found.outcomes);
+        take(node, found.ending, found.expected, found.step, found.outcomes);
+        return !together_.is_over();
     };
-    if (!expanders_.front()->expand(node == nullptr ? nullptr : &node->state, visit)) done_ = true;
+    if (!expanders_.front()->expand(node == nullptr ? nullptr : &node->state, visit))
+        together_.end();
 }
 
 void Exploration::expand_first() {
@@ -212,71 +187,33 @@ void Exploration::expand_first() {
     if (!visited_.is_covered(node.state)) expand(&node);
 }
 
-/// The nodes that wait longest, shared among the workers. What they find is taken in the order of
-/// the nodes, so that everything comes as it comes to one worker alone; and as soon as it can be,
-/// since it may end the exploration.
 void Exploration::expand_together() {
-    const std::size_t count = std::min(waiting_.size(), nodes_of_a_worker * expanders_.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        Task& task = tasks_.emplace_back();
-        task.node = std::move(waiting_.front());
-        task.is_left_out = visited_.is_covered(task.node.state);
-        waiting_.pop_front();
-    }
-    const auto expand_one = [this](std::size_t item, std::size_t worker) {
-        Task& task = tasks_[item];
-        const EndsOthers ends_others{task, done_};
-        const bool is_caller = worker == 0;
-        const auto visit = [&](ExpandedCase&& found) {
-            task.cases.push(
-                {found.ending, found.expected, std::move(found.step), std::move(found.outcomes)});
-            if (is_caller) take_turns();
-            return !done_;
-        };
-        if (!task.is_left_out && !done_) {
-            task.is_whole = expanders_[worker]->expand(&task.node.state, visit);
-        }
-        task.is_done = true;
-        if (is_caller) take_turns();
-    };
-    workers_->share(count, expand_one, [this] { take_turns(); });
-    take_turns();
-    tasks_.clear();
-    turn_ = 0;
-}
-
-/// Takes the cases of the nodes whose turn it is, as far as they are there. Only the caller of the
-/// workers does, since all that is known of the nodes is kept here.
-void Exploration::take_turns() {
-    for (; turn_ < tasks_.size() && !done_; ++turn_) {
-        Task& task = tasks_[turn_];
-        const bool is_done = task.is_done;  // asked first: then all its cases are there
-        ahead_ = tasks_.size() - turn_ - 1;
-        if (!task.has_begun) task.is_covered = visited_.is_covered(task.node.state);
-        task.has_begun = true;
-        while (auto found = task.cases.pop()) {
-            if (task.is_covered) continue;
-            if (!take(&task.node, found->ending, found->expected, found->step, found->outcomes)) {
-                return;
-            }
-        }
-        if (!is_done) return;
-        if (!task.is_whole) done_ = true;
-    }
+    const NodeSteps<Node, StoredCase> steps{
+        [this](const Node& node) { return visited_.is_covered(node.state); },
+        [this](const Node& node, std::size_t worker,
+               const std::function<bool(StoredCase &&)>& hand_over) {
+            return expanders_[worker]->expand(&node.state, [&](ExpandedCase&& found) {
+                return hand_over({found.ending, found.expected, std::move(found.step),
+                                  std::move(found.outcomes)});
+            });
+        },
+        [this](const Node& node, StoredCase& found) {
+            take(&node, found.ending, found.expected, found.step, found.outcomes);
+        }};
+    together_.expand(waiting_, steps);
 }
 
 void Exploration::record_case(const ReferenceOutcome& expected, const PathStep& step) {
-    if (!coverage_.record_case(expected, step.inputs, waiting())) done_ = true;
+    if (!coverage_.record_case(expected, step.inputs, waiting())) together_.end();
 }
 
-/// Counts a case, and follows what the netlist does in it; false where the exploration is to end.
-bool Exploration::take(const Node* node, const RunningDelays::Ending& ending,
+/// Counts a case, and follows what the netlist does in it.
+void Exploration::take(const Node* node, const RunningDelays::Ending& ending,
                        const ReferenceOutcome& expected, const PathStep& step,
                        NetlistOutcomes& outcomes) {
     if (!expected.stable) note_unstable(node, step, expected);
     record_case(expected, step);
     follow(node, ending, step, expected, outcomes);
-    return !done_;
 }
 
 /// Every outcome of a case: on to a successor, or to a witness.
@@ -364,7 +301,7 @@ void Exploration::abstract_unread_inputs(ProductState& state) {
 bool Exploration::show_difference(const Node* node, const PathStep& step) {
     if (netlist_->is_clocked() ? show_after_scans(predecessors_.path(step_of(node), step))
                                : show_after_instants(path_of_instants(node, step))) {
-        done_ = true;
+        together_.end();
         return true;
     }
     return false;
@@ -390,7 +327,7 @@ bool Exploration::show_after_instants(const std::vector<PathStep>& path) {
     }
     if (!has_times && plan_.passing == Passing::free) {
         explored_.needs_lengths = true;
-        done_ = true;
+        together_.end();
     } else {
         explored_.result.is_unexplained = true;
     }
@@ -405,7 +342,7 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
         explored_.result.is_unexplained = true;
     } else if (plan_.passing == Passing::free) {
         explored_.needs_lengths = true;
-        done_ = true;
+        together_.end();
     } else {
         no_period_shows_it_ = true;
     }

@@ -134,7 +134,9 @@ TEST_CASE("verdict, witness and counts do not depend on how many cores share the
         {"examples/selection-convergence.grafcet", "--style", "gates", "--delay", "1..2"},
         {"examples/single-sequence.grafcet", "--style", "nand", "--delay", "any"},
         {"examples/manipulator.grafcet", "--style", "nand", "--max-cases", "100"},
-        {"examples/level-crossing.grafcet", "--style", "clocked", "--max-cases", "2000"}};
+        {"examples/level-crossing.grafcet", "--style", "clocked", "--max-cases", "2000"},
+        {"examples/manipulator.grafcet", "--against", "examples/s7-200/manipulator.printed.awl",
+         "--io", "examples/s7-200/manipulator.io"}};
     for (std::vector<std::string> request : requests) {
         CAPTURE(request.front());
         request.insert(request.begin(), "check");

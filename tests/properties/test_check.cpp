@@ -8,6 +8,7 @@
 #include "properties/netlist_in.h"
 #include "random/random_cases.h"
 #include "random/read_text.h"
+#include "support/backward_workers.h"
 #include "support/styles.h"
 
 namespace grafwire::testing {
@@ -79,7 +80,50 @@ std::string witness_replays(const RandomCase& item, Style style, Verdicts& tally
     return {};
 }
 
+/// All that a check came to.
+std::string told(const Grafcet& grafcet, const CheckResult& result) {
+    std::string text = std::to_string(static_cast<int>(result.verdict)) + " after " +
+                       std::to_string(result.coverage.cases) + " cases, " +
+                       std::to_string(result.coverage.situations) + " situations, " +
+                       std::to_string(result.coverage.waiting) + " waiting\n";
+    if (result.witness) text += witness_text(grafcet, *result.witness);
+    if (result.together && result.together->witness) {
+        text += "together: " + witness_text(grafcet, *result.together->witness);
+    }
+    return text;
+}
+
+std::string is_the_same_for_several_workers(const RandomCase& item, Style style,
+                                            DelayModel::Kind delays) {
+    const auto grafcet = read_grafcet(item.chart);
+    const auto netlist = netlist_in(*grafcet, style);
+    if (!netlist) return {};
+    CheckOptions options;
+    options.max_cases = 1000;
+    options.delays.kind = delays;
+    const std::string alone = told(*grafcet, check_equivalence(*grafcet, *netlist, options));
+    BackwardWorkers workers;
+    options.workers = &workers;
+    const std::string shared = told(*grafcet, check_equivalence(*grafcet, *netlist, options));
+    return shared == alone ? "" : "alone: " + alone + "shared: " + shared;
+}
+
 }  // namespace
+
+TEST_CASE("several workers come to what one comes to alone") {
+    const auto tried = [](Style style, DelayModel::Kind delays, Features features) {
+        const Property property = [&](const RandomCase& item) {
+            return is_the_same_for_several_workers(item, style, delays);
+        };
+        check_property(property, features, 1'200'000, 50, 1);
+    };
+    tried(Style::clocked, DelayModel::Kind::fixed, Features::small());
+    Features few = Features::plain_chart();
+    few.steps = 5;
+    few.inputs = 3;
+    tried(Style::gates, DelayModel::Kind::fixed, few);
+    tried(Style::nand, DelayModel::Kind::any, few);
+}
 
 TEST_CASE("no clocked netlist of a small random chart is different") {
     Verdicts tally;
