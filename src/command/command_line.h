@@ -27,6 +27,16 @@ enum class ExitStatus : int {
     out_of_bounds = 3,
 };
 
+/// Of two, the one that work on several files ends with: a wrong request or input comes before no,
+/// that before undecided, and that before done.
+constexpr ExitStatus worse_of(ExitStatus a, ExitStatus b) {
+    for (const ExitStatus worst :
+         {ExitStatus::bad_request, ExitStatus::answer_is_no, ExitStatus::out_of_bounds}) {
+        if (a == worst || b == worst) return worst;
+    }
+    return ExitStatus::done;
+}
+
 /// What a command does once its options have been read.
 using Task = std::function<ExitStatus()>;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "command/chart_files.h"
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -17,19 +18,19 @@ namespace help = messages::help;
 
 /// What may be written after `grafwire fmt`.
 struct FmtArguments {
-    std::vector<std::string> paths;
+    std::vector<std::string> files;
     bool in_place = false;
     bool check = false;
 
-    std::optional<Localized> conflict() const;
+    std::optional<Localized> conflict(const ChartFiles& charts) const;
 };
 
-std::optional<Localized> FmtArguments::conflict() const {
+std::optional<Localized> FmtArguments::conflict(const ChartFiles& charts) const {
     if (in_place && check) return say::replace_or_check();
-    if (in_place && std::find(paths.begin(), paths.end(), "-") != paths.end()) {
+    if (in_place && std::find(files.begin(), files.end(), "-") != files.end()) {
         return say::standard_input_in_place();
     }
-    if (!in_place && !check && paths.size() > 1) return say::one_file_to_standard_output();
+    if (!in_place && !check && charts.are_several) return say::one_file_to_standard_output();
     return std::nullopt;
 }
 
@@ -41,9 +42,9 @@ struct Formatted {
 
 /// Empty after an error, which is shown. Warnings are not: the layout is right or wrong whatever
 /// the chart means, and `grafwire info` has them.
-std::optional<Formatted> format_file(const std::string& path, Language language) {
+std::optional<Formatted> format_file(const ChartFile& file, Language language) {
     Diagnostics diagnostics;
-    SourceFile source = read_source(path, diagnostics);
+    SourceFile source = read_source(file, diagnostics);
     std::optional<std::string> text;
     if (!diagnostics.has_errors()) text = format_chart(source, language, diagnostics);
     if (!text) {
@@ -55,23 +56,23 @@ std::optional<Formatted> format_file(const std::string& path, Language language)
 
 /// Each file by itself: one that is wrong or cannot be replaced does not stop the others, and the
 /// status is the worst.
-ExitStatus format_files(const FmtArguments& request, Language language) {
+ExitStatus format_files(const FmtArguments& request, const ChartFiles& charts, Language language) {
     ExitStatus status = ExitStatus::done;
     std::string otherwise;
-    for (const std::string& path : request.paths) {
+    for (const ChartFile& file : charts.files) {
         ExitStatus of_file = ExitStatus::bad_request;
-        if (auto text = format_file(path, language)) {
+        if (auto text = format_file(file, language)) {
             const bool differs = text->before.text != text->after;
             of_file = request.check && differs ? ExitStatus::answer_is_no : ExitStatus::done;
             if (request.check && differs) otherwise += visible(text->before.name) + '\n';
             if (!request.check && (differs || !request.in_place)) {
                 // The input is what is to be replaced.
                 OutputFiles files({});
-                files.add(request.in_place ? path : "-", std::move(text->after));
+                files.add(request.in_place ? file.path : "-", std::move(text->after));
                 of_file = finish(files, of_file);
             }
         }
-        status = std::max(status, of_file);
+        status = worse_of(status, of_file);
     }
     if (!otherwise.empty()) {
         OutputFiles files({});
@@ -85,15 +86,16 @@ ExitStatus format_files(const FmtArguments& request, Language language) {
 
 Task declare_fmt(const CommandLine& line) {
     const auto request = std::make_shared<FmtArguments>();
-    line.add_arguments(help::file_name, request->paths, help::fmt_files());
+    line.add_arguments(help::file_name, request->files, help::fmt_files());
     line.add_flag("-i", request->in_place, help::in_place());
     line.add_flag("--check", request->check, help::fmt_check());
     return [request, language = line.language()] {
-        if (const auto conflict = request->conflict()) {
+        const ChartFiles charts = find_chart_files(request->files);
+        if (const auto conflict = request->conflict(charts)) {
             complain(*conflict);
             return ExitStatus::bad_request;
         }
-        return format_files(*request, language);
+        return format_files(*request, charts, language);
     };
 }
 

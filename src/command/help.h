@@ -78,6 +78,10 @@ inline constexpr Message<> fmt{
 
 inline constexpr Message<> file{"the GRAFCET, - for standard input",
                                 "le GRAFCET, - pour l'entrée standard"};
+inline constexpr Message<> files{
+    "GRAFCETs: files, folders (every .grafcet below), patterns (* ? **); - for standard input",
+    "des GRAFCET : fichiers, dossiers (tout .grafcet qui s'y trouve), motifs (* ? **) ; - pour "
+    "l'entrée standard"};
 inline constexpr Message<> stim{"the stimuli (.stim), - for standard input",
                                 "les stimuli (.stim), - pour l'entrée standard"};
 inline constexpr Message<> file_name{"FILE", "FICHIER"};
@@ -106,6 +110,11 @@ inline constexpr Message<> power_up{
     "défaut), ou initial, tenu pour acquis"};
 inline constexpr Message<> output{"output file (default: standard output)",
                                   "fichier de sortie (par défaut : la sortie standard)"};
+inline constexpr Message<> outputs{
+    "output file (default: standard output); of several GRAFCETs a folder, for files called after "
+    "theirs",
+    "fichier de sortie (par défaut : la sortie standard) ; pour plusieurs GRAFCET un dossier, dont "
+    "les fichiers portent leurs noms"};
 inline constexpr Message<> trace{"the trace as CSV (default: standard output)",
                                  "le chronogramme en CSV (par défaut : la sortie standard)"};
 inline constexpr Message<> trace_to{"format of the trace", "format du chronogramme"};
@@ -330,8 +339,10 @@ inline constexpr Message<> s7_grafcet{
 // fmt
 
 inline constexpr Message<> fmt_files{
-    "the GRAFCET, - for standard input; several with -i or --check",
-    "le GRAFCET, - pour l'entrée standard ; plusieurs avec -i ou --check"};
+    "the GRAFCET, - for standard input; several, folders (every .grafcet below) and patterns (* ? "
+    "**) with -i or --check",
+    "le GRAFCET, - pour l'entrée standard ; plusieurs, dossiers (tout .grafcet qui s'y trouve) et "
+    "motifs (* ? **) avec -i ou --check"};
 inline constexpr Message<> in_place{"replace the files that are laid out otherwise",
                                     "remplacer les fichiers présentés autrement"};
 inline constexpr Message<> fmt_check{

@@ -3,6 +3,7 @@
 
 #include "command/inputs.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "command/fst_file.h"
@@ -23,10 +24,10 @@ namespace say = messages::command;
 namespace help = messages::help;
 
 /// Reads a file, then what `read` makes of its text; shows what is to be said of either.
-template <typename Read>
-auto load(const std::string& path, SourceFile& source, const Read& read) {
+template <typename File, typename Read>
+auto load(const File& file, SourceFile& source, const Read& read) {
     Diagnostics diagnostics;
-    source = read_source(path, diagnostics);
+    source = read_source(file, diagnostics);
     decltype(read(source, diagnostics)) result;
     if (!diagnostics.has_errors()) result = read(source, diagnostics);
     show_diagnostics(diagnostics, source);
@@ -36,8 +37,12 @@ auto load(const std::string& path, SourceFile& source, const Read& read) {
 }  // namespace
 
 std::optional<Chart> load_chart(const std::string& path) {
+    return load_chart(ChartFile{path});
+}
+
+std::optional<Chart> load_chart(const ChartFile& file) {
     SourceFile source;
-    return load(path, source, [](const SourceFile& text, Diagnostics& diagnostics) {
+    return load(file, source, [](const SourceFile& text, Diagnostics& diagnostics) {
         return read_chart(text, diagnostics);
     });
 }
@@ -63,7 +68,11 @@ std::optional<DelaySchedule> load_delays(const std::string& path, Netlist& netli
 }
 
 bool share_standard_input(const std::string& path, const std::string& stimuli) {
-    if (path != "-" || stimuli != "-") return false;
+    return share_standard_input(std::vector{path}, stimuli);
+}
+
+bool share_standard_input(const std::vector<std::string>& paths, const std::string& stimuli) {
+    if (stimuli != "-" || std::find(paths.begin(), paths.end(), "-") == paths.end()) return false;
     complain(say::stimuli_share_standard_input());
     return true;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command/chart_files.h"
 #include "command/command_line.h"
 #include "command/files.h"
 #include "command/option_uses.h"
@@ -23,8 +24,9 @@ namespace grafwire {
 
 // What commands read. All messages are shown; the results are empty after an error.
 
-/// A GRAFCET from a file.
+/// A GRAFCET from a file; the file may be one that was looked for among others.
 std::optional<Chart> load_chart(const std::string& path);
+std::optional<Chart> load_chart(const ChartFile& file);
 
 /// Shows what the structure of a GRAFCET puts at risk in asynchronous wiring with this form of CDX.
 void show_wiring_warnings(const Chart& chart, CdxForm cdx);
@@ -38,6 +40,7 @@ std::optional<DelaySchedule> load_delays(const std::string& path, Netlist& netli
 
 /// Whether both are to come from standard input, which can be read only once; shows it if so.
 bool share_standard_input(const std::string& path, const std::string& stimuli);
+bool share_standard_input(const std::vector<std::string>& paths, const std::string& stimuli);
 
 /// A netlist from a file whose extension is that of a format with a reader.
 std::optional<Netlist> load_netlist(const std::string& path);

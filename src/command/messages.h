@@ -29,8 +29,10 @@ inline constexpr Message<std::string_view, std::string_view> unknown_command{
 inline constexpr Message<std::string_view, std::string_view, std::string_view> unknown_command_near{
     "there is no command '{}'; did you mean '{}'? (commands: {})",
     "il n'y a pas de commande « {} » ; vouliez-vous dire « {} » ? (commandes : {})"};
-inline constexpr Message<std::string_view> word_too_many{"'{}' is one word too many",
-                                                         "« {} » est un mot de trop"};
+inline constexpr Message<std::string_view> word_too_many{
+    "'{}' is one word too many; check, equations, fmt, info, netlist and plc take several GRAFCETs",
+    "« {} » est un mot de trop ; plusieurs GRAFCET : avec check, equations, fmt, info, netlist et "
+    "plc"};
 inline constexpr Message<std::string_view> argument_required{"{} is required", "il manque {}"};
 inline constexpr Message<> command_required{"A subcommand is required", "il manque une commande"};
 inline constexpr Message<std::string_view, std::string_view> value_missing{
@@ -110,6 +112,23 @@ inline constexpr Message<std::string_view> listing_needs_io{
     "--io : {} demande une table qui dit à quelle entrée, sortie ou étape correspond chaque "
     "adresse"};
 
+// Several charts.
+
+inline constexpr Message<> no_chart_in_folder{
+    "there is no .grafcet file in this folder, nor below it",
+    "il n'y a aucun fichier .grafcet dans ce dossier, ni plus bas"};
+inline constexpr Message<> nothing_fits{"no file fits this pattern",
+                                        "aucun fichier ne correspond à ce motif"};
+/// Two files, and the name that the result of either would get.
+inline constexpr Message<std::string, std::string, std::string> same_name{
+    "{} and {}: the results of both would be called {}; give them to two calls, with a folder each",
+    "{} et {} : les résultats des deux s'appelleraient {} ; traitez-les en deux appels, avec un "
+    "dossier chacun"};
+inline constexpr Message<> several_need_folder{
+    "several GRAFCETs in a form that cannot stand one behind the other: name a folder with -o",
+    "plusieurs GRAFCET dans une forme qui ne se met pas bout à bout : donnez un dossier avec -o"};
+/// The same in both languages.
+inline constexpr Message<std::string> file_heading{"==> {} <==\n", "==> {} <==\n"};
 inline constexpr Message<> one_file_to_standard_output{
     "several files: only one goes to standard output; -i replaces files, --check looks at them",
     "plusieurs fichiers : un seul peut aller sur la sortie standard ; -i remplace les fichiers, "

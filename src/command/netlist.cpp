@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "command/chart_results.h"
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -20,7 +21,7 @@ namespace help = messages::help;
 
 /// What may be written after `grafwire netlist`.
 struct NetlistArguments {
-    std::string path;
+    std::vector<std::string> files;
     NetlistRequest netlist;
     std::string format;
     std::string stimuli;
@@ -59,9 +60,10 @@ std::string bench_path(const std::string& output) {
 }
 
 /// The netlist and, of formats that have one, its bench.
-ExitStatus write(const NetlistArguments& request, const NetlistFormat& format, Time period) {
+ExitStatus add_text(const NetlistArguments& request, const NetlistFormat& format, Time period,
+                    const ChartFiles& charts, std::size_t number, ChartResults& results) {
     // Read the GRAFCET and make the netlist.
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(charts.files[number]);
     if (!chart) return ExitStatus::bad_request;
     const auto netlist = make_netlist(*chart, request.netlist);
     if (!netlist) return ExitStatus::bad_request;
@@ -71,14 +73,14 @@ ExitStatus write(const NetlistArguments& request, const NetlistFormat& format, T
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
+    const std::string place = results.place_of(number);
     WrittenNetlist written = write_netlist(
         *chart, *netlist, format, stimuli ? &*stimuli : nullptr, period, request.netlist.delays(),
-        netlist_heads(*chart, request.netlist.options(), format,
-                      {period, request.stimuli, request.output}, request.bench));
-    OutputFiles files({request.path, request.stimuli});
-    files.add(request.output, std::move(written.text));
-    if (!written.bench.empty()) files.add(bench_path(request.output), std::move(written.bench));
-    return finish(files, ExitStatus::done);
+        netlist_heads(*chart, request.netlist.options(), format, {period, request.stimuli, place},
+                      request.bench));
+    results.add(number, std::move(written.text));
+    if (!written.bench.empty()) results.add_beside(bench_path(place), std::move(written.bench));
+    return ExitStatus::done;
 }
 
 // ---- Schematics
@@ -97,9 +99,10 @@ std::optional<std::vector<Logic>> values_of(const NetlistArguments& request, con
     return values;
 }
 
-ExitStatus draw_netlist(const NetlistArguments& request, const DrawingFormat& format,
-                        Language language) {
-    const auto chart = load_chart(request.path);
+ExitStatus add_drawing(const NetlistArguments& request, const DrawingFormat& format,
+                       Language language, const ChartFiles& charts, std::size_t number,
+                       ChartResults& results) {
+    const auto chart = load_chart(charts.files[number]);
     if (!chart) return ExitStatus::bad_request;
     const auto netlist = make_netlist(*chart, request.netlist);
     if (!netlist) return ExitStatus::bad_request;
@@ -113,16 +116,31 @@ ExitStatus draw_netlist(const NetlistArguments& request, const DrawingFormat& fo
     how.title =
         schematic_title(*chart, request.netlist.options().style,
                         request.at.empty() ? std::nullopt : parse_moment(request.at), language);
-    OutputFiles files({request.path, request.stimuli});
-    files.add(request.output, schematic_drawing(*netlist, how, format, request.standalone));
-    return finish(files, ExitStatus::done);
+    results.add(number, schematic_drawing(*netlist, how, format, request.standalone));
+    return ExitStatus::done;
+}
+
+/// All that is asked for, of every chart.
+ExitStatus write(const NetlistArguments& request, const NetlistTarget& target, Time period,
+                 Language language) {
+    const ChartFiles charts = find_chart_files(request.files);
+    const auto extension =
+        target.format != nullptr ? target.format->extension : target.drawing->extension;
+    auto results = ChartResults::planned(charts, request.output, {extension}, {request.stimuli});
+    if (!results) return ExitStatus::bad_request;
+    const ExitStatus status = for_each_chart(charts, [&](std::size_t i) {
+        return target.drawing != nullptr
+                   ? add_drawing(request, *target.drawing, language, charts, i, *results)
+                   : add_text(request, *target.format, period, charts, i, *results);
+    });
+    return results->finish(status);
 }
 
 }  // namespace
 
 Task declare_netlist(const CommandLine& line) {
     const auto request = std::make_shared<NetlistArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
+    line.add_arguments(help::file_name, request->files, help::files());
     request->netlist.declare(line, true);
     line.add("--to", request->format, with_rows(help::netlist_to(), netlist_targets())).required();
     line.add("--stim", request->stimuli, help::netlist_stim());
@@ -134,7 +152,7 @@ Task declare_netlist(const CommandLine& line) {
         .shows_default();
     line.add("--paper", request->paper, help::netlist_paper()).one_of_names(papers).shows_default();
     line.add_flag("--standalone", request->standalone, help::standalone());
-    line.add("-o", request->output, help::output());
+    line.add("-o", request->output, help::outputs());
     return [request, line] {
         const NetlistTarget* target = format_named(netlist_targets(), request->format);
         if (target == nullptr) return ExitStatus::bad_request;
@@ -143,12 +161,10 @@ Task declare_netlist(const CommandLine& line) {
             return ExitStatus::bad_request;
         }
         const Period period = parse_period(request->scan);
-        if (!period.value || share_standard_input(request->path, request->stimuli)) {
+        if (!period.value || share_standard_input(request->files, request->stimuli)) {
             return ExitStatus::bad_request;
         }
-        if (target->drawing != nullptr)
-            return draw_netlist(*request, *target->drawing, line.language());
-        return write(*request, *target->format, *period.value);
+        return write(*request, *target, *period.value, line.language());
     };
 }
 

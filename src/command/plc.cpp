@@ -1,5 +1,8 @@
 // grafwire plc: the GRAFCET as a program in one of the languages, with the addresses of its names.
 
+#include <algorithm>
+
+#include "command/chart_results.h"
 #include "command/command_line.h"
 #include "command/help.h"
 #include "command/inputs.h"
@@ -15,7 +18,7 @@ namespace help = messages::help;
 
 /// What may be written after `grafwire plc`.
 struct PlcArguments {
-    std::string path;
+    std::vector<std::string> files;
     std::string format;
     std::string modes = "on";
     std::string io;
@@ -57,13 +60,10 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
 }
 
 /// The program, and the table of its addresses if it is asked for.
-ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language language) {
+ExitStatus add_program(const PlcArguments& request, const PlcFormat& format, Language language,
+                       const ChartFiles& charts, std::size_t number, ChartResults& results) {
     // Read the GRAFCET and the addresses.
-    if (request.path == "-" && request.io == "-") {
-        complain(messages::command::assignment_shares_standard_input());
-        return ExitStatus::bad_request;
-    }
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(charts.files[number]);
     if (!chart) return ExitStatus::bad_request;
     PlcOptions options = options_from(request);
     options.language = language;
@@ -75,22 +75,39 @@ ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language 
     }
     const bool modes = request.modes == "on";
     options.made_by = program_head(*chart, format, options, modes, request.io);
-    // Make the program of one scan, and write it.
+    // Make the program of one scan.
     Diagnostics diagnostics;
     auto written = write_program(*chart, format, options, modes, diagnostics);
     show_diagnostics(diagnostics, chart->source);
     if (!written) return ExitStatus::bad_request;
-    OutputFiles files({request.path, request.io});
-    files.add(request.output, std::move(written->text));
-    if (!request.addresses.empty()) files.add(request.addresses, std::move(written->addresses));
-    return finish(files, ExitStatus::done);
+    results.add(number, std::move(written->text));
+    if (!request.addresses.empty()) {
+        results.add_beside(results.place_of(number, request.addresses, ".io"),
+                           std::move(written->addresses));
+    }
+    return ExitStatus::done;
+}
+
+ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language language) {
+    const std::vector<std::string>& files = request.files;
+    if (request.io == "-" && std::find(files.begin(), files.end(), "-") != files.end()) {
+        complain(messages::command::assignment_shares_standard_input());
+        return ExitStatus::bad_request;
+    }
+    const ChartFiles charts = find_chart_files(files);
+    auto results = ChartResults::planned(charts, request.output, {format.extension}, {request.io});
+    if (!results) return ExitStatus::bad_request;
+    const ExitStatus status = for_each_chart(charts, [&](std::size_t i) {
+        return add_program(request, format, language, charts, i, *results);
+    });
+    return results->finish(status);
 }
 
 }  // namespace
 
 Task declare_plc(const CommandLine& line) {
     const auto request = std::make_shared<PlcArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
+    line.add_arguments(help::file_name, request->files, help::files());
     line.add("--to", request->format, with_rows(help::plc_to(), plc_formats())).required();
     line.add("--modes", request->modes, help::plc_modes()).one_of({"on", "off"}).shows_default();
     line.add("--io", request->io, help::plc_io());
@@ -104,7 +121,7 @@ Task declare_plc(const CommandLine& line) {
         .shows_default();
     line.add("--cpu", request->cpu, help::plc_cpu()).one_of(cpu_numbers());
     line.add_flag("--pull-up", request->pull_up, help::pull_up());
-    line.add("-o", request->output, help::output());
+    line.add("-o", request->output, help::outputs());
     return [request, line] {
         const PlcFormat* format = format_named(plc_formats(), request->format);
         if (format == nullptr) return ExitStatus::bad_request;
