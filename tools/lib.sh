@@ -42,6 +42,7 @@ patch                /usr/bin/patch
 pkg-config           /usr/bin/pkg-config
 python3              /usr/bin/python3
 python3-jsonschema   /usr/lib/python3/dist-packages/jsonschema/__init__.py
+python3-yaml         /usr/lib/python3/dist-packages/yaml/__init__.py
 texlive-lang-french  /usr/share/texlive/texmf-dist/tex/generic/babel-french/french.ldf
 texlive-latex-base   /usr/bin/pdflatex
 texlive-latex-recommended /usr/share/texlive/texmf-dist/tex/latex/booktabs/booktabs.sty

@@ -411,61 +411,87 @@ CheckParts check_parts(const CheckSubject& subject, const Grafcet& grafcet,
     return TextReport(subject, grafcet, result, language).make_parts(explained);
 }
 
-// The report of a check for servers that build and test: one suite with one case. The time it took
-// stands in it, as these servers expect, so it is the only result that is not the same every time.
+// The report of checks for servers that build and test.
 
 namespace {
 
-enum class TestOutcome { passed, failed, error };
-
-/// `message`: why it failed, in a word or two.
-std::string suite(const CheckSubject& subject, TestOutcome outcome, std::string_view message,
-                  std::string_view details, double seconds) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    text += fmt::format(
-        "<testsuite name=\"grafwire check\" tests=\"1\" failures=\"{}\" errors=\"{}\" "
-        "time=\"{:.3f}\">\n",
-        outcome == TestOutcome::failed ? 1 : 0, outcome == TestOutcome::error ? 1 : 0, seconds);
-    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-                        xml_attribute(visible(subject.file)), xml_attribute(visible(subject.name)),
-                        seconds);
-    if (outcome == TestOutcome::passed) {
-        text += fmt::format("    <system-out>{}</system-out>\n", xml_attribute(details));
-    } else {
-        const std::string_view element = outcome == TestOutcome::failed ? "failure" : "error";
-        text += fmt::format("    <{} message=\"{}\">{}</{}>\n", element, message,
-                            xml_attribute(details), element);
+std::string_view element_of(JunitCase::Outcome outcome) {
+    switch (outcome) {
+        case JunitCase::Outcome::passed:
+            return "system-out";
+        case JunitCase::Outcome::failed:
+            return "failure";
+        case JunitCase::Outcome::error:
+            return "error";
+        case JunitCase::Outcome::skipped:
+            break;
     }
-    return text + "  </testcase>\n</testsuite>\n";
+    return "skipped";
+}
+
+std::string xml_of(const JunitCase& item) {
+    std::string text = fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
+                                   xml_attribute(visible(item.file)),
+                                   xml_attribute(visible(item.name)), item.seconds);
+    const std::string_view element = element_of(item.outcome);
+    const std::string message = item.outcome == JunitCase::Outcome::passed
+                                    ? ""
+                                    : fmt::format(" message=\"{}\"", xml_attribute(item.message));
+    text +=
+        fmt::format("    <{}{}>{}</{}>\n", element, message, xml_attribute(item.details), element);
+    return text + "  </testcase>\n";
 }
 
 }  // namespace
 
-std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafcet,
-                              const CheckResult& result, const ExplainedWitness& explained,
-                              double seconds) {
+JunitCase junit_case(const CheckSubject& subject, const Grafcet& grafcet, const CheckResult& result,
+                     const ExplainedWitness& explained, double seconds) {
     ExplainedWitness in_english = explained;
     in_english.text = fmt::format("{}\n", joined(explained.lines, "\n"));
     for (ExplainedWitness& beyond : in_english.at_tolerance) {
         beyond.text = fmt::format("{}\n", joined(beyond.lines, "\n"));
     }
-    const std::string details =
-        write_check_text(subject, grafcet, result, in_english, Language::english);
-    switch (result.verdict) {
-        case Verdict::different:
-            return suite(subject, TestOutcome::failed, name_of(result.witness->kind), details,
-                         seconds);
-        case Verdict::undecided:
-            return suite(subject, TestOutcome::error, "undecided", details, seconds);
-        case Verdict::equivalent:
-            break;
+    JunitCase item;
+    item.file = subject.file;
+    item.name = subject.name;
+    item.details = write_check_text(subject, grafcet, result, in_english, Language::english);
+    item.seconds = seconds;
+    if (result.verdict == Verdict::different) {
+        item.outcome = JunitCase::Outcome::failed;
+        item.message = name_of(result.witness->kind);
+    } else if (result.verdict == Verdict::undecided) {
+        item.outcome = JunitCase::Outcome::error;
+        item.message = "undecided";
     }
-    return suite(subject, TestOutcome::passed, "", details, seconds);
+    return item;
 }
 
-std::string write_refused_junit(const CheckSubject& subject, std::string_view messages,
-                                double seconds) {
-    return suite(subject, TestOutcome::error, "not checked", messages, seconds);
+JunitCase unchecked_junit_case(const CheckSubject& subject, bool is_skipped, std::string messages,
+                               double seconds) {
+    return {is_skipped ? JunitCase::Outcome::skipped : JunitCase::Outcome::error,
+            subject.file,
+            subject.name,
+            is_skipped ? "the style cannot hold this GRAFCET" : "not checked",
+            std::move(messages),
+            seconds};
+}
+
+std::string write_junit(std::span<const JunitCase> cases) {
+    const auto count = [&](JunitCase::Outcome outcome) {
+        return std::count_if(cases.begin(), cases.end(),
+                             [&](const JunitCase& item) { return item.outcome == outcome; });
+    };
+    double seconds = 0;
+    for (const JunitCase& item : cases) seconds += item.seconds;
+    const auto skipped = count(JunitCase::Outcome::skipped);
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    text += fmt::format(
+        "<testsuite name=\"grafwire check\" tests=\"{}\" failures=\"{}\" errors=\"{}\"{} "
+        "time=\"{:.3f}\">\n",
+        cases.size(), count(JunitCase::Outcome::failed), count(JunitCase::Outcome::error),
+        skipped == 0 ? "" : fmt::format(" skipped=\"{}\"", skipped), seconds);
+    for (const JunitCase& item : cases) text += xml_of(item);
+    return text + "</testsuite>\n";
 }
 
 }  // namespace grafwire

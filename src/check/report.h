@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -84,15 +85,33 @@ CheckParts check_parts(const CheckSubject& subject, const Grafcet& grafcet,
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
                              const CheckResult& result, const ExplainedWitness& explained = {});
 
-/// One JUnit test suite with one test case: equivalent passes, different fails, undecided is an
-/// error. In English. `seconds`: what the check took.
-std::string write_check_junit(const CheckSubject& subject, const Grafcet& grafcet,
-                              const CheckResult& result, const ExplainedWitness& explained,
-                              double seconds);
+/// The same of a check that was not made, for one of several: the verdict is `error`, or `skipped`
+/// where the style cannot hold the GRAFCET; `messages` say why.
+std::string write_unchecked_json(const CheckSubject& subject, bool is_skipped,
+                                 const std::vector<Diagnostic>& messages);
 
-/// The same of a check that could not be made: an error, with the messages that say why. Of the
-/// subject, file and name count.
-std::string write_refused_junit(const CheckSubject& subject, std::string_view messages,
-                                double seconds);
+/// A test case of JUnit. In English.
+struct JunitCase {
+    enum class Outcome { passed, failed, error, skipped };
+    Outcome outcome = Outcome::passed;
+    std::string file;     ///< the GRAFCET's
+    std::string name;     ///< what tells it from others of the same GRAFCET
+    std::string message;  ///< unless it has passed: why, in a word or two
+    std::string details;
+    double seconds = 0;
+};
+
+/// Equivalent passes, different fails, undecided is an error. `seconds`: what the check took.
+JunitCase junit_case(const CheckSubject& subject, const Grafcet& grafcet, const CheckResult& result,
+                     const ExplainedWitness& explained, double seconds);
+
+/// The same of a check that was not made, with the messages that say why: an error, or skipped
+/// where the style cannot hold the GRAFCET. Of the subject, file and name count.
+JunitCase unchecked_junit_case(const CheckSubject& subject, bool is_skipped, std::string messages,
+                               double seconds);
+
+/// A test suite of these cases. The time it took stands in it, as servers that build and test
+/// expect, so it is the only report that is not the same every time.
+std::string write_junit(std::span<const JunitCase> cases);
 
 }  // namespace grafwire

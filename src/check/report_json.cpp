@@ -199,6 +199,22 @@ Json tolerance(const Tolerance& tolerance, const CheckSubject& subject, const Gr
 
 }  // namespace
 
+std::string write_unchecked_json(const CheckSubject& subject, bool is_skipped,
+                                 const std::vector<Diagnostic>& messages) {
+    Json json;
+    json["grafwire"] = version();
+    json["file"] = subject.file;
+    json["verdict"] = is_skipped ? "skipped" : "error";
+    if (!subject.against.empty()) {
+        json["against"] = subject.against;
+    } else {
+        json["style"] = subject.style;
+        json["cdx"] = subject.cdx;
+    }
+    json["diagnostics"] = diagnostics(messages);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet,
                              const CheckResult& result, const ExplainedWitness& explained) {
     Json json;

@@ -18,13 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 namespace say = messages::command;
 
-/// `b` for `a/b.grafcet`.
+}  // namespace
+
 std::string name_for(const ChartFile& chart) {
     return chart.path == "-" ? "stdin" : fs::path(chart.path).stem().string();
 }
 
-/// Whether no two charts have files of the same name, which results in one folder would get too;
-/// shows which have.
 bool have_names_of_their_own(const ChartFiles& charts) {
     std::map<std::string, const ChartFile*> known;
     for (const ChartFile& chart : charts.files) {
@@ -37,8 +36,6 @@ bool have_names_of_their_own(const ChartFiles& charts) {
     }
     return true;
 }
-
-}  // namespace
 
 ChartResults::ChartResults(const ChartFiles& charts, std::string output, Form form,
                            std::vector<std::string> inputs)

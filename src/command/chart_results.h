@@ -19,6 +19,13 @@ enum class OnOneStream {
     never    ///< they cannot, since nothing reads them so: a folder is needed
 };
 
+/// What a result that belongs to a chart is called: `b` for `a/b.grafcet`.
+std::string name_for(const ChartFile& chart);
+
+/// Whether no two charts have files of the same name, which results in one folder would get too;
+/// shows which have.
+bool have_names_of_their_own(const ChartFiles& charts);
+
 /// What a command makes of charts, one result each. Of a single chart it goes where `-o` says, or
 /// to standard output. Of several, `-o` is a folder, in which results are called after the files of
 /// their charts; or they go to standard output together. All appear at the end, or none.

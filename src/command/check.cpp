@@ -1,22 +1,23 @@
-// grafwire check: what is compared (a netlist made or read, a listing, a ladder diagram), with
-// which bounds, and where the report and the files of a witness go. The exit status is the verdict.
-// A report in JUnit's form is written even where no check is made, since CI shows nothing else.
-
-#include "workflow/check.h"
+// grafwire check: which charts are compared with what, with which bounds, and where the report and
+// the files of witnesses go. The exit status is the verdict, of several checks the worst. All
+// checks are planned before the first runs, and told in the order of the plan: what comes out does
+// not depend on how many run at a time. A report in JUnit's form is written even where no check is
+// made, since CI shows nothing else.
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <new>
 
+#include "command/chart_results.h"
 #include "command/command_line.h"
 #include "command/help.h"
-#include "command/inputs.h"
+#include "command/judge.h"
 #include "command/messages.h"
 #include "command/option_uses.h"
-#include "command/progress.h"
 #include "command/worker_pool.h"
 #include "text/utf8.h"
+#include "workflow/check_list.h"
+#include "workflow/messages.h"
 
 namespace grafwire {
 
@@ -25,215 +26,186 @@ namespace {
 namespace say = messages::command;
 namespace help = messages::help;
 
-/// What may be written after `grafwire check`.
-struct CheckArguments {
-    std::string path;
-    NetlistRequest netlist;
-    std::string against;
-    std::string program;
-    std::string io;
-    std::string cpu = "214";
-    std::string scan;
-    std::string changes;   ///< empty: one
-    std::string power_up;  ///< empty: unknown
-    std::string format = "text";
-    std::string witness;
-    bool tolerance = false;
-    std::vector<std::string> assumptions;
-    std::uint64_t jobs = 0;  ///< 0: as many as there are cores
-    std::uint64_t max_cases = 0;
-    double max_seconds = 0;
-    std::string max_memory;  ///< empty: no bound
-    std::string output;
-};
+/// The folder that the program was called in; empty where it has none any more.
+std::string folder_of_call() {
+    std::error_code error;
+    return std::filesystem::current_path(error).string();
+}
 
-/// All that a check works with besides what is compared.
-struct Session {
+/// The names of charts as every machine has them that has the same files in the folder of the call.
+std::vector<std::string> common_names(const ChartFiles& charts, const std::string& folder) {
+    std::vector<std::string> names;
+    for (const ChartFile& chart : charts.files) {
+        const std::filesystem::path path(chart.path);
+        names.push_back((path.is_absolute() ? path.lexically_proximate(folder) : path)
+                            .lexically_normal()
+                            .generic_string());
+    }
+    return names;
+}
+
+/// What is asked for, and all that comes of it.
+struct CheckRun {
     const CheckArguments& request;
     const CommandLine& line;
-    const Chart& chart;
-    Language language;
-    std::uint64_t max_memory = 0;  ///< in bytes; 0: no bound
-    std::optional<Time> period;
+    ChartFiles charts;
+    std::vector<PlannedCheck> plan;
+    bool are_several = false;  ///< checks, in what is asked for
+    bool is_refused = false;   ///< the request itself is wrong, and no check is made
+    CheckList list;
+
+    CheckArguments request_for(std::size_t number) const {
+        return request.of_one(charts.files[plan[number].file].path, plan[number].style);
+    }
 };
 
-/// No answer within the bounds is neither yes nor no.
-ExitStatus exit_status(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::equivalent:
+CheckRun planned(const CheckArguments& request, const CommandLine& line) {
+    CheckRun run{request, line, find_chart_files(request.files), {}, false, false, {}};
+    const std::vector<std::string> styles =
+        request.against.empty() ? styles_in(request.styles) : std::vector<std::string>(1);
+    run.plan = plan_checks(run.charts.files.size(), styles);
+    run.list.folder = folder_of_call();
+    if (!request.shard.empty()) {
+        run.plan = part_of(std::move(run.plan), common_names(run.charts, run.list.folder),
+                           *parse_shard(request.shard));
+    }
+    run.are_several = run.charts.are_several || !request.shard.empty() ||
+                      (request.against.empty() && request.styles != styles.front());
+    run.list.files.resize(run.charts.files.size());
+    for (std::size_t i = 0; i < run.plan.size(); ++i) {
+        CheckedCase& item = run.list.cases.emplace_back();
+        item.file = run.plan[i].file;
+        item.subject = subject_of(run.request_for(i));
+    }
+    return run;
+}
+
+/// What is known of the checks before anything is read: of any of them.
+unsigned facts_of(const CheckRun& run) {
+    unsigned facts = fact::none;
+    for (std::size_t i = 0; i < run.plan.size(); ++i) facts |= facts_of(run.request_for(i));
+    return facts;
+}
+
+/// Reads every chart that is to be checked.
+void load_files(CheckRun& run) {
+    std::vector<bool> is_read(run.list.files.size(), false);
+    for (const PlannedCheck& check : run.plan) {
+        if (is_read[check.file]) continue;
+        is_read[check.file] = true;
+        CheckedFile& file = run.list.files[check.file];
+        const MessageRecord messages;
+        file.chart = load_plant(run.request, run.charts.files[check.file], run.line);
+        file.text = messages.text();
+        file.messages = messages.messages();
+    }
+}
+
+/// Makes one check, which `workers` share, if there are any. Its messages wait, so that they can be
+/// shown in the order of the plan.
+void make_check(CheckRun& run, std::size_t number, const CheckValues& values,
+                ProgressLine& progress, Workers* workers) {
+    using Clock = std::chrono::steady_clock;
+    CheckedCase& item = run.list.cases[number];
+    const auto& chart = run.list.files[item.file].chart;
+    if (chart) {
+        const MessageRecord messages(MessageRecord::Kind::held);
+        const CheckArguments request = run.request_for(number);
+        const Clock::time_point began = Clock::now();
+        Judged judged = judge({request, run.line, *chart, values, workers, progress,
+                               std::filesystem::path(request.path).filename().string() + " " +
+                                   run.plan[number].style});
+        item.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+        item.judgement = std::move(judged.judgement);
+        item.is_skipped = judged.is_unsuitable && run.request.styles == "all";
+        item.text = messages.text();
+        item.messages = messages.messages();
+    }
+    progress.count_done();
+}
+
+void make_checks(CheckRun& run, const CheckValues& values) {
+    {
+        const Interruption interruption;
+        ProgressLine progress(run.line.language(), run.plan.size());
+        WorkerPool pool(run.request.jobs);
+        // The bound is for the memory of the program, in which checks would take it from each
+        // other; and few checks leave cores idle unless these share the work within each.
+        if (values.max_memory != 0 || run.plan.size() < pool.count()) {
+            for (std::size_t i = 0; i < run.plan.size(); ++i) {
+                make_check(run, i, values, progress, &pool);
+            }
+        } else {
+            const auto work = [&](std::size_t number, std::size_t) {
+                make_check(run, number, values, progress, nullptr);
+            };
+            pool.share(run.plan.size(), work, [] {});
+        }
+    }
+    // Of a shard the other styles may be with others.
+    if (run.request.shard.empty()) {
+        for (const std::size_t file : refuse_skipped_files(run.list)) {
+            complain(messages::workflow::no_style_holds(visible(run.charts.files[file].path)));
+        }
+    }
+    for (const CheckedCase& item : run.list.cases) {
+        if (!item.is_skipped) show(item.text);
+    }
+}
+
+/// Where the request itself is wrong, that is why none of the checks is made.
+void refuse_all(CheckRun& run, const MessageRecord& messages) {
+    run.is_refused = true;
+    for (CheckedCase& item : run.list.cases) {
+        item.text = messages.text();
+        item.messages = messages.messages();
+    }
+}
+
+/// Reads what is asked for, and makes all checks that can be made.
+void check_all(CheckRun& run) {
+    std::optional<CheckValues> values;
+    {
+        const MessageRecord messages;
+        if (refuse_idle_options(run.line, "check", facts_of(run))) {
+            refuse_all(run, messages);
+            return;
+        }
+    }
+    load_files(run);
+    {
+        const MessageRecord messages;
+        values = values_of(run.request);
+        if (!values) refuse_all(run, messages);
+    }
+    if (values) make_checks(run, *values);
+}
+
+// Results.
+
+/// No answer within the bounds is neither yes nor no; that a style cannot hold a chart, where all
+/// styles are tried, is no failure.
+ExitStatus exit_status(CheckOutcome outcome) {
+    switch (outcome) {
+        case CheckOutcome::equivalent:
+        case CheckOutcome::skipped:
             return ExitStatus::done;
-        case Verdict::different:
+        case CheckOutcome::different:
             return ExitStatus::answer_is_no;
-        case Verdict::undecided:
+        case CheckOutcome::undecided:
             return ExitStatus::out_of_bounds;
+        case CheckOutcome::error:
+            break;
     }
     return ExitStatus::bad_request;
 }
 
-/// What is known of the request before anything is read.
-unsigned facts_of(const CheckArguments& request) {
-    if (request.against.empty()) {
-        return fact::generated |
-               (request.netlist.options().style == Style::clocked ? fact::clocked
-                                                                  : fact::asynchronous);
+ExitStatus exit_status(const CheckList& list) {
+    ExitStatus status = ExitStatus::done;
+    for (const CheckedCase& item : list.cases) {
+        status = worse_of(status, exit_status(item.outcome()));
     }
-    const std::optional<Against> against = against_of(request.against);
-    if (against == Against::listing) return fact::listing;
-    if (against == Against::ladder) return fact::ladder;
-    return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
-}
-
-/// What is known of a netlist from elsewhere once it is there.
-unsigned facts_of(const Chart& chart, const Netlist& netlist) {
-    unsigned facts = fact::elsewhere;
-    facts |= netlist.is_clocked() ? fact::clocked : fact::asynchronous;
-    if (power_up_of(chart, netlist, true) != PowerUp::init) facts |= fact::open_start;
-    return facts;
-}
-
-/// What the reports say of a request before anything has been read.
-CheckSubject subject_of(const CheckArguments& request) {
-    CheckSubject subject;
-    subject.file = request.path;
-    subject.against = request.against;
-    if (request.against.empty()) {
-        subject.style = request.netlist.style;
-        subject.cdx = name_of(cdx_form(request.netlist.options()));
-    }
-    subject.delays = request.netlist.delays();
-    subject.name = request.against.empty() ? subject.style + " " + subject.cdx : request.against;
-    for (const std::string* asked : {&request.changes, &request.power_up, &request.scan}) {
-        if (!asked->empty()) subject.name += " " + *asked;
-    }
-    return subject;
-}
-
-/// Runs a check within its bounds, and shows what it has to say.
-template <typename Check>
-std::optional<Judgement> within_bounds(const Session& session, const Check& check) {
-    const CheckArguments& request = session.request;
-    CheckRequest asked;
-    asked.subject = subject_of(request);
-    asked.changes = request.changes == "many" ? Changes::many : Changes::one;
-    asked.period = session.period;
-    asked.max_cases = request.max_cases;
-    WorkerPool workers(request.jobs);
-    asked.workers = &workers;
-    asked.language = session.language;
-    asked.with_files = !request.witness.empty();
-    Diagnostics messages;
-    std::optional<Judgement> judgement;
-    {
-        Progress progress(request.max_seconds, session.max_memory, session.language);
-        asked.progress = [&progress](const Coverage& coverage) { progress.show(coverage); };
-        asked.keep_going = [&progress] { return progress.goes_on(); };
-        judgement = check(asked, messages);
-    }
-    show_messages(messages);
-    return judgement;
-}
-
-/// A netlist from elsewhere, if its ports allow a comparison.
-std::optional<Netlist> load_fitting_netlist(const Session& session) {
-    const CheckArguments& request = session.request;
-    auto netlist = load_netlist(request.against);
-    if (!netlist) return std::nullopt;
-    const PortComparison ports =
-        fit_netlist(session.chart, *netlist, request.power_up == "initial");
-    if (!ports.fits()) {
-        show(say::ports_do_not_fit(visible(request.against), visible(request.path),
-                                   port_table(ports)));
-    }
-    if (!ports.can_compare()) return std::nullopt;
-    if (refuse_idle_options(session.line, "check", facts_of(session.chart, *netlist))) {
-        return std::nullopt;
-    }
-    return netlist;
-}
-
-/// What is compared under other delays: the netlist that is made for them, or the one from
-/// elsewhere as it is.
-NetlistFor netlist_by_delays(const Session& session, const Netlist& netlist) {
-    if (!session.request.against.empty()) {
-        return [&netlist](const DelayModel&) { return std::optional(netlist); };
-    }
-    return [&session](const DelayModel& delays) {
-        NetlistOptions options = session.request.netlist.options();
-        options.delays = delays;
-        Diagnostics said_before;
-        return make_netlist(session.chart, options, said_before);
-    };
-}
-
-/// A netlist that is made of the GRAFCET, or one from elsewhere.
-std::optional<Judgement> judge_netlist(const Session& session) {
-    const auto netlist = session.request.against.empty()
-                             ? make_netlist(session.chart, session.request.netlist)
-                             : load_fitting_netlist(session);
-    if (!netlist) return std::nullopt;
-    return within_bounds(session, [&](CheckRequest asked, Diagnostics& messages) {
-        if (session.request.tolerance) asked.tolerance_of = netlist_by_delays(session, *netlist);
-        return check_netlist(session.chart, *netlist, asked, messages);
-    });
-}
-
-/// An S7-200 listing. Its addresses say nothing by themselves, so a table of assignment is needed.
-std::optional<Judgement> judge_listing(const Session& session) {
-    const CheckArguments& request = session.request;
-    if (request.io.empty()) {
-        complain(say::listing_needs_io(request.against));
-        return std::nullopt;
-    }
-    const auto io = load_assignment(request.io);
-    if (!io) return std::nullopt;
-    const s7::Cpu cpu = cpu_of_number(request.cpu).value_or(s7::Cpu::cpu_214);
-    const auto listing = load_listing(request.against, cpu, &io->assignment);
-    if (!listing) return std::nullopt;
-    Diagnostics diagnostics;
-    const auto binding = s7::bind(session.chart.grafcet, io->assignment, diagnostics);
-    show_diagnostics(diagnostics, io->source);
-    if (!binding) return std::nullopt;
-    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
-        return check_listing(session.chart, *listing, cpu, *binding, asked, messages);
-    });
-}
-
-/// A ladder diagram, whose variables have the names of the GRAFCET.
-std::optional<Judgement> judge_ladder(const Session& session) {
-    const CheckArguments& request = session.request;
-    Diagnostics diagnostics;
-    const SourceFile source = read_source(request.against, diagnostics);
-    std::optional<ladder::Ladder> ladder;
-    if (!diagnostics.has_errors()) ladder = read_ladder(source, request.program, diagnostics);
-    show_diagnostics(diagnostics, source);
-    if (!ladder) return std::nullopt;
-    return within_bounds(session, [&](const CheckRequest& asked, Diagnostics& messages) {
-        return check_ladder(session.chart, *ladder, asked, messages);
-    });
-}
-
-/// Compares what is asked for with the chart; empty, with the reason shown, where that is not
-/// possible.
-std::optional<Judgement> judge(const Session& session) {
-    const unsigned facts = facts_of(session.request);
-    if ((facts & fact::listing) != 0) return judge_listing(session);
-    if ((facts & fact::ladder) != 0) return judge_ladder(session);
-    return judge_netlist(session);
-}
-
-/// The GRAFCET, with all that the plant never does.
-std::optional<Chart> load_plant(const CheckArguments& request) {
-    auto chart = load_chart(request.path);
-    if (!chart) return std::nullopt;
-    bool is_good = true;
-    for (const std::string& text : request.assumptions) {
-        Diagnostics diagnostics;
-        const SourceFile source{"--assume", text};
-        is_good = add_assumption(source, *chart, diagnostics) && is_good;
-        show_diagnostics(diagnostics, source);
-    }
-    if (!is_good) return std::nullopt;
-    return chart;
+    return status;
 }
 
 /// Adds the files to their folder, and says where they will stand; those of an earlier difference
@@ -256,66 +228,65 @@ std::vector<std::string> add_witness(OutputFiles& files, const std::string& fold
     return paths;
 }
 
-/// Writes the report, and the files of the witness into the folder asked for, if one is, where
-/// those of an earlier witness go. `seconds`: what the check took.
-ExitStatus report(const CheckArguments& request, const Chart& chart, Judgement& judgement,
-                  double seconds, Language language) {
-    OutputFiles files({request.path, request.against, request.io});
-    if (!request.witness.empty()) {
-        judgement.subject.witness_files =
-            add_witness(files, request.witness, judgement.witness_files);
+/// The folder of the witness of a check: of several, one each in that asked for, called after chart
+/// and style.
+std::string witness_folder(const CheckRun& run, std::size_t number) {
+    if (!run.are_several) return run.request.witness;
+    const PlannedCheck& check = run.plan[number];
+    const std::string chart = name_for(run.charts.files[check.file]);
+    const std::string name = check.style.empty() ? chart : chart + "-" + check.style;
+    return (std::filesystem::path(run.request.witness) / name).string();
+}
+
+/// The report, where there is one: of a wrong request, and of a single check that was not made,
+/// only JUnit and SARIF tell.
+std::optional<std::string> report_of(const CheckRun& run) {
+    const ReportRow& form = *row_named(report_forms(), run.request.format);
+    if (form.tells_errors) return form.write_several(run.list, run.line.language());
+    if (run.is_refused) return std::nullopt;
+    if (run.are_several) return form.write_several(run.list, run.line.language());
+    const CheckedCase& only = run.list.cases.front();
+    if (!only.judgement) return std::nullopt;
+    return form.write(*only.judgement, *run.list.files.front().chart, only.seconds,
+                      run.line.language());
+}
+
+/// Writes the report, and the files of witnesses where they are asked for.
+ExitStatus report(CheckRun& run) {
+    std::vector<std::string> inputs = run.charts.paths();
+    inputs.insert(inputs.end(), {run.request.against, run.request.io});
+    OutputFiles files(std::move(inputs));
+    for (std::size_t i = 0; !run.request.witness.empty() && i < run.plan.size(); ++i) {
+        auto& judgement = run.list.cases[i].judgement;
+        if (!judgement) continue;
+        judgement->subject.witness_files =
+            add_witness(files, witness_folder(run, i), judgement->witness_files);
     }
-    const ReportRow* form = row_named(report_forms(), request.format);
-    files.add(request.output, form->write(judgement, chart, seconds, language));
-    return finish(files, exit_status(judgement.result.verdict));
+    if (auto text = report_of(run)) files.add(run.request.output, std::move(*text));
+    return finish(files, exit_status(run.list));
 }
 
-/// Where no check could be made for the reasons that the messages say: a JUnit report, if one is
-/// asked for, has them too: the reader of these reports may see nothing else.
-ExitStatus report_refused(const CheckArguments& request, const std::string& messages,
-                          double seconds) {
-    if (request.format != "junit") return ExitStatus::bad_request;
-    OutputFiles files({request.path, request.against, request.io});
-    files.add(request.output, write_refused_junit(subject_of(request), messages, seconds));
-    return finish(files, ExitStatus::bad_request);
-}
-
-/// Whatever goes wrong before the verdict ends in `refused`, so that CI sees a report of it.
 ExitStatus check(const CheckArguments& request, const CommandLine& line) {
-    const auto began = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    };
-    const MessageRecord messages;
-    const auto refused = [&] { return report_refused(request, messages.text(), seconds()); };
-    // Read the request and the GRAFCET.
-    if (refuse_idle_options(line, "check", facts_of(request))) return refused();
-    const auto chart = load_plant(request);
-    if (!chart) return refused();
-    Session session{request, line, *chart, line.language(), 0, {}};
-    if (!request.max_memory.empty()) {
-        const auto bytes = parse_memory(request.max_memory);
-        if (!bytes) return refused();
-        session.max_memory = *bytes;
+    CheckRun run = planned(request, line);
+    if (!request.witness.empty() && run.are_several && !have_names_of_their_own(run.charts)) {
+        return ExitStatus::bad_request;
     }
-    const Period period = parse_period(request.scan);
-    if (period.is_wrong) return refused();
-    session.period = period.value;
-    // Judge what is to be compared with it, and report.
-    std::optional<Judgement> judgement;
-    try {
-        judgement = judge(session);
-    } catch (const std::bad_alloc&) {
-        complain(say::check_takes_too_much_memory());
-    }
-    if (!judgement) return refused();
-    return report(request, *chart, *judgement, seconds(), line.language());
+    check_all(run);
+    const ExitStatus status = report(run);
+    if (run.are_several && !run.is_refused) show(outcome_table(run.list));
+    return status;
 }
 
 /// What is compared, and under which conditions.
 void declare_subject(const CommandLine& line, CheckArguments& request) {
-    line.add_argument(help::file_name, request.path, help::file());
-    request.netlist.declare(line, false);
+    line.add_arguments(help::file_name, request.files, help::files());
+    std::vector<std::string_view> styles;
+    for (const StyleRow& row : style_table) styles.push_back(row.name);
+    styles.push_back("all");
+    line.add("--style", request.styles, with_rows(help::check_style(), style_table))
+        .one_that([](std::string_view words) { return !styles_in(words).empty(); }, styles)
+        .shows_default();
+    request.netlist.declare_equations(line);
     request.netlist.declare_delay(line);
     line.add("--against", request.against, help::check_against());
     line.add("--program", request.program, help::check_program());
@@ -333,6 +304,9 @@ void declare_report(const CommandLine& line, CheckArguments& request) {
     line.add("--witness", request.witness, help::witness());
     line.add_flag("--tolerance", request.tolerance, help::tolerance());
     line.add("--assume", request.assumptions, help::assume());
+    line.add_strict();
+    line.add("--shard", request.shard, help::shard())
+        .one_that([](std::string_view text) { return parse_shard(text).has_value(); }, {"K/N"});
     line.add("-j", request.jobs, help::jobs());
     line.add("--max-cases", request.max_cases, help::max_cases());
     line.add("--max-seconds", request.max_seconds, help::max_seconds());

@@ -126,6 +126,10 @@ void CommandLine::add_flag(const char* name, bool& target, const Localized& text
     app_.add_flag(name, target, text.in(language_));
 }
 
+void CommandLine::add_strict() const {
+    app_.add_flag("--strict")->description(help::strict.in(language_));
+}
+
 CommandLine CommandLine::add_command(const std::string& name, const Localized& text,
                                      const std::string& example) const {
     app_.require_subcommand(1);

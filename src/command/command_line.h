@@ -93,6 +93,9 @@ class CommandLine {
     /// Not negative.
     AddedOption add(const char* name, double& target, const Localized& help) const;
     void add_flag(const char* name, bool& target, const Localized& help) const;
+    /// `--strict`, of commands that read charts: warnings about these are errors.
+    void add_strict() const;
+    bool is_strict() const { return has("--strict"); }
 
     /// A command below this one; one of those must be given. `example` stands at the end of its
     /// help.

@@ -48,7 +48,7 @@ ExitStatus draw(const DrawArguments& request, const CommandLine& line) {
         return ExitStatus::bad_request;
     }
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(request.path, line);
     if (!chart) return ExitStatus::bad_request;
     ChartDrawing how;
     how.sign = row_named(notation_table, request.notation)->sign;
@@ -79,6 +79,7 @@ Task declare_draw(const CommandLine& line) {
     line.add("--paper", request->paper, help::paper()).one_of_names(papers).shows_default();
     line.add_flag("--standalone", request->standalone, help::standalone());
     line.add("-o", request->output, help::output());
+    line.add_strict();
     return [request, line] { return draw(*request, line); };
 }
 

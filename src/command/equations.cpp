@@ -42,7 +42,7 @@ OnOneStream on_one_stream(EquationFormat format) {
 
 /// Those of charts that have been named, in a form that is heeded.
 ExitStatus write(const EquationsArguments& request, const EquationFormatRow& format,
-                 Language language) {
+                 const CommandLine& line) {
     const CdxForm cdx = row_named(cdx_table, request.cdx)->form;
     const ChartFiles charts = find_chart_files(request.files);
     auto results = ChartResults::planned(charts, request.output,
@@ -50,13 +50,13 @@ ExitStatus write(const EquationsArguments& request, const EquationFormatRow& for
     if (!results) return ExitStatus::bad_request;
     const ExitStatus status = for_each_chart(charts, [&](std::size_t i) {
         // Read the GRAFCET.
-        const auto chart = load_chart(charts.files[i]);
+        const auto chart = load_chart(charts.files[i], line);
         if (!chart) return ExitStatus::bad_request;
         // Derive the equations, and write them down.
-        show_wiring_warnings(*chart, cdx);
-        results->add(
-            i, equation_report(*chart, {cdx, request.modes == "on"},
-                               {format.format, request.karnaugh, language, request.standalone}));
+        if (!show_wiring_warnings(*chart, cdx, line)) return ExitStatus::bad_request;
+        results->add(i, equation_report(*chart, {cdx, request.modes == "on"},
+                                        {format.format, request.karnaugh, line.language(),
+                                         request.standalone}));
         return ExitStatus::done;
     });
     return results->finish(status);
@@ -75,6 +75,7 @@ Task declare_equations(const CommandLine& line) {
     line.add_flag("--karnaugh", request->karnaugh, help::karnaugh());
     line.add_flag("--standalone", request->standalone, help::whole_report());
     line.add("-o", request->output, help::outputs());
+    line.add_strict();
     return [request, line] {
         const EquationFormatRow& format = *row_named(equation_format_table, request->format);
         const ChosenFormat chosen =
@@ -82,7 +83,7 @@ Task declare_equations(const CommandLine& line) {
         if (refuse_idle_options(line, "equations", fact::none, &chosen)) {
             return ExitStatus::bad_request;
         }
-        return write(*request, format, line.language());
+        return write(*request, format, line);
     };
 }
 

@@ -82,6 +82,8 @@ inline constexpr Message<> files{
     "GRAFCETs: files, folders (every .grafcet below), patterns (* ? **); - for standard input",
     "des GRAFCET : fichiers, dossiers (tout .grafcet qui s'y trouve), motifs (* ? **) ; - pour "
     "l'entrée standard"};
+inline constexpr Message<> strict{"warnings about a GRAFCET are errors",
+                                  "les avertissements sur un GRAFCET sont des erreurs"};
 inline constexpr Message<> stim{"the stimuli (.stim), - for standard input",
                                 "les stimuli (.stim), - pour l'entrée standard"};
 inline constexpr Message<> file_name{"FILE", "FICHIER"};
@@ -164,6 +166,15 @@ inline constexpr Message<> report_output{
     "la page (par défaut : la sortie standard) ; le code est 0 dès qu'elle est écrite, quels que "
     "soient les verdicts"};
 
+// info
+
+inline constexpr Message<> info_to{"what is printed: a text, or the messages as SARIF",
+                                   "ce qui est écrit : un texte, ou les messages en SARIF"};
+inline constexpr Message<> info_output{
+    "output file (default: standard output); for the texts of several GRAFCETs a folder",
+    "fichier de sortie (par défaut : la sortie standard) ; pour les textes de plusieurs GRAFCET un "
+    "dossier"};
+
 // equations
 
 inline constexpr Message<> equations_to{"output form", "forme de la sortie"};
@@ -244,6 +255,11 @@ inline constexpr Message<> simulate_scan{
 
 // check
 
+inline constexpr Message<> check_style{
+    "how the equations become cells; several as nand,rs; all: every style that can hold the "
+    "GRAFCET, the others are told as skipped",
+    "comment les équations deviennent des cellules ; plusieurs comme nand,rs ; all : tous les "
+    "styles qui admettent le GRAFCET, les autres sont signalés et laissés de côté"};
 inline constexpr Message<> check_against{
     "compare this .blif or .json (Yosys) netlist, this .awl listing (S7-200), or this .xml ladder "
     "diagram (PLCopen), instead of a generated netlist",
@@ -273,10 +289,10 @@ inline constexpr Message<> check_to{"form of the report", "forme du rapport"};
 inline constexpr Message<> check_output{"file for the report (default: standard output)",
                                         "fichier du rapport (par défaut : la sortie standard)"};
 inline constexpr Message<> witness{
-    "folder for the stimuli, traces and waveforms that show a difference; those of an earlier one "
-    "go",
-    "dossier des stimuli et chronogrammes qui montrent un écart ; ceux d'un écart précédent "
-    "disparaissent"};
+    "folder for the stimuli, traces and waveforms that show a difference, in it one for each of "
+    "several checks; those of an earlier one go",
+    "dossier des stimuli et chronogrammes qui montrent un écart, avec un sous-dossier pour chacune "
+    "de plusieurs vérifications ; ceux d'un écart précédent disparaissent"};
 inline constexpr Message<> assume{
     "what the plant never does, besides what the file assumes: an expression that is never 0",
     "ce que la partie opérative ne fait jamais, outre ce que le fichier suppose : une expression "
@@ -286,6 +302,11 @@ inline constexpr Message<> tolerance{
     "what goes wrong first",
     "chercher aussi de combien les retards des portes peuvent différer (MAX/MIN) avant une erreur, "
     "et quelle erreur vient la première"};
+inline constexpr Message<> shard{
+    "only part K of N of all checks, by file and style; every machine that has the same files cuts "
+    "them in the same way",
+    "seulement la part K sur N de toutes les vérifications, par fichier et style ; toute machine "
+    "qui a les mêmes fichiers les découpe de la même façon"};
 inline constexpr Message<> jobs{
     "how many cores share the work; nothing but the time it takes depends on it (default: all)",
     "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en "

@@ -36,19 +36,41 @@ auto load(const File& file, SourceFile& source, const Read& read) {
 
 }  // namespace
 
-std::optional<Chart> load_chart(const std::string& path) {
-    return load_chart(ChartFile{path});
+Diagnostics as_asked(Diagnostics diagnostics, const CommandLine& line) {
+    if (!line.is_strict()) return diagnostics;
+    Diagnostics errors;
+    for (const Diagnostic& item : diagnostics.items()) {
+        errors.error(item.code, item.where, item.message).notes = item.notes;
+    }
+    return errors;
 }
 
-std::optional<Chart> load_chart(const ChartFile& file) {
+std::optional<Chart> load_chart(const std::string& path) {
     SourceFile source;
-    return load(file, source, [](const SourceFile& text, Diagnostics& diagnostics) {
+    return load(path, source, [](const SourceFile& text, Diagnostics& diagnostics) {
         return read_chart(text, diagnostics);
     });
 }
 
-void show_wiring_warnings(const Chart& chart, CdxForm cdx) {
-    show_diagnostics(wiring_warnings(chart, cdx), chart.source);
+std::optional<Chart> load_chart(const std::string& path, const CommandLine& line) {
+    return load_chart(ChartFile{path}, line);
+}
+
+std::optional<Chart> load_chart(const ChartFile& file, const CommandLine& line) {
+    SourceFile source;
+    return load(file, source,
+                [&](const SourceFile& text, Diagnostics& diagnostics) -> std::optional<Chart> {
+                    auto chart = read_chart(text, diagnostics);
+                    diagnostics = as_asked(std::move(diagnostics), line);
+                    if (diagnostics.has_errors()) return std::nullopt;
+                    return chart;
+                });
+}
+
+bool show_wiring_warnings(const Chart& chart, CdxForm cdx, const CommandLine& line) {
+    const Diagnostics diagnostics = as_asked(wiring_warnings(chart, cdx), line);
+    show_diagnostics(diagnostics, chart.source);
+    return !diagnostics.has_errors();
 }
 
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet) {
@@ -148,6 +170,10 @@ void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
         style = "nand";
         option.shows_default();
     }
+    declare_equations(line);
+}
+
+void NetlistRequest::declare_equations(const CommandLine& line) {
     line.add("--cdx", cdx, help::cdx_by_style()).one_of_names(cdx_table);
     line.add("--modes", modes, help::modes()).one_of({"on", "off"}).shows_default();
 }

@@ -24,12 +24,19 @@ namespace grafwire {
 
 // What commands read. All messages are shown; the results are empty after an error.
 
-/// A GRAFCET from a file; the file may be one that was looked for among others.
+/// A GRAFCET from a file; the file may be one that was looked for among others. With `--strict`
+/// warnings are errors.
+std::optional<Chart> load_chart(const std::string& path, const CommandLine& line);
+std::optional<Chart> load_chart(const ChartFile& file, const CommandLine& line);
+/// The same without that option.
 std::optional<Chart> load_chart(const std::string& path);
-std::optional<Chart> load_chart(const ChartFile& file);
 
-/// Shows what the structure of a GRAFCET puts at risk in asynchronous wiring with this form of CDX.
-void show_wiring_warnings(const Chart& chart, CdxForm cdx);
+/// Shows what the structure of a GRAFCET puts at risk in asynchronous wiring with this form of CDX;
+/// false where that is an error.
+[[nodiscard]] bool show_wiring_warnings(const Chart& chart, CdxForm cdx, const CommandLine& line);
+
+/// The messages with every warning an error, with `--strict`.
+Diagnostics as_asked(Diagnostics diagnostics, const CommandLine& line);
 
 /// Stimuli for a GRAFCET.
 std::optional<Stimuli> load_stimuli(const std::string& path, const Grafcet& grafcet);
@@ -88,6 +95,8 @@ struct NetlistRequest {
     std::string modes = "on";
     std::string delay{DelayModel().name};
     void declare(const CommandLine& line, bool style_is_required);
+    /// All but the style.
+    void declare_equations(const CommandLine& line);
     void declare_delay(const CommandLine& line);
     NetlistOptions options() const;
     DelayModel delays() const;

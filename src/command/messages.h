@@ -220,6 +220,10 @@ inline constexpr Message<std::string_view, std::uint32_t, std::uint32_t, Localiz
 /// Cases, situations, states waiting; the same in both languages.
 inline constexpr Message<Localized, Localized, Localized> progress{"{}, {}, {}", "{}, {}, {}"};
 
+/// Of several checks: how many are done, how many there are, the name of one and how far it is.
+inline constexpr Message<std::size_t, std::size_t, std::string, std::string> progress_of_several{
+    "{} of {} done; {}: {}", "{} sur {} ; {} : {}"};
+
 /// A chart from standard input leaves nothing to type there.
 inline constexpr Message<> lines_share_standard_input{
     "the GRAFCET comes from standard input, so nothing can be typed there: give a STIM",

@@ -61,9 +61,10 @@ std::string bench_path(const std::string& output) {
 
 /// The netlist and, of formats that have one, its bench.
 ExitStatus add_text(const NetlistArguments& request, const NetlistFormat& format, Time period,
-                    const ChartFiles& charts, std::size_t number, ChartResults& results) {
+                    const CommandLine& line, const ChartFiles& charts, std::size_t number,
+                    ChartResults& results) {
     // Read the GRAFCET and make the netlist.
-    const auto chart = load_chart(charts.files[number]);
+    const auto chart = load_chart(charts.files[number], line);
     if (!chart) return ExitStatus::bad_request;
     const auto netlist = make_netlist(*chart, request.netlist);
     if (!netlist) return ExitStatus::bad_request;
@@ -100,9 +101,9 @@ std::optional<std::vector<Logic>> values_of(const NetlistArguments& request, con
 }
 
 ExitStatus add_drawing(const NetlistArguments& request, const DrawingFormat& format,
-                       Language language, const ChartFiles& charts, std::size_t number,
+                       const CommandLine& line, const ChartFiles& charts, std::size_t number,
                        ChartResults& results) {
-    const auto chart = load_chart(charts.files[number]);
+    const auto chart = load_chart(charts.files[number], line);
     if (!chart) return ExitStatus::bad_request;
     const auto netlist = make_netlist(*chart, request.netlist);
     if (!netlist) return ExitStatus::bad_request;
@@ -111,18 +112,18 @@ ExitStatus add_drawing(const NetlistArguments& request, const DrawingFormat& for
     SchematicDrawing how;
     how.shapes = row_named(gate_shapes_table, request.symbols)->shapes;
     how.paper = *row_named(papers, request.paper);
-    how.language = language;
+    how.language = line.language();
     how.values = std::move(*values);
-    how.title =
-        schematic_title(*chart, request.netlist.options().style,
-                        request.at.empty() ? std::nullopt : parse_moment(request.at), language);
+    how.title = schematic_title(*chart, request.netlist.options().style,
+                                request.at.empty() ? std::nullopt : parse_moment(request.at),
+                                line.language());
     results.add(number, schematic_drawing(*netlist, how, format, request.standalone));
     return ExitStatus::done;
 }
 
 /// All that is asked for, of every chart.
 ExitStatus write(const NetlistArguments& request, const NetlistTarget& target, Time period,
-                 Language language) {
+                 const CommandLine& line) {
     const ChartFiles charts = find_chart_files(request.files);
     const auto extension =
         target.format != nullptr ? target.format->extension : target.drawing->extension;
@@ -130,8 +131,8 @@ ExitStatus write(const NetlistArguments& request, const NetlistTarget& target, T
     if (!results) return ExitStatus::bad_request;
     const ExitStatus status = for_each_chart(charts, [&](std::size_t i) {
         return target.drawing != nullptr
-                   ? add_drawing(request, *target.drawing, language, charts, i, *results)
-                   : add_text(request, *target.format, period, charts, i, *results);
+                   ? add_drawing(request, *target.drawing, line, charts, i, *results)
+                   : add_text(request, *target.format, period, line, charts, i, *results);
     });
     return results->finish(status);
 }
@@ -153,6 +154,7 @@ Task declare_netlist(const CommandLine& line) {
     line.add("--paper", request->paper, help::netlist_paper()).one_of_names(papers).shows_default();
     line.add_flag("--standalone", request->standalone, help::standalone());
     line.add("-o", request->output, help::outputs());
+    line.add_strict();
     return [request, line] {
         const NetlistTarget* target = format_named(netlist_targets(), request->format);
         if (target == nullptr) return ExitStatus::bad_request;
@@ -164,7 +166,7 @@ Task declare_netlist(const CommandLine& line) {
         if (!period.value || share_standard_input(request->files, request->stimuli)) {
             return ExitStatus::bad_request;
         }
-        return write(*request, *target, *period.value, line.language());
+        return write(*request, *target, *period.value, line);
     };
 }
 

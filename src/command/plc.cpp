@@ -60,13 +60,14 @@ std::optional<s7::IoAssignment> load_suitable_assignment(const std::string& path
 }
 
 /// The program, and the table of its addresses if it is asked for.
-ExitStatus add_program(const PlcArguments& request, const PlcFormat& format, Language language,
-                       const ChartFiles& charts, std::size_t number, ChartResults& results) {
+ExitStatus add_program(const PlcArguments& request, const PlcFormat& format,
+                       const CommandLine& line, const ChartFiles& charts, std::size_t number,
+                       ChartResults& results) {
     // Read the GRAFCET and the addresses.
-    const auto chart = load_chart(charts.files[number]);
+    const auto chart = load_chart(charts.files[number], line);
     if (!chart) return ExitStatus::bad_request;
     PlcOptions options = options_from(request);
-    options.language = language;
+    options.language = line.language();
     std::optional<s7::IoAssignment> assignment;
     if (!request.io.empty()) {
         assignment = load_suitable_assignment(request.io, format, options, *chart);
@@ -78,8 +79,9 @@ ExitStatus add_program(const PlcArguments& request, const PlcFormat& format, Lan
     // Make the program of one scan.
     Diagnostics diagnostics;
     auto written = write_program(*chart, format, options, modes, diagnostics);
+    diagnostics = as_asked(std::move(diagnostics), line);
     show_diagnostics(diagnostics, chart->source);
-    if (!written) return ExitStatus::bad_request;
+    if (!written || diagnostics.has_errors()) return ExitStatus::bad_request;
     results.add(number, std::move(written->text));
     if (!request.addresses.empty()) {
         results.add_beside(results.place_of(number, request.addresses, ".io"),
@@ -88,7 +90,7 @@ ExitStatus add_program(const PlcArguments& request, const PlcFormat& format, Lan
     return ExitStatus::done;
 }
 
-ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language language) {
+ExitStatus write(const PlcArguments& request, const PlcFormat& format, const CommandLine& line) {
     const std::vector<std::string>& files = request.files;
     if (request.io == "-" && std::find(files.begin(), files.end(), "-") != files.end()) {
         complain(messages::command::assignment_shares_standard_input());
@@ -98,7 +100,7 @@ ExitStatus write(const PlcArguments& request, const PlcFormat& format, Language 
     auto results = ChartResults::planned(charts, request.output, {format.extension}, {request.io});
     if (!results) return ExitStatus::bad_request;
     const ExitStatus status = for_each_chart(charts, [&](std::size_t i) {
-        return add_program(request, format, language, charts, i, *results);
+        return add_program(request, format, line, charts, i, *results);
     });
     return results->finish(status);
 }
@@ -122,12 +124,13 @@ Task declare_plc(const CommandLine& line) {
     line.add("--cpu", request->cpu, help::plc_cpu()).one_of(cpu_numbers());
     line.add_flag("--pull-up", request->pull_up, help::pull_up());
     line.add("-o", request->output, help::outputs());
+    line.add_strict();
     return [request, line] {
         const PlcFormat* format = format_named(plc_formats(), request->format);
         if (format == nullptr) return ExitStatus::bad_request;
         const ChosenFormat chosen = chosen_format(plc_formats(), *format);
         if (refuse_idle_options(line, "plc", fact::none, &chosen)) return ExitStatus::bad_request;
-        return write(*request, *format, line.language());
+        return write(*request, *format, line);
     };
 }
 

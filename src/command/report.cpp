@@ -39,7 +39,7 @@ std::string name_of_file(const std::string& path) {
 
 ExitStatus write_page(const ReportArguments& request, const CommandLine& line) {
     if (share_standard_input(request.path, request.stimuli)) return ExitStatus::bad_request;
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(request.path, line);
     if (!chart) return ExitStatus::bad_request;
     std::optional<Stimuli> stimuli;
     if (!request.stimuli.empty()) {
@@ -93,6 +93,7 @@ Task declare_report(const CommandLine& line) {
     line.add("--max-seconds", request->max_seconds, help::report_max_seconds());
     line.add("--max-memory", request->max_memory, help::max_memory());
     line.add("-o", request->output, help::report_output());
+    line.add_strict();
     return [request, line] { return write_page(*request, line); };
 }
 

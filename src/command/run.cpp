@@ -82,7 +82,7 @@ ExitStatus run(const RunArguments& request, const CommandLine& line) {
         complain(messages::command::lines_share_standard_input());
         return ExitStatus::bad_request;
     }
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(request.path, line);
     if (!chart) return ExitStatus::bad_request;
     return is_typed ? run_typed(request, *chart, line.language())
                     : run_stimuli(request, *chart, line.language());
@@ -98,6 +98,7 @@ Task declare_run(const CommandLine& line) {
     line.add_flag("--explain", request->explain, help::run_explain());
     request->output.declare(line);
     request->output.declare_format(line);
+    line.add_strict();
     return [request, line] { return run(*request, line); };
 }
 

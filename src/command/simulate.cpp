@@ -172,7 +172,7 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     if (share_standard_input(request.path, request.stimuli) || shares_delays(request)) {
         return ExitStatus::bad_request;
     }
-    const auto chart = load_chart(request.path);
+    const auto chart = load_chart(request.path, line);
     if (!chart) return ExitStatus::bad_request;
     const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
     if (!stimuli) return ExitStatus::bad_request;
@@ -223,6 +223,7 @@ Task declare_simulate(const CommandLine& line) {
     line.add("--zoom", request->zoom, help::simulate_zoom());
     request->output.declare(line);
     request->output.declare_format(line);
+    line.add_strict();
     return [request, line] { return simulate_netlist(*request, line); };
 }
 

@@ -1,5 +1,5 @@
 // All that the program says beside its results. A message exists in both languages until it gets
-// here, where the language of the command line is known; a record of messages is kept in English.
+// here, where the language of the command line is known.
 
 #include "command/standard_error.h"
 
@@ -26,14 +26,20 @@ constexpr std::size_t most_errors = 100;
 constexpr std::size_t most_of_message = 4000;
 
 /// Who keeps the messages, if anybody does. Any part of a command may have one to show, so they are
-/// caught where they leave the program.
-std::string* kept_messages = nullptr;
+/// caught where they leave the program. Checks that run at the same time have one each.
+thread_local MessageRecord* record_of_messages = nullptr;
 
 /// What goes to standard error is in one language, that of the command line.
 Language language_of_messages = Language::english;
 
 /// `grafwire: error: …`
-void show_message(const Message<std::string>& labelled, const Localized& message) {
+void show_message(Severity severity, const Localized& message) {
+    const bool is_error = severity == Severity::error;
+    const Message<std::string>& labelled =
+        is_error ? messages::text::error : messages::text::warning;
+    if (record_of_messages != nullptr) {
+        record_of_messages->add({}, {{severity, {}, {}, message, {}}});
+    }
     const auto line_in = [&](Language language) {
         const std::string text = shortened(message.in(language), most_of_message);
         return fmt::format("grafwire: {}\n", labelled.in(language, visible(text, "\t\n")));
@@ -43,12 +49,21 @@ void show_message(const Message<std::string>& labelled, const Localized& message
 
 }  // namespace
 
-MessageRecord::MessageRecord() {
-    kept_messages = &text_;
+MessageRecord::MessageRecord(Kind kind) : kind_(kind) {
+    record_of_messages = this;
 }
 
 MessageRecord::~MessageRecord() {
-    kept_messages = nullptr;
+    record_of_messages = nullptr;
+}
+
+void MessageRecord::add(const Localized& text) {
+    text_.english += text.english;
+    text_.french += text.french;
+}
+
+void MessageRecord::add(const SourceFile& source, std::vector<Diagnostic> messages) {
+    if (!messages.empty()) messages_.push_back({source, std::move(messages)});
 }
 
 void show_messages_in(Language language) {
@@ -69,14 +84,17 @@ void show_raw(std::string_view text) {
 }
 
 void show(const Localized& text) {
-    show_raw(text.in(language_of_messages));
-    if (kept_messages != nullptr) *kept_messages += text.english;
+    if (record_of_messages != nullptr) record_of_messages->add(text);
+    if (record_of_messages == nullptr || !record_of_messages->holds()) {
+        show_raw(text.in(language_of_messages));
+    }
 }
 
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
     const auto text_in = [&](Language language) {
         return format_diagnostics(diagnostics, source, language, most_errors);
     };
+    if (record_of_messages != nullptr) record_of_messages->add(source, diagnostics.items());
     show({text_in(Language::english), text_in(Language::french)});
 }
 
@@ -91,11 +109,11 @@ void show_messages(const Diagnostics& messages) {
 }
 
 void complain(const Localized& message) {
-    show_message(messages::text::error, message);
+    show_message(Severity::error, message);
 }
 
 void warn(const Localized& message) {
-    show_message(messages::text::warning, message);
+    show_message(Severity::warning, message);
 }
 
 void complain_of_memory() {

@@ -2,29 +2,44 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "command/command_line.h"
 #include "command/files.h"
 #include "text/diagnostics.h"
+#include "text/file_messages.h"
 #include "text/message.h"
 
 namespace grafwire {
 
 // What the program says on standard error. All of it goes through show().
 
-/// Keeps what is shown on standard error while it lives, in English, as machines read it; one at a
-/// time.
+/// Keeps what a thread has to say on standard error while it lives; one at a time in each thread.
 class MessageRecord {
   public:
-    MessageRecord();
+    enum class Kind {
+        shown,  ///< it is shown all the same
+        held    ///< it is not, and waits for who shows it
+    };
+    explicit MessageRecord(Kind kind = Kind::shown);
     ~MessageRecord();
     MessageRecord(const MessageRecord&) = delete;
     MessageRecord& operator=(const MessageRecord&) = delete;
 
-    const std::string& text() const { return text_; }
+    /// As it is shown.
+    const Localized& text() const { return text_; }
+    /// Message by message, with the texts that they are about; one about no text has none.
+    const std::vector<FileMessages>& messages() const { return messages_; }
+
+    // For what shows.
+    bool holds() const { return kind_ == Kind::held; }
+    void add(const Localized& text);
+    void add(const SourceFile& source, std::vector<Diagnostic> messages);
 
   private:
-    std::string text_;
+    Kind kind_;
+    Localized text_;
+    std::vector<FileMessages> messages_;
 };
 
 /// The language of all messages from now on; English before.

@@ -30,6 +30,7 @@
 #include "story/instant_story.h"
 #include "text/joined.h"
 #include "text/utf8.h"
+#include "workflow/check_list.h"
 #include "workflow/drawings.h"
 #include "workflow/messages.h"
 
@@ -382,12 +383,27 @@ std::string json(const Judgement& judgement, const Chart& chart, double, Languag
 }
 
 std::string junit(const Judgement& judgement, const Chart& chart, double seconds, Language) {
-    return write_check_junit(judgement.subject, chart.grafcet, judgement.result,
-                             judgement.explained, seconds);
+    const JunitCase only = junit_case(judgement.subject, chart.grafcet, judgement.result,
+                                      judgement.explained, seconds);
+    return write_junit({&only, 1});
+}
+
+std::string sarif(const Judgement& judgement, const Chart& chart, double seconds, Language) {
+    CheckList list;
+    list.files.push_back({chart, {}, {{chart.source, chart.warnings}}});
+    CheckedCase& only = list.cases.emplace_back();
+    only.subject = judgement.subject;
+    only.judgement = judgement;
+    only.seconds = seconds;
+    return write_check_sarif(list, Language::english);
 }
 
 constexpr ReportRow table[] = {
-    {"text", ".txt", text}, {"json", ".json", json}, {"junit", ".xml", junit}};
+    {"text", ".txt", text, write_texts},
+    {"json", ".json", json, write_json_lines},
+    {"junit", ".xml", junit, write_junit_suite, true},
+    {"sarif", ".sarif", sarif, write_check_sarif, true},
+};
 
 }  // namespace
 

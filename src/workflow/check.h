@@ -63,12 +63,18 @@ struct Judgement {
     std::vector<Sheet> witness_picture{};  ///< as in its file
 };
 
+struct CheckList;
+
 /// The form of a report by the name users write.
 struct ReportRow {
     std::string_view name;
     std::string_view extension;  ///< of its files, with the dot
     std::string (*write)(const Judgement& judgement, const Chart& chart, double seconds,
                          Language language);
+    /// The report about several checks, also about those that were not made.
+    std::string (*write_several)(const CheckList& list, Language language);
+    /// It tells why a single check was not made; else there is no report about that one.
+    bool tells_errors = false;
 };
 /// All forms, in the order in which help shows them.
 std::span<const ReportRow> report_forms();

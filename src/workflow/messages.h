@@ -3,7 +3,15 @@
 #include <cstdint>
 #include <string_view>
 
+#include "text/diagnostics.h"
 #include "text/message.h"
+
+/// What the verdicts of checks are called where they stand among other messages.
+namespace grafwire::code {
+inline constexpr Code different{"different"};
+inline constexpr Code undecided{"undecided"};
+inline constexpr Code skipped{"skipped"};
+}  // namespace grafwire::code
 
 namespace grafwire::messages::workflow {
 
@@ -31,6 +39,49 @@ inline constexpr Message<> assumptions_leave_no_input{
     "the assumptions leave no input: without modes Init, AUdur and AUdoux stay 0",
     "les hypothèses ne laissent aucune entrée possible : sans les modes, Init, AUdur et AUdoux "
     "restent à 0"};
+
+// Several checks. A file, what it was to be compared with, and why it was not.
+
+inline constexpr Message<std::string, Localized, Localized> skipped{
+    "{}: skipped ({}): {}\n", "{} : laissé de côté ({}) : {}\n"};
+inline constexpr Message<std::string, Localized, Localized> not_checked{
+    "{}: not checked ({}): {}\n", "{} : non vérifié ({}) : {}\n"};
+inline constexpr Message<std::string> no_style_holds{
+    "{}: no style can hold this GRAFCET as it is asked for, so nothing was checked",
+    "{} : aucun style n'admet ce GRAFCET tel que demandé, rien n'a donc été vérifié"};
+
+/// The kind of a difference, and what was compared.
+inline constexpr Message<std::string, Localized> sarif_different{
+    "it does not do what this GRAFCET says ({}; {})",
+    "il ne fait pas ce que dit ce GRAFCET ({} ; {})"};
+inline constexpr Message<Localized> sarif_undecided{"undecided within the given bounds ({})",
+                                                    "indécis dans les limites données ({})"};
+inline constexpr Message<Localized, Localized> sarif_skipped{"skipped ({}): {}",
+                                                             "laissé de côté ({}) : {}"};
+
+inline constexpr Message<> column_file{"File", "Fichier"};
+inline constexpr Message<> column_compared{"Compared with", "Comparé à"};
+inline constexpr Message<> column_verdict{"Verdict", "Verdict"};
+inline constexpr Message<> column_cases{"Cases", "Cas"};
+inline constexpr Message<> column_seconds{"Seconds", "Secondes"};
+inline constexpr Message<> outcome_equivalent{"equivalent", "équivalent"};
+inline constexpr Message<> outcome_different{"different", "différent"};
+inline constexpr Message<> outcome_undecided{"undecided", "indécis"};
+inline constexpr Message<> outcome_skipped{"skipped", "laissé de côté"};
+inline constexpr Message<> outcome_error{"error", "erreur"};
+/// The last line: how many there are, and how many of each outcome.
+inline constexpr CountedMessage<std::string> checks{{"{} check: {}\n", "{} vérification : {}\n"},
+                                                    {"{} checks: {}\n", "{} vérifications : {}\n"}};
+inline constexpr CountedMessage<> equivalent_checks{{"{} equivalent", "{} équivalente"},
+                                                    {"{} equivalent", "{} équivalentes"}};
+inline constexpr CountedMessage<> different_checks{{"{} different", "{} différente"},
+                                                   {"{} different", "{} différentes"}};
+inline constexpr CountedMessage<> undecided_checks{{"{} undecided", "{} indécise"},
+                                                   {"{} undecided", "{} indécises"}};
+inline constexpr CountedMessage<> skipped_checks{{"{} skipped", "{} laissée de côté"},
+                                                 {"{} skipped", "{} laissées de côté"}};
+inline constexpr CountedMessage<> wrong_checks{{"{} in error", "{} en erreur"},
+                                               {"{} in error", "{} en erreur"}};
 
 inline constexpr Message<std::string_view, std::string_view> missing_variables{
     "{}: no BOOL variable of this name: {}; every step (X...) and every output must have its own",

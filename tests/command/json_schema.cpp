@@ -21,10 +21,14 @@ for error in Draft202012Validator(schema).iter_errors(json.load(sys.stdin)):
 }  // namespace
 
 std::string schema_problems(const std::string& json) {
+    return schema_problems(json, "src/check/report.schema.json");
+}
+
+std::string schema_problems(const std::string& json, const std::string& schema) {
     // The Python of the system: its packages are those that tools/test installs.
-    const Ran ran = run_program({"/usr/bin/python3", "-c", validator,
-                                 std::string(GRAFWIRE_ROOT) + "/src/check/report.schema.json"},
-                                json, {"LC_ALL=C.UTF-8"});
+    const Ran ran = run_program(
+        {"/usr/bin/python3", "-c", validator, std::string(GRAFWIRE_ROOT) + "/" + schema}, json,
+        {"LC_ALL=C.UTF-8"});
     INFO(ran.err);
     CHECK(ran.status == 0);
     return ran.out;

@@ -92,7 +92,6 @@ TEST_CASE("refused requests and inputs are told in French") {
         {"s7", "run", "a.awl"},
         {"check", chart, "--stile", "nand"},
         {"check", chart, "--zzzzzz"},
-        {"check", chart, chart},
         {"check", chart, "--style", "zz"},
         {"check", chart, "--style"},
         {"check", chart, "--style", "nand", "--style", "nor"},
@@ -129,7 +128,9 @@ TEST_CASE("refused requests and inputs are told in French") {
         {"s7", "run", "a.awl", "--stim", stim, "--scan", "1ms", "--grafcet", chart},
         // Files.
         {"info", folder.path("none.grafcet")},
-        {"info", folder.path("")},
+        {"run", folder.path("")},
+        {"info", folder.path("*.none")},
+        {"draw", chart, stim, "zz"},
         {"equations", chart, "-o", folder.path("none/x")},
         {"equations", chart, "-o", folder.path("")},
         {"equations", chart, "-o", chart},

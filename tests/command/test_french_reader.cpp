@@ -76,7 +76,7 @@ std::vector<Request> reports_on(const std::string& name) {
         }
         requests.push_back({"equations", chart, "--to", form, "--karnaugh"});
     }
-    for (const std::string& style : choices_of("check", "--style")) {
+    for (const std::string& style : choices_of("netlist", "--style")) {
         requests.push_back({"check", chart, "--style", style, "--max-cases", "500"});
     }
     requests.push_back(

@@ -124,17 +124,20 @@ TEST_CASE("options of equations and of run") {
              {"--to", {"text"}},
              {"--karnaugh", {}},
              {"--standalone", {}},
+             {"--strict", {}},
              {"-o", {files.path("out")}}},
             contexts);
     try_all({"run"},
             {{"--scan", {"10ms"}},
              {"--explain", {}},
              {"--to", {"svg"}},
+             {"--strict", {}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
             {{{sequence_chart, sequence_stimuli}, {}},
              {{sequence_chart}, {"--explain", "--to", "--vcd", "-o"}}});
-    CHECK(options_of({"info"}).empty());
+    try_all({"info"}, {{"--to", {"sarif"}}, {"--strict", {}}, {"-o", {files.path("out")}}},
+            {{{sequence_chart}, {}}, {{sequence_chart, "--to", "sarif"}, {}}});
 }
 
 TEST_CASE("options of draw") {
@@ -145,6 +148,7 @@ TEST_CASE("options of draw") {
              {"--notation", {"slash"}},
              {"--paper", {"a3"}},
              {"--standalone", {}},
+             {"--strict", {}},
              {"-o", {files.path("out")}}},
             {{{sequence_chart}, {"--at", "--standalone"}},
              {{sequence_chart, sequence_stimuli, "--at", "0"}, {"--standalone"}},
@@ -206,6 +210,7 @@ TEST_CASE("options of netlist") {
              {"--symbols", {"us"}},
              {"--paper", {"a3"}},
              {"--standalone", {}},
+             {"--strict", {}},
              {"-o", {files.path("out")}}},
             contexts);
 }
@@ -223,6 +228,7 @@ TEST_CASE("options of simulate") {
              {"--scan", {"10ms"}},
              {"--explain", {}},
              {"--zoom", {"0"}},
+             {"--strict", {}},
              {"--to", {"svg"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
@@ -266,6 +272,9 @@ TEST_CASE("options of check") {
         contexts.push_back(
             {{sequence_chart, "--style", style}, with(of_netlists, {"--power-up", "--scan"})});
     }
+    // What any of several checks heeds has an effect.
+    contexts.push_back(
+        {{sequence_chart, "--style", "nand,clocked"}, with(of_netlists, {"--power-up"})});
     try_all({"check"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
@@ -285,7 +294,10 @@ TEST_CASE("options of check") {
              {"--assume", {"m + /m"}},
              {"--max-cases", {"5"}},
              {"--max-seconds", {"1"}},
-             {"--max-memory", {"1G"}}},
+             {"--max-memory", {"1G"}},
+             {"--shard", {"1/2"}},
+             {"--strict", {}},
+             {"-j", {"2"}}},
             contexts);
 }
 
@@ -313,6 +325,7 @@ TEST_CASE("options of plc and of s7 run") {
              {"--tables", {"wide"}},
              {"--cpu", {"212"}},
              {"--pull-up", {}},
+             {"--strict", {}},
              {"-o", {files.path("out")}}},
             contexts);
     try_all(

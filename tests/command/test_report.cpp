@@ -38,7 +38,7 @@ TEST_CASE("a report holds drawing, equations, schematic, run and the verdict on 
         CHECK(count_of(page, "<section id=\"" + std::string(id) + "\">") == 1);
         CHECK(count_of(page, "href=\"#" + std::string(id) + "\"") == 1);
     }
-    for (const std::string& style : choices_of("check", "--style")) {
+    for (const std::string& style : choices_of("netlist", "--style")) {
         INFO("style: " << style);
         CHECK(contains(page, "<td>\n<code>" + style + "</code>"));
     }

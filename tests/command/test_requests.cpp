@@ -133,7 +133,7 @@ TEST_CASE("an unknown option is refused with the nearest one") {
           "'grafwire check --help' shows what there is.\n");
     CHECK(contains(refusal({"info", example("rule-5.grafcet"), "--langue=fr"}),
                    "there is no option '--langue'; did you mean '--lang'?"));
-    CHECK(contains(refusal({"info", example("rule-5.grafcet"), "more"}), "'more'"));
+    CHECK(contains(refusal({"draw", example("rule-5.grafcet"), "x.stim", "more"}), "'more'"));
 }
 
 TEST_CASE("unknown values are refused with those there are") {
@@ -179,7 +179,7 @@ TEST_CASE("files that cannot be read") {
               folder.path("none.grafcet") +
                   ": error: cannot read the file: No such file or directory\n");
     }
-    CHECK(contains(refusal({"info", folder.path("")}), "directory"));
+    CHECK(contains(refusal({"run", folder.path("")}), "directory"));
     CHECK(contains(refusal({"run", example("rule-5.grafcet"), folder.path("none.stim")}),
                    "none.stim"));
 }
