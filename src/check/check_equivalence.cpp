@@ -96,6 +96,7 @@ void add(Coverage& all, const Coverage& more) {
     all.cases += more.cases;
     all.unstable += more.unstable;
     all.waiting += more.waiting;
+    all.gate_states += more.gate_states;
 }
 
 /// Memories that nothing is known of at power-up are unknown in three values. That may be too

@@ -32,6 +32,9 @@ struct Coverage {
     std::uint64_t cases = 0;       ///< changes of the inputs, or scans, that were compared
     std::uint64_t unstable = 0;    ///< cases in which the reference finds no stable situation
     std::uint64_t waiting = 0;     ///< states reached but not yet expanded
+    /// Where delays are open: the states of gates gone through, between the change of an input and
+    /// rest.
+    std::uint64_t gate_states = 0;
 };
 
 /// The parts of a GRAFCET that no case of an exploration exercised, each in table order. What a

@@ -213,6 +213,7 @@ void Exploration::take(const Node* node, const RunningDelays::Ending& ending,
                        NetlistOutcomes& outcomes) {
     if (!expected.stable) note_unstable(node, step, expected);
     record_case(expected, step);
+    if (!outcomes.empty()) explored_.result.coverage.gate_states += outcomes.front().gate_states;
     follow(node, ending, step, expected, outcomes);
 }
 

@@ -46,6 +46,8 @@ struct NetlistOutcome {
     std::optional<UnknownCause> unknown;
     /// agrees: the state reached, with `due` as RunningDelays wants it.
     SimulatorState state;
+    /// Of the first outcome of a case: how many states of gates it took to find all.
+    std::uint64_t gate_states = 0;
 };
 
 /// All that a netlist can do in a case, never empty. With fixed delays of gates there is exactly

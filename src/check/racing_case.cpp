@@ -56,13 +56,15 @@ NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInput
     const CircuitState from = circuit_state(circuit_, values_left, before, instant());
     // Unassigned inputs can make much of little: if the case is not soon done, it is split first.
     Rests rests = model_->settle(from, false, states_before_split);
+    std::uint64_t gate_states = rests.states;
     if (rests.is_too_large) {
         NetlistOutcome open = undetermined(remembered_nets(), step);
         if (open.kind == NetlistOutcome::Kind::unassigned) {
             outcomes.push_back(std::move(open));
             return outcomes;
         }
-        rests = model_->settle(from, false, SettlingModel::usual_states);
+        rests = model_->settle(from, false, model_->most_states());
+        gate_states += rests.states;
     }
     if (rests.broken_off || rests.is_too_large) {
         NetlistOutcome open;
@@ -73,6 +75,7 @@ NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInput
     for (const Rest& rest : rests.rests) {
         outcomes.push_back(outcome_of(rest, before, step, expected));
     }
+    outcomes.front().gate_states = gate_states;
     return outcomes;
 }
 

@@ -61,6 +61,8 @@ class SettlingModel {
 
     /// Enough for nearly everything that can be answered at all.
     static constexpr std::size_t usual_states = 100'000;
+    /// How many are worth going through before a case is left open.
+    virtual std::size_t most_states() const { return usual_states; }
 };
 
 /// The model for a circuit, which must outlive it; nothing for delays that are fixed (the simulator

@@ -72,6 +72,7 @@ Rests TimedOrder::settle(const CircuitState& start, bool with_firings, std::size
         if (found.broken_off || found.is_too_large || is_settled(found) || graph_.is_exact()) break;
         const std::size_t most = std::min(most_states, most_exact_classes);
         Rests closer = explore(start, {most_of_a_state, most, 0, false}, false);
+        closer.states += found.states;
         if (closer.is_too_large) break;
         found = std::move(closer);
     }

@@ -125,4 +125,27 @@ std::string tree_chart(std::size_t steps) {
     return TreeWriter(steps).write();
 }
 
+std::string nine_steps_chart(std::size_t sequences) {
+    std::string inputs = "m, a, b, c, d1, d2, e, f";
+    std::string steps = "  initial 1\n  step 2\n  step 3 : A\n";
+    for (const int step : {4, 5, 6, 7, 8, 9}) steps += fmt::format("  step {}\n", step);
+    std::string transitions =
+        "  2 -> 3 : b\n  3 -> 4 : c\n  5 -> 6 : a\n  6 -> 7 : d1\n  7 -> 8 : e\n  6 -> 9 : d2\n"
+        "  9 -> 8 : f\n";
+    std::string first = "2, 5";
+    std::string last = "4, 8";
+    for (std::size_t more = 2; more < sequences; ++more) {
+        inputs += fmt::format(", b{0}, c{0}", more);
+        for (const int step : {2, 3, 4}) steps += fmt::format("  step {}{}\n", more * 10, step);
+        transitions +=
+            fmt::format("  {0}2 -> {0}3 : b{1}\n  {0}3 -> {0}4 : c{1}\n", more * 10, more);
+        first += fmt::format(", {}2", more * 10);
+        last += fmt::format(", {}4", more * 10);
+    }
+    return fmt::format(
+        "input {}\noutput A\nassume /(d1 . d2)\ngraph G1 {{\n{}  1 -> {} : m\n{}  {} -> 1 : "
+        "=1\n}}\n",
+        inputs, steps, first, transitions, last);
+}
+
 }  // namespace bench

@@ -14,4 +14,8 @@ std::string ring_chart(std::size_t steps);
 /// to short sequences; the end leads back to the beginning. About so many steps.
 std::string tree_chart(std::size_t steps);
 
+/// The exercise of nine steps with more of its plain sequences side by side: two sequences are the
+/// exercise itself.
+std::string nine_steps_chart(std::size_t sequences);
+
 }  // namespace bench

@@ -1,5 +1,5 @@
 // tools/bench [--quick] [--steps N] [--no-icarus] [SECTION…]: measures what the product is to be
-// fast at. Sections: pipeline, evolution, programs, cases, events; all where none is named.
+// fast at. Sections: pipeline, evolution, programs, cases, delays, events; all where none is named.
 
 #include <fmt/format.h>
 
@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
         if (word == "--quick") {
             options.sizes = {1'000, 10'000, 100'000};
             options.largest_for_icarus = 10'000;
+            options.has_largest = false;
         } else if (word == "--steps" && i + 1 < argc) {
             // A multiple of eight, for the ring.
             const std::size_t steps = std::max<std::size_t>(16, std::stoul(argv[++i]) / 8 * 8);
@@ -25,12 +26,12 @@ int main(int argc, char** argv) {
         } else if (word == "--no-icarus") {
             options.largest_for_icarus = 0;
         } else if (word == "pipeline" || word == "evolution" || word == "programs" ||
-                   word == "cases" || word == "events") {
+                   word == "cases" || word == "delays" || word == "events") {
             sections.insert(word);
         } else {
             fmt::print(stderr,
                        "usage: bench [--quick] [--steps N] [--no-icarus] "
-                       "[pipeline|evolution|programs|cases|events]…\n");
+                       "[pipeline|evolution|programs|cases|delays|events]…\n");
             return 2;
         }
     }
@@ -39,5 +40,6 @@ int main(int argc, char** argv) {
     if (wanted("evolution")) bench::measure_evolution();
     if (wanted("programs")) bench::measure_programs();
     if (wanted("cases")) bench::measure_cases();
+    if (wanted("delays")) bench::measure_delays(options);
     if (wanted("events")) bench::measure_gate_events(options);
 }

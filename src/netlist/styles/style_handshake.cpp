@@ -17,38 +17,32 @@
 //
 // The shapes, with G and H ("the step has gone": what a reader of /X waits for) as lists of inputs:
 //
-//     one follower      B_f resets p;  G_f = T;  H_p = T
-//     divergence        a chain: T sets f1, U_j = NAND(X_p, X_f(j-1), T or U before, B_fj unless
-//                       last) sets f_j, B_fm resets p;  T takes B_f1;  G_fm = U_m, G_fj = U_m, B_p;
-//                       H_p = U_m
-//     convergence       B_h resets p1, R_i = NAND(X_h, T, X_pi) resets p_i;  G_h = T, R_i, B_pi;
-//                       H_p1 = T, H_pi = R_i
-//     sink              T resets p;  H_p = T
-//     merge             from a hidden step d into f, which may be active: A = NAND(X_d, G_d, B_f)
-//     sets
-//                       f, S = NAND(X_d, G_d, X_f, A) resets d;  G_f = B_d, S, A;  H_d = S
+//     one follower   B_f resets p;  G_f = T;  H_p = T
+//     divergence     a chain: T sets f1, U_j = NAND(X_p, X_f(j-1), T or U before, B_fj unless last)
+//                    sets f_j, B_fm resets p;  T takes B_f1;  G_fm = U_m, G_fj = U_m, B_p;
+//                    H_p = U_m
+//     convergence    B_h resets p1, R_i = NAND(X_h, T, X_pi) resets p_i;  G_h = T, R_i, B_pi;
+//                    H_p1 = T, H_pi = R_i
+//     sink           T resets p;  H_p = T
+//     merge          from a hidden step d into f, which may be active: A = NAND(X_d, G_d, B_f) sets
+//                    f, S = NAND(X_d, G_d, X_f, A) resets d;  G_f = B_d, S, A;  H_d = S
 //
 // A receptivity has one T per product. It reads a step as X, G, its absence as B, H; an input that
 // is read both ways as itself and, behind its inverter, once more. Hidden steps keep every circle
 // at three steps or more (handover_chart.cpp).
 //
-//     Init, AUdur       into every T and U, into X of what starts, into B of the others
-//     freezing          B_s, H_s of the freezing step into every T of the graph
-//     forcing           B_s, H_s into every T and U of the graph; Q_m = NAND(X_s, G_s, X_m) resets
-//     a
-//                       step m; V_n = NAND(X_s, G_s, B_n, B_m, Q_m of all m) sets a step n once
-//                       those are off; who leaves or reads s waits for all of that
-//     time t/X_n        the timer takes the place of X_n in the T of an exit of n, so that T stays
-//     0
-//                       until the timer has fallen; read elsewhere, together with its operand
-//
-//     stored actions    each transition that writes stops in a hidden step w: A = NAND(X_w, G_w,
-//     the
-//                       gate of the variable that is still 1) turns the variable over; w is left
-//                       once that is done (handshake_writes.cpp)
-//     enclosing         the links are further followers of what leads to s; X_s into every T and U
-//     of
-//                       the graph, and into B of its steps, which empties it
+//     Init, AUdur    into every T and U, into X of what starts, into B of the others
+//     freezing       B_s, H_s of the freezing step into every T of the graph
+//     forcing        B_s, H_s into every T and U of the graph; Q_m = NAND(X_s, G_s, X_m) resets a
+//                    step m; V_n = NAND(X_s, G_s, B_n, B_m, Q_m of all m) sets a step n once those
+//                    are off; who leaves or reads s waits for all of that
+//     time t/X_n     the timer takes the place of X_n in the T of an exit of n, so that T stays 0
+//                    until the timer has fallen; read elsewhere, together with its operand
+//     stored actions each transition that writes stops in a hidden step w: A = NAND(X_w, G_w, the
+//                    gate of the variable that is still 1) turns the variable over; w is left once
+//                    that is done (handshake_writes.cpp)
+//     enclosing      the links are further followers of what leads to s; X_s into every T and U of
+//                    the graph, and into B of its steps, which empties it
 //
 // What it does not do: two transitions that can be cleared at once are cleared in either order, as
 // no clock keeps them in step. So the netlist is right for charts in which that makes no
