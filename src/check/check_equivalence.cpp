@@ -10,11 +10,13 @@
 #include "check/check_equivalence.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "check/exploration.h"
 #include "check/netlist_case.h"
 #include "check/netlist_witness.h"
 #include "check/path.h"
+#include "check/pulse_search.h"
 #include "check/racing_case.h"
 #include "evolution/evolution.h"
 #include "evolution/run.h"
@@ -30,6 +32,10 @@ namespace {
 constexpr std::uint64_t most_cases_of_a_period = 200'000;
 constexpr std::size_t most_uninitialised_memories = 8;
 
+/// Of a netlist that is wrong somewhere: cases with more are mostly those, and pulses are looked
+/// for in the others.
+constexpr std::size_t most_states_of_wrong_netlists = 20'000;
+
 /// What is left of the bounds after some cases.
 CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
     CheckOptions rest = options;
@@ -38,15 +44,19 @@ CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
 }
 
 ExplorationResult explore_netlist(const Grafcet& grafcet, const Netlist& netlist,
-                                  const CheckOptions& options, const ExplorationPlan& plan) {
+                                  const CheckOptions& options, const ExplorationPlan& plan,
+                                  PulseSearch* pulses = nullptr, bool is_wrong = false) {
     const CellDelays delays = cell_delays(netlist, options.delays);
     const auto make_netlist = [&](const KeepGoing& keep_going) -> std::unique_ptr<ExploredNetlist> {
         if (options.delays.is_fixed()) {
             return std::make_unique<NetlistCases>(grafcet, netlist, delays, keep_going);
         }
-        return std::make_unique<RacingCases>(grafcet, netlist, delays, options.delays, keep_going);
+        const std::size_t most_states =
+            is_wrong ? most_states_of_wrong_netlists : std::numeric_limits<std::size_t>::max();
+        return std::make_unique<RacingCases>(grafcet, netlist, delays, options.delays, keep_going,
+                                             most_states);
     };
-    return explore(grafcet, make_netlist, options, plan);
+    return explore(grafcet, make_netlist, options, plan, pulses);
 }
 
 /// How time passes where the lengths of delays count.
@@ -361,6 +371,30 @@ std::optional<Witness> find_unobserved_oscillation(const Grafcet& grafcet, const
     return std::nullopt;
 }
 
+/// Looks for X and outputs that change too often, in an exploration of its own: so the verdict is
+/// the same whether it is asked for or not. Where something stays open, it may be that lengths of
+/// delays exclude it: then all is gone through with them.
+Pulses find_pulses(const Grafcet& grafcet, const Netlist& netlist, const CheckOptions& options,
+                   Verdict verdict) {
+    const bool is_wrong = verdict == Verdict::different;
+    const CellDelays delays = cell_delays(netlist, options.delays);
+    ExplorationPlan plan;
+    plan.changes = options.changes;
+    PulseSearch search(grafcet, netlist, delays, options);
+    ExplorationResult explored =
+        explore_netlist(grafcet, netlist, options, plan, &search, is_wrong);
+    const bool is_told = explored.result.complete && !search.has_open();
+    const bool is_cut_short = explored.result.coverage.waiting != 0;
+    if (!is_told && !is_cut_short && !grafcet.expressions.time_conditions().empty()) {
+        search.begin_again();
+        plan.passing = passing_with_lengths(netlist);
+        explored = explore_netlist(grafcet, netlist, options, plan, &search, is_wrong);
+    }
+    Pulses pulses = search.take();
+    pulses.complete = explored.result.complete;
+    return pulses;
+}
+
 }  // namespace
 
 CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
@@ -376,6 +410,9 @@ CheckResult check_equivalence(const Grafcet& grafcet, const Netlist& netlist,
         result.together =
             check_many_changes(grafcet, netlist, rest_of(options, result.coverage.cases),
                                result.never, result.coverage.cases);
+    }
+    if (options.looks_for_pulses && !netlist.is_clocked()) {
+        result.pulses = find_pulses(grafcet, netlist, options, result.verdict);
     }
     return result;
 }

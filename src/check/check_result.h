@@ -54,6 +54,8 @@ struct CheckOptions {
     /// Asynchronous netlists, where they are equivalent under Changes::one: whether to look at
     /// Changes::many as well.
     bool looks_at_many = true;
+    /// Asynchronous netlists: whether to look for X and outputs that change too often.
+    bool looks_for_pulses = false;
     /// Netlists: how long the gates take.
     DelayModel delays{};
     /// Clocked netlists: the only time from one scan to the next for which the verdict is to hold;
@@ -80,6 +82,30 @@ struct Together {
     /// An assumption under which it is equivalent all the same and everything is still exercised,
     /// as the language writes it; empty where none was found.
     std::string assumption;
+};
+
+/// An X or output that can change more often within an instant than the reference changes it there,
+/// its transient situations included: a hazard.
+struct Pulse {
+    std::string name;  ///< `X1`, or the output
+    NetId net = no_net;
+    Stimuli stimuli;        ///< among the shortest that show it; they end with the instant
+    unsigned expected = 0;  ///< changes of the reference in it
+    unsigned got = 0;       ///< of the netlist, with these delays
+    DelaySchedule delays;   ///< those that it takes; the others are nominal
+};
+
+/// What was found of such changes.
+struct Pulses {
+    std::vector<Pulse> found;  ///< one of each X and output at most: X first, in table order
+    /// X and outputs of which that could not be told in some cases, and in how many.
+    struct Open {
+        std::string name;
+        std::uint64_t cases = 0;
+    };
+    std::vector<Open> open;
+    std::uint64_t cases = 0;  ///< that were looked at, without power-up
+    bool complete = false;    ///< every case that can be reached
 };
 
 /// How much the delays of gates may differ. Ratios of the longest to the shortest are in tenths and
@@ -117,6 +143,7 @@ struct CheckResult {
     NeverExercised never;
     std::optional<Together> together;
     std::optional<Tolerance> tolerance;  ///< if it was asked for
+    std::optional<Pulses> pulses;        ///< likewise; no part of the verdict
     /// undecided though complete: differences were found for which no scan period was.
     bool depends_on_period = false;
     /// undecided though complete: a difference in three values was found that no run shows.

@@ -12,6 +12,24 @@
 
 namespace grafwire {
 
+std::vector<PathStep> halves_of(const Assumptions& assumptions, const PathStep& step,
+                                const UnknownCause& cause, bool is_one_at_a_time) {
+    const bool is_before = cause.kind == UnknownCause::Kind::unassigned_before;
+    std::vector<PathStep> halves;
+    for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
+        PathStep half = step;
+        if (!is_before) half.inputs[cause.input] = value;
+        if (is_before || is_one_at_a_time) half.before[cause.input] = value;
+        if (is_one_at_a_time && assumptions.can_hold(half.inputs) &&
+            !assumptions.can_hold(half.before)) {
+            // It cannot have been so before, together with the inputs that change: it changes too.
+            half.before[cause.input] = opposite(value);
+        }
+        halves.push_back(std::move(half));
+    }
+    return halves;
+}
+
 Expander::Expander(const Grafcet& grafcet, std::unique_ptr<ExploredNetlist> netlist,
                    const ExplorationPlan& plan, KeepGoing keep_going)
     : grafcet_(grafcet),
@@ -82,23 +100,6 @@ std::optional<PathStep> Expander::step_to(const Edge& edge, const PartialInputs&
     return step;
 }
 
-/// The two halves of a case, by the unassigned input that the netlist turns out to react to.
-void Expander::split_case(const PathStep& step, const UnknownCause& cause,
-                          std::vector<PathStep>& remaining) const {
-    const bool is_before = cause.kind == UnknownCause::Kind::unassigned_before;
-    for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
-        PathStep half = step;
-        if (!is_before) half.inputs[cause.input] = value;
-        if (is_before || is_one_at_a_time()) half.before[cause.input] = value;
-        if (is_one_at_a_time() && assumptions_.can_hold(half.inputs) &&
-            !assumptions_.can_hold(half.before)) {
-            // It cannot have been so before, together with the inputs that change: it changes too.
-            half.before[cause.input] = opposite(value);
-        }
-        remaining.push_back(std::move(half));
-    }
-}
-
 /// Runs the netlist in a case of the reference, split as far as the netlist needs it; false where
 /// there is to be no further case.
 bool Expander::compare(const Edge& edge, const ReferenceOutcome& expected, const Visit& visit) {
@@ -127,7 +128,10 @@ bool Expander::compare(const Edge& edge, const ReferenceOutcome& expected, const
         }
         const auto unassigned = first(NetlistOutcome::Kind::unassigned);
         if (unassigned != outcomes.end()) {
-            split_case(step, *unassigned->unknown, remaining);
+            for (PathStep& half :
+                 halves_of(assumptions_, step, *unassigned->unknown, is_one_at_a_time())) {
+                remaining.push_back(std::move(half));
+            }
         } else if (!visit({edge.ending, expected, std::move(step), std::move(outcomes)})) {
             return false;
         }

@@ -25,6 +25,11 @@ struct ExpandedCase {
     NetlistOutcomes outcomes;
 };
 
+/// The two halves of a case, by an unassigned input that a netlist turns out to react to. Where one
+/// input changes at a time, it has the same value before, if the assumptions let it.
+std::vector<PathStep> halves_of(const Assumptions& assumptions, const PathStep& step,
+                                const UnknownCause& cause, bool is_one_at_a_time);
+
 /// The cases that leave a product state. It holds nothing from one state to the next, and what it
 /// is made of is its own, so several of them can work side by side.
 class Expander {
@@ -48,8 +53,6 @@ class Expander {
     bool explore_edge(const Edge& edge, const PartialInputs& inputs, const Visit& visit);
     ReferenceOutcome run_reference(const Edge& edge, const PartialInputs& inputs) const;
     std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
-    void split_case(const PathStep& step, const UnknownCause& cause,
-                    std::vector<PathStep>& remaining) const;
     bool compare(const Edge& edge, const ReferenceOutcome& expected, const Visit& visit);
 
     const Grafcet& grafcet_;

@@ -46,6 +46,7 @@
 #include "check/coverage.h"
 #include "check/expansion.h"
 #include "check/partial_inputs.h"
+#include "check/pulse_search.h"
 #include "check/shared_nodes.h"
 #include "check/state_encoding.h"
 #include "check/state_space.h"
@@ -71,11 +72,12 @@ struct StoredCase {
 class Exploration {
   public:
     Exploration(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
-                const CheckOptions& options, const ExplorationPlan& plan)
+                const CheckOptions& options, const ExplorationPlan& plan, PulseSearch* pulses)
         : grafcet_(grafcet),
           netlist_(make_netlist(options.keep_going)),
           together_(options.workers),
           plan_(plan),
+          pulses_(pulses),
           evolution_(grafcet),
           reference_(evolution_, {}),
           relevance_(grafcet),
@@ -118,7 +120,7 @@ class Exploration {
         result.depends_on_period = no_period_shows_it_ && !result.witness;
         const bool is_complete = waiting_.empty() && !together_.is_over() &&
                                  !result.is_unexplained && !result.has_unexplored_orders &&
-                                 !no_period_shows_it_;
+                                 !no_period_shows_it_ && !has_left_out_;
         conclude(result, is_complete, waiting());
         return std::move(explored_);
     }
@@ -135,8 +137,10 @@ class Exploration {
     std::size_t waiting() const { return waiting_.size() + together_.ahead(); }
     void take(const Node* node, const RunningDelays::Ending& ending,
               const ReferenceOutcome& expected, const PathStep& step, NetlistOutcomes& outcomes);
-    void follow(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
+    bool follow(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
                 const ReferenceOutcome& expected, NetlistOutcomes& outcomes);
+    void look_for_pulses(const Node* node, const PathStep& step);
+    std::vector<Stimuli> stimuli_of(const Node* node, const PathStep& step) const;
     void add_successor(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
                        const ReferenceOutcome& expected, SimulatorState&& netlist_state);
     void abstract_unread_inputs(ProductState& state);
@@ -152,6 +156,7 @@ class Exploration {
     std::unique_ptr<ExploredNetlist> netlist_;
     SharedNodes<Node, StoredCase> together_;
     ExplorationPlan plan_;
+    PulseSearch* pulses_;
     ExplorationResult explored_;
     Evolution evolution_;
     ReferenceCases reference_;
@@ -164,6 +169,7 @@ class Exploration {
     VisitedStates visited_;
     PredecessorTree predecessors_;
     bool no_period_shows_it_ = false;
+    bool has_left_out_ = false;  ///< where there are pulses to look for: a difference
 };
 
 /// The number of the step that led to a node; the root before power-up.
@@ -214,25 +220,50 @@ void Exploration::take(const Node* node, const RunningDelays::Ending& ending,
     if (!expected.stable) note_unstable(node, step, expected);
     record_case(expected, step);
     if (!outcomes.empty()) explored_.result.coverage.gate_states += outcomes.front().gate_states;
-    follow(node, ending, step, expected, outcomes);
+    const bool agrees = follow(node, ending, step, expected, outcomes);
+    if (pulses_ != nullptr && node != nullptr && expected.stable && agrees) {
+        look_for_pulses(node, step);
+    }
 }
 
-/// Every outcome of a case: on to a successor, or to a witness.
-void Exploration::follow(const Node* node, const RunningDelays::Ending& ending,
+void Exploration::look_for_pulses(const Node* node, const PathStep& step) {
+    pulses_->look_at({node->state.reference, node->state.netlist, node->state.inputs, step},
+                     [&](const PathStep& last) { return stimuli_of(node, last); });
+}
+
+/// Stimuli that end with the step, with several gaps between their instants.
+std::vector<Stimuli> Exploration::stimuli_of(const Node* node, const PathStep& step) const {
+    const std::vector<PathStep> path = path_of_instants(node, step);
+    std::vector<Stimuli> all;
+    for (const Time gap : gaps_for(path)) {
+        if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
+            all.push_back(std::move(*stimuli));
+        }
+    }
+    return all;
+}
+
+/// Every outcome of a case: on to a successor, or to a witness. Whether all agree.
+bool Exploration::follow(const Node* node, const RunningDelays::Ending& ending,
                          const PathStep& step, const ReferenceOutcome& expected,
                          NetlistOutcomes& outcomes) {
+    bool agrees = true;
     for (NetlistOutcome& outcome : outcomes) {
         if (outcome.kind == NetlistOutcome::Kind::not_explored) {
             explored_.result.has_unexplored_orders = true;
+            agrees = false;
             continue;
         }
         if (outcome.kind == NetlistOutcome::Kind::differs) {
-            if (show_difference(node, step)) return;
+            agrees = false;
+            has_left_out_ = has_left_out_ || pulses_ != nullptr;
+            if (pulses_ == nullptr && show_difference(node, step)) return false;
             continue;
         }
         if (outcome.unknown) explored_.result.has_uninitialised_memory = true;
         add_successor(node, ending, step, expected, std::move(outcome.state));
     }
+    return agrees;
 }
 
 void Exploration::encode(ProductState& state) const {
@@ -353,21 +384,18 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
 void Exploration::note_unstable(const Node* node, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (explored_.result.first_unstable) return;
-    const std::vector<PathStep> path = path_of_instants(node, step);
-    for (const Time gap : gaps_for(path)) {
-        if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) {
-            explored_.result.first_unstable =
-                CheckResult::Unstable{std::move(*stimuli), expected.changing};
-            return;
-        }
-    }
+    std::vector<Stimuli> stimuli = stimuli_of(node, step);
+    if (stimuli.empty()) return;
+    explored_.result.first_unstable =
+        CheckResult::Unstable{std::move(stimuli.front()), expected.changing};
 }
 
 }  // namespace
 
 ExplorationResult explore(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
-                          const CheckOptions& options, const ExplorationPlan& plan) {
-    return Exploration(grafcet, make_netlist, options, plan).run();
+                          const CheckOptions& options, const ExplorationPlan& plan,
+                          PulseSearch* pulses) {
+    return Exploration(grafcet, make_netlist, options, plan, pulses).run();
 }
 
 }  // namespace grafwire

@@ -108,10 +108,17 @@ struct ExplorationResult {
 using ExploredNetlistMaker =
     std::function<std::unique_ptr<ExploredNetlist>(const KeepGoing& keep_going)>;
 
+class PulseSearch;
+
 /// Goes through every case that can be reached, asynchronous netlists instant by instant, clocked
 /// ones scan by scan, within the bounds of `options`. What comes of it does not depend on how many
 /// share the work, as long as nothing but its cases ends it.
+///
+/// `pulses`, if given, looks at each case in which the netlist is right, one after the other. Then
+/// no witness is sought of a difference, what comes after it is left out, and the exploration is
+/// not complete.
 ExplorationResult explore(const Grafcet& grafcet, const ExploredNetlistMaker& make_netlist,
-                          const CheckOptions& options, const ExplorationPlan& plan);
+                          const CheckOptions& options, const ExplorationPlan& plan,
+                          PulseSearch* pulses = nullptr);
 
 }  // namespace grafwire

@@ -180,6 +180,33 @@ inline constexpr Message<> tolerance_open_above{
 inline constexpr Message<std::string> tolerance_fails{"With {} times it does not:\n",
                                                       "Avec {} fois, cela n'est plus vrai :\n"};
 
+// X and outputs that change too often in an instant.
+
+inline constexpr Message<> pulses{
+    "\nPulses, beside the verdict: these change more often in an instant than the GRAFCET asks "
+    "for.\n",
+    "\nImpulsions parasites, sans effet sur le verdict : ceci change plus souvent en un instant "
+    "que le GRAFCET ne le demande.\n"};
+inline constexpr Message<> no_pulses{
+    "\nPulses: none. No X and no output changes more often in an instant than the GRAFCET asks "
+    "for.\n",
+    "\nImpulsions parasites : aucune. Ni X ni sortie ne change plus souvent en un instant que le "
+    "GRAFCET ne le demande.\n"};
+inline constexpr Message<> no_pulses_found{
+    "\nPulses: none found, and not everything could be looked at.\n",
+    "\nImpulsions parasites : aucune trouvée, mais tout n'a pas pu être examiné.\n"};
+inline constexpr Message<> stimuli_of_pulse{"Stimuli:\n", "Stimuli :\n"};
+inline constexpr CountedMessage<std::string> pulses_open{
+    {"  {1}: in {0} case it could not be told whether it does\n",
+     "  {1} : dans {0} cas, on n'a pas pu le savoir\n"},
+    {"  {1}: in {0} cases it could not be told whether it does\n",
+     "  {1} : dans {0} cas, on n'a pas pu le savoir\n"}};
+inline constexpr CountedMessage<> pulses_incomplete{
+    {"  {} case was looked at, and there are others that were not\n",
+     "  {} cas examiné, et d'autres ne l'ont pas été\n"},
+    {"  {} cases were looked at, and there are others that were not\n",
+     "  {} cas examinés, et d'autres ne l'ont pas été\n"}};
+
 // The table of ports.
 
 inline constexpr Message<> missing_input{"missing input", "entrée manquante"};

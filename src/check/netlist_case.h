@@ -60,6 +60,12 @@ class NetlistCases : public ExploredNetlist {
                    std::vector<Logic>* values_left = nullptr);
     /// What is to be compared, and kept, once the gates have come to rest.
     NetlistOutcome after_gates(const PathStep& step, const ReferenceOutcome& expected);
+    /// The gates come to rest, under fixed delays.
+    Settling settle() { return machine_.settle(); }
+    /// X of every step, then the outputs.
+    const std::vector<NetId>& compared_nets() const { return compared_; }
+    /// The input that a net carries, or `none`.
+    std::uint32_t input_of(NetId net) const { return input_of_net_[index_of(net)]; }
     /// What it means that some nets are not known, or never come to rest.
     NetlistOutcome undetermined(const std::vector<NetId>& nets, const PathStep& step) const;
     NetlistOutcome not_settled(const Settling& settling, const PathStep& step) const;

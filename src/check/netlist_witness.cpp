@@ -109,6 +109,24 @@ std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
     return witness;
 }
 
+unsigned changes_at_end(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
+                        const Stimuli& stimuli, const RunResult& expected,
+                        const DelaySchedule& schedule, NetId net) {
+    SimulateOptions options;
+    options.schedule = schedule;
+    unsigned changes = 0;
+    Time instant = 0;
+    options.instant = [&](Time at, const Simulator&) {
+        instant = at;
+        changes = 0;
+    };
+    options.observer = [&](Time, NetId changed, Logic) { changes += changed == net ? 1 : 0; };
+    const SimulateResult got = simulate(grafcet, netlist, nominal, stimuli, options);
+    const bool is_right = instant == stimuli.end && !first_difference(grafcet, stimuli, expected,
+                                                                      got.trace, got.unsettled_at);
+    return is_right ? changes : 0;
+}
+
 namespace {
 
 /// A long witness is left as it is found: trying costs a run for every change.

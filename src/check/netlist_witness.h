@@ -5,6 +5,7 @@
 
 #include "check/check_result.h"
 #include "check/witness.h"
+#include "evolution/run.h"
 #include "grafcet/grafcet.h"
 #include "netlist/delay_schedule.h"
 #include "netlist/netlist.h"
@@ -25,6 +26,12 @@ Netlist with_power_up(const Netlist& netlist, const std::vector<Netlist::Initial
 std::optional<Witness> replay(const Grafcet& grafcet, const Netlist& netlist,
                               const CellDelays& delays, const Stimuli& stimuli, Time period,
                               const DelaySchedule& schedule = {});
+
+/// How often a net changes in the last instant of the stimuli under these delays; 0 where the
+/// netlist shows something else than the reference (`expected`) at the end of some instant.
+unsigned changes_at_end(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
+                        const Stimuli& stimuli, const RunResult& expected,
+                        const DelaySchedule& schedule, NetId net);
 
 /// A witness of the same netlist that changes as few inputs as possible: none of its changes can be
 /// left out; one whose delays change in time is left as it is. `options` say what may happen in one

@@ -68,6 +68,7 @@ class RaceSearch {
           stimuli_(question.stimuli),
           expected_(question.expected),
           keep_going_(question.keep_going),
+          watched_(question.watched),
           machine_(question.grafcet, question.netlist, question.nominal),
           orders_(make_settling_model(question.model, question.circuit, question.keep_going)) {}
 
@@ -119,7 +120,8 @@ class RaceSearch {
                std::all_of(ports.outputs.begin(), ports.outputs.end(), is_shown);
     }
 
-    /// Follows a branch through an instant. True where a rest differs; it is the last branch then.
+    /// Follows a branch through an instant. True where a rest differs, or the net that is watched
+    /// changes too often in the last one; it is the last branch then.
     bool instant(std::size_t from, Time at) {
         Simulator& simulator = machine_.simulator();
         if (at > 0) simulator.restore(branches_[from].state);
@@ -128,12 +130,19 @@ class RaceSearch {
         if (at > 0) machine_.end_delays();
         const SimulatorState before = simulator.save();
         const CircuitState begin = circuit_state(circuit_, left, before, at);
+        if (watched_ != nullptr && at == stimuli_.end) {
+            Pulsing found = orders_->pulsing(begin, *watched_, SettlingModel::usual_states);
+            if (found.answer != Pulsing::Answer::shown) return false;
+            branches_.push_back(
+                {before, from, {at, before.now, begin, std::move(found.firings), {}}});
+            return true;
+        }
         for (Rest& rest : orders_->settle(begin, true, SettlingModel::usual_states).rests) {
             SimulatorState state = simulator_state(circuit_, before, rest.state, at);
             state.now = before.now + static_cast<Time>(rest.firings.size()) * time_of_firing;
             const bool differs =
                 rest.kind == Rest::Kind::oscillates || !is_as_expected(rest.state, at);
-            if (!differs && !is_new(at, rest.state, state)) continue;
+            if (differs ? watched_ != nullptr : !is_new(at, rest.state, state)) continue;
             branches_.push_back(
                 {std::move(state),
                  from,
@@ -163,6 +172,7 @@ class RaceSearch {
     const Stimuli& stimuli_;
     const RunResult& expected_;
     const KeepGoing& keep_going_;
+    const WatchedNet* const watched_;
     NetlistMachine machine_;
     const std::unique_ptr<SettlingModel> orders_;
     std::deque<Branch> branches_;

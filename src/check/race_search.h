@@ -38,7 +38,8 @@ inline constexpr Time time_of_firing = nanosecond;
 
 /// Orders of firings under which a netlist shows something else than the reference over stimuli,
 /// instant by instant down to the difference; nothing where there are none, or none were found
-/// within reason. All inputs are known there, and every memory has a value.
+/// within reason. All inputs are known there, and every memory has a value. With a net that is
+/// watched: under which it shows the same, and the net changes too often in the last instant.
 struct RaceQuestion {
     const Grafcet& grafcet;
     const Netlist& netlist;
@@ -48,6 +49,7 @@ struct RaceQuestion {
     const Stimuli& stimuli;
     const RunResult& expected;  ///< of the reference over these
     const KeepGoing& keep_going;
+    const WatchedNet* watched = nullptr;
 };
 std::optional<std::vector<RacedInstant>> find_race(const RaceQuestion& question);
 

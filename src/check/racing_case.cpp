@@ -30,9 +30,11 @@ constexpr std::size_t most_thorough_searches = 16;
 }  // namespace
 
 RacingCases::RacingCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
-                         const DelayModel& model, const KeepGoing& keep_going)
+                         const DelayModel& model, const KeepGoing& keep_going,
+                         std::size_t most_states)
     : NetlistCases(grafcet, netlist, nominal, keep_going),
       delay_model_(model),
+      most_states_(most_states),
       keep_going_(keep_going),
       circuit_(netlist, relevant_nets()),
       model_(make_settling_model(model, circuit_, keep_going)) {}
@@ -63,7 +65,7 @@ NetlistOutcomes RacingCases::run(const SimulatorState* start, const PartialInput
             outcomes.push_back(std::move(open));
             return outcomes;
         }
-        rests = model_->settle(from, false, model_->most_states());
+        rests = model_->settle(from, false, std::min(model_->most_states(), most_states_));
         gate_states += rests.states;
     }
     if (rests.broken_off || rests.is_too_large) {

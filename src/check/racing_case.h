@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +18,11 @@ namespace grafwire {
 /// outlive it.
 class RacingCases : public NetlistCases {
   public:
+    /// `most_states`: of a case, before it is left open; none but those of the delay model where it
+    /// is as large as can be.
     RacingCases(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
-                const DelayModel& model, const KeepGoing& keep_going);
+                const DelayModel& model, const KeepGoing& keep_going,
+                std::size_t most_states = std::numeric_limits<std::size_t>::max());
 
     NetlistOutcomes run(const SimulatorState* start, const PartialInputs& left,
                         const PathStep& step, const ReferenceOutcome& expected) override;
@@ -32,6 +36,7 @@ class RacingCases : public NetlistCases {
     std::string key_of(const Stimuli& stimuli) const;
 
     const DelayModel delay_model_;
+    const std::size_t most_states_;
     const KeepGoing keep_going_;
     const Circuit circuit_;
     const std::unique_ptr<SettlingModel> model_;

@@ -10,14 +10,19 @@
 // Where delays have bounds, all orders of firings with all their times can be very many, while a
 // simulation takes no time: some circuits in which every gate is as fast or as slow as it can be
 // are tried before. That finds most differences; what it does not find is looked for.
+//
+// A net that changes too often is shown in the same way: beside it, everything has to be as in the
+// reference at the end of each instant, or it would only be what follows from a difference.
 
 #include "check/racing_witness.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <random>
 
 #include "check/firing_times.h"
+#include "check/netlist_witness.h"
 #include "check/race_search.h"
 #include "evolution/run.h"
 #include "simulate/simulate.h"
@@ -62,18 +67,16 @@ std::vector<CellId> last_to_change(const Grafcet& grafcet, const Netlist& netlis
     return changed;
 }
 
+/// Looks for delays that show something, as few and as small as can be.
 class DelayReduction {
   public:
-    DelayReduction(const Grafcet& grafcet, const Netlist& netlist, const CellDelays& nominal,
-                   const Stimuli& stimuli, const RunResult& expected, const KeepGoing& keep_going)
-        : grafcet_(grafcet),
-          netlist_(netlist),
-          nominal_(nominal),
-          stimuli_(stimuli),
-          expected_(expected),
-          keep_going_(keep_going) {}
+    /// Whether a simulation with these delays shows it.
+    using Shows = std::function<bool(const DelaySchedule&)>;
 
-    std::optional<Witness> make(const DelaySchedule& moments) {
+    DelayReduction(const CellDelays& nominal, Shows shows, const KeepGoing& keep_going)
+        : nominal_(nominal), is_shown_by_(std::move(shows)), keep_going_(keep_going) {}
+
+    std::optional<DelaySchedule> make(const DelaySchedule& moments) {
         for (const DelaySchedule& candidate : {constant(moments), moments}) {
             if (shows(candidate)) break;
         }
@@ -81,11 +84,11 @@ class DelayReduction {
     }
 
     /// Of the circuits that are tried, every other one is slow only where something changes at the
-    /// end.
-    std::optional<Witness> make_extreme(const CellBands& bands) {
+    /// end (`last`).
+    std::optional<DelaySchedule> make_extreme(const CellBands& bands,
+                                              const std::vector<CellId>& last) {
         std::vector<CellId> all;
         for (std::uint32_t cell = 0; cell < bands.rise.size(); ++cell) all.push_back(CellId{cell});
-        const std::vector<CellId> last = last_to_change(grafcet_, netlist_, nominal_, stimuli_);
         std::mt19937 random;
         for (unsigned i = 0; i < most_extreme_circuits && !best_; ++i) {
             shows(i % 2 == 0 ? extreme_circuit(bands, last, 1, random)
@@ -96,8 +99,7 @@ class DelayReduction {
     }
 
   private:
-    /// What has been found, with delays as few and as small as can be.
-    std::optional<Witness> reduced() {
+    std::optional<DelaySchedule> reduced() {
         if (!best_) return std::nullopt;
         leave_out();
         shorten();
@@ -122,21 +124,16 @@ class DelayReduction {
     bool shows(const DelaySchedule& schedule) {
         if (trials_ == most_simulations || (keep_going_ && !keep_going_())) return false;
         ++trials_;
-        SimulateOptions options;
-        options.schedule = schedule;
-        const SimulateResult got = simulate(grafcet_, netlist_, nominal_, stimuli_, options);
-        auto witness = first_difference(grafcet_, stimuli_, expected_, got.trace, got.unsettled_at);
-        if (!witness || witness->kind == DifferenceKind::race) return false;
-        witness->delays = schedule;
-        best_ = std::move(witness);
+        if (!is_shown_by_(schedule)) return false;
+        best_ = schedule;
         return true;
     }
 
     void leave_out() {
         for (bool smaller = true; smaller;) {
             smaller = false;
-            for (std::size_t i = best_->delays.changes.size(); i-- > 0;) {
-                DelaySchedule trial = best_->delays;
+            for (std::size_t i = best_->changes.size(); i-- > 0;) {
+                DelaySchedule trial = *best_;
                 trial.changes.erase(trial.changes.begin() + static_cast<std::ptrdiff_t>(i));
                 if (shows(trial)) smaller = true;
             }
@@ -144,14 +141,14 @@ class DelayReduction {
     }
 
     void shorten() {
-        for (std::size_t i = 0; i < best_->delays.changes.size(); ++i) {
-            const DelayChange change = best_->delays.changes[i];
+        for (std::size_t i = 0; i < best_->changes.size(); ++i) {
+            const DelayChange change = best_->changes[i];
             const Time rise = nominal_.rise[index_of(change.cell)];
             const Time fall = nominal_.fall[index_of(change.cell)];
             const Time least = std::min(rise, fall);
             for (Time delay = 2 * least; delay < std::max(change.rise, change.fall);
                  delay += least) {
-                DelaySchedule trial = best_->delays;
+                DelaySchedule trial = *best_;
                 trial.changes[i].rise = std::clamp(delay, rise, std::max(rise, change.rise));
                 trial.changes[i].fall = std::clamp(delay, fall, std::max(fall, change.fall));
                 if (shows(trial)) break;
@@ -159,15 +156,30 @@ class DelayReduction {
         }
     }
 
-    const Grafcet& grafcet_;
-    const Netlist& netlist_;
     const CellDelays& nominal_;
-    const Stimuli& stimuli_;
-    const RunResult& expected_;
+    const Shows is_shown_by_;
     const KeepGoing& keep_going_;
-    std::optional<Witness> best_;
+    std::optional<DelaySchedule> best_;
     int trials_ = 0;
 };
+
+/// Delays of the model that show what is looked for, if any are found.
+std::optional<DelaySchedule> find_delays(const RaceQuestion& question, WitnessSearch search,
+                                         const DelayReduction::Shows& shows) {
+    DelayReduction reduction(question.nominal, shows, question.keep_going);
+    const bool is_bounded = question.model.kind == DelayModel::Kind::bounded;
+    const CellBands bands = cell_bands(question.netlist, question.model);
+    if (is_bounded) {
+        const std::vector<CellId> last =
+            last_to_change(question.grafcet, question.netlist, question.nominal, question.stimuli);
+        if (auto delays = reduction.make_extreme(bands, last)) return delays;
+        if (search == WitnessSearch::by_trial) return std::nullopt;
+    }
+    const auto race = find_race(question);
+    if (!race) return std::nullopt;
+    const auto moments = delays_for(question.circuit, *race, is_bounded ? &bands : nullptr);
+    return moments ? reduction.make(*moments) : std::nullopt;
+}
 
 }  // namespace
 
@@ -176,18 +188,35 @@ std::optional<Witness> racing_witness(const Grafcet& grafcet, const Netlist& net
                                       const DelayModel& model, const Stimuli& stimuli,
                                       WitnessSearch search, const KeepGoing& keep_going) {
     const RunResult expected = run_until_stable(grafcet, stimuli);
-    DelayReduction reduction(grafcet, netlist, nominal, stimuli, expected, keep_going);
-    const bool is_bounded = model.kind == DelayModel::Kind::bounded;
-    const CellBands bands = cell_bands(netlist, model);
-    if (is_bounded) {
-        if (auto witness = reduction.make_extreme(bands)) return witness;
-        if (search == WitnessSearch::by_trial) return std::nullopt;
-    }
-    const auto race =
-        find_race({grafcet, netlist, nominal, circuit, model, stimuli, expected, keep_going});
-    if (!race) return std::nullopt;
-    const auto moments = delays_for(circuit, *race, is_bounded ? &bands : nullptr);
-    return moments ? reduction.make(*moments) : std::nullopt;
+    std::optional<Witness> last;
+    const auto shows = [&](const DelaySchedule& schedule) {
+        SimulateOptions options;
+        options.schedule = schedule;
+        const SimulateResult got = simulate(grafcet, netlist, nominal, stimuli, options);
+        auto witness = first_difference(grafcet, stimuli, expected, got.trace, got.unsettled_at);
+        if (!witness || witness->kind == DifferenceKind::race) return false;
+        witness->delays = schedule;
+        last = std::move(witness);
+        return true;
+    };
+    const RaceQuestion question{grafcet, netlist, nominal,  circuit,
+                                model,   stimuli, expected, keep_going};
+    // The last that showed it is the one that was kept.
+    return find_delays(question, search, shows) ? std::move(last) : std::nullopt;
+}
+
+std::optional<DelaySchedule> racing_pulse(const Grafcet& grafcet, const Netlist& netlist,
+                                          const CellDelays& nominal, const Circuit& circuit,
+                                          const DelayModel& model, const Stimuli& stimuli,
+                                          const WatchedNet& watched, const KeepGoing& keep_going) {
+    const RunResult expected = run_until_stable(grafcet, stimuli);
+    const auto shows = [&](const DelaySchedule& schedule) {
+        return changes_at_end(grafcet, netlist, nominal, stimuli, expected, schedule, watched.net) >
+               watched.most;
+    };
+    const RaceQuestion question{grafcet, netlist,  nominal,    circuit, model,
+                                stimuli, expected, keep_going, &watched};
+    return find_delays(question, WitnessSearch::thorough, shows);
 }
 
 }  // namespace grafwire

@@ -8,6 +8,7 @@
 #include "netlist/delay_model.h"
 #include "netlist/netlist.h"
 #include "settling/circuit.h"
+#include "settling/settling_model.h"
 #include "text/keep_going.h"
 #include "trace/stimuli.h"
 
@@ -26,5 +27,12 @@ std::optional<Witness> racing_witness(const Grafcet& grafcet, const Netlist& net
                                       const CellDelays& nominal, const Circuit& circuit,
                                       const DelayModel& model, const Stimuli& stimuli,
                                       WitnessSearch search, const KeepGoing& keep_going);
+
+/// Delays of the model under which a net changes too often there, as few and as small as can be;
+/// nothing where none were found.
+std::optional<DelaySchedule> racing_pulse(const Grafcet& grafcet, const Netlist& netlist,
+                                          const CellDelays& nominal, const Circuit& circuit,
+                                          const DelayModel& model, const Stimuli& stimuli,
+                                          const WatchedNet& watched, const KeepGoing& keep_going);
 
 }  // namespace grafwire

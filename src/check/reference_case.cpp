@@ -89,6 +89,36 @@ ReferenceOutcome ReferenceCases::instant(const EvolutionState* start,
     return one.finish(evolution_);
 }
 
+ReferenceCases::Changes ReferenceCases::changes(const EvolutionState& start,
+                                                const std::vector<std::uint32_t>& due,
+                                                const PartialInputs& inputs,
+                                                const std::vector<Logic>& before) const {
+    Case one(evolution_, &start, inputs);
+    one.fall_due(due);
+    EvolutionState& state = one.outcome.state;
+    if (!due.empty()) evolution_.end_delays(state, one.read, 0);
+    Changes changes{std::vector<std::uint8_t>(before.size()), {}};
+    std::vector<Logic> values = before;
+    const auto note = [&](std::size_t i, bool value) {
+        if (values[i] == logic_of(value)) return;
+        values[i] = logic_of(value);
+        if (changes.counts[i] < most_changes) ++changes.counts[i];
+    };
+    const std::size_t steps = evolution_.grafcet().steps.size();
+    EvolutionState last;
+    do {
+        last = state;
+        evolution_.scan(state, one.read, 0);
+        const OutputValues outputs = evolution_.outputs(state, one.read);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            note(i, i < steps ? state.situation.test(i) : outputs.test(i - steps));
+        }
+    } while (!Evolution::is_settled(last, state) && !(keep_going_ && !keep_going_()));
+    one.given.assign_consulted(one.outcome);
+    changes.assigned = std::move(one.outcome.assigned);
+    return changes;
+}
+
 ReferenceOutcome ReferenceCases::scan_after(const EvolutionState* start,
                                             const std::vector<std::uint32_t>& due,
                                             const PartialInputs& inputs) const {

@@ -38,6 +38,17 @@ class ReferenceCases {
     ReferenceOutcome instant(const EvolutionState* start, const std::vector<std::uint32_t>& due,
                              const PartialInputs& inputs) const;
 
+    /// How often the reference changes each X and output in such an instant, X first, as it goes
+    /// through its transient situations; at most `most_changes`. `before` holds their values before
+    /// it. The inputs that are looked at while they are unassigned are taken as 0, and named.
+    struct Changes {
+        std::vector<std::uint8_t> counts;
+        std::vector<std::uint32_t> assigned;
+    };
+    static constexpr std::uint8_t most_changes = 250;
+    Changes changes(const EvolutionState& start, const std::vector<std::uint32_t>& due,
+                    const PartialInputs& inputs, const std::vector<Logic>& before) const;
+
     /// One scan, by which the given delays have fallen due; otherwise the same.
     ReferenceOutcome scan_after(const EvolutionState* start, const std::vector<std::uint32_t>& due,
                                 const PartialInputs& inputs) const;

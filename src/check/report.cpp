@@ -60,6 +60,7 @@ class TextReport {
         write_together();
         write_witness(explained);
         write_tolerance(explained);
+        write_pulses(explained);
         return std::move(text_);
     }
 
@@ -76,6 +77,7 @@ class TextReport {
         parts.remarks = take_trimmed();
         write_witness(explained);
         write_tolerance(explained);
+        write_pulses(explained);
         parts.witness = take_trimmed();
         return parts;
     }
@@ -124,6 +126,7 @@ class TextReport {
     void write_kind(const Witness& witness);
     void write_tolerance(const ExplainedWitness& explained);
     void write_reach(const Tolerance& tolerance);
+    void write_pulses(const ExplainedWitness& explained);
 
     const CheckSubject& subject_;
     const Grafcet& grafcet_;
@@ -386,6 +389,29 @@ void TextReport::write_tolerance(const ExplainedWitness& explained) {
     for (const ExplainedWitness& beyond : explained.at_tolerance) text_ += beyond.text;
 }
 
+/// One section for each X and output, then what is not known.
+void TextReport::write_pulses(const ExplainedWitness& explained) {
+    if (!result_.pulses) return;
+    const Pulses& pulses = *result_.pulses;
+    if (!pulses.found.empty()) {
+        say(words::pulses);
+    } else if (pulses.complete && pulses.open.empty()) {
+        say(words::no_pulses);
+    } else {
+        say(words::no_pulses_found);
+    }
+    for (std::size_t i = 0; i < pulses.found.size() && i < explained.pulses.size(); ++i) {
+        text_ += '\n' + explained.pulses[i].text;
+        say(words::stimuli_of_pulse);
+        add_stimuli(pulses.found[i].stimuli);
+    }
+    if (!pulses.found.empty() && (!pulses.open.empty() || !pulses.complete)) text_ += '\n';
+    for (const Pulses::Open& open : pulses.open) {
+        text_ += words::pulses_open.in(language_, open.cases, open.name);
+    }
+    if (!pulses.complete) text_ += words::pulses_incomplete.in(language_, pulses.cases);
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -450,6 +476,9 @@ JunitCase junit_case(const CheckSubject& subject, const Grafcet& grafcet, const 
     in_english.text = fmt::format("{}\n", joined(explained.lines, "\n"));
     for (ExplainedWitness& beyond : in_english.at_tolerance) {
         beyond.text = fmt::format("{}\n", joined(beyond.lines, "\n"));
+    }
+    for (ExplainedPulse& pulse : in_english.pulses) {
+        pulse.text = fmt::format("{}\n", joined(pulse.lines, "\n"));
     }
     JunitCase item;
     item.file = subject.file;

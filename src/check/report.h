@@ -45,6 +45,15 @@ struct CheckSubject {
     bool is_scanned() const { return !period.empty(); }
 };
 
+/// An X or output that changes too often in an instant, explained as the reports show it.
+struct ExplainedPulse {
+    std::string text;                 ///< for people, in their language
+    std::vector<std::string> lines;   ///< for programs, in English, line by line
+    std::vector<std::string> sooner;  ///< the gates that race, by the names of their nets
+    std::vector<std::string> later;
+    std::string delays;  ///< a `.delays` text for the gates; empty where all are nominal
+};
+
 /// A witness explained, as the reports show it.
 struct ExplainedWitness {
     std::string text;   ///< for people, in their language, of a length to be read
@@ -54,6 +63,7 @@ struct ExplainedWitness {
     std::vector<std::pair<std::string, bool>> power_up;
     /// The same of the witness of a tolerance; one or none.
     std::vector<ExplainedWitness> at_tolerance{};
+    std::vector<ExplainedPulse> pulses{};  ///< as in Pulses::found
 };
 
 /// The lines of a text, without their ends.

@@ -197,6 +197,34 @@ Json tolerance(const Tolerance& tolerance, const CheckSubject& subject, const Gr
     return json;
 }
 
+Json pulse(const Pulse& pulse, const ExplainedPulse& explained, const Grafcet& grafcet) {
+    Json json;
+    json["name"] = pulse.name;
+    json["expected"] = pulse.expected;
+    json["got"] = pulse.got;
+    json["stimuli"] = write_stimuli(pulse.stimuli, grafcet);
+    json["delays"] = nullptr;
+    if (!explained.delays.empty()) json["delays"] = explained.delays;
+    json["sooner"] = explained.sooner;
+    json["later"] = explained.later;
+    json["story"] = explained.lines;
+    return json;
+}
+
+void put_pulses(Json& json, const Pulses& pulses, const Grafcet& grafcet,
+                const ExplainedWitness& explained) {
+    json["pulses"] = Json::array();
+    for (std::size_t i = 0; i < pulses.found.size() && i < explained.pulses.size(); ++i) {
+        json["pulses"].push_back(pulse(pulses.found[i], explained.pulses[i], grafcet));
+    }
+    json["pulses_open"] = Json::array();
+    for (const Pulses::Open& open : pulses.open) {
+        json["pulses_open"].push_back({{"name", open.name}, {"cases", open.cases}});
+    }
+    json["pulses_cases"] = pulses.cases;
+    json["pulses_complete"] = pulses.complete;
+}
+
 }  // namespace
 
 std::string write_unchecked_json(const CheckSubject& subject, bool is_skipped,
@@ -236,6 +264,7 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
     if (result.tolerance) {
         json["tolerance"] = tolerance(*result.tolerance, subject, grafcet, explained);
     }
+    if (result.pulses) put_pulses(json, *result.pulses, grafcet, explained);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

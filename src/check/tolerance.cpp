@@ -46,6 +46,7 @@ class ToleranceSearch {
           right_below_(0),
           wrong_from_(ratios_.size()) {
         options_.looks_at_many = false;
+        options_.looks_for_pulses = false;
     }
 
     Tolerance find() {

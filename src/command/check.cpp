@@ -303,6 +303,7 @@ void declare_report(const CommandLine& line, CheckArguments& request) {
     line.add("-o", request.output, help::check_output());
     line.add("--witness", request.witness, help::witness());
     line.add_flag("--tolerance", request.tolerance, help::tolerance());
+    line.add_flag("--pulses", request.pulses, help::pulses());
     line.add("--assume", request.assumptions, help::assume());
     line.add_strict();
     line.add("--shard", request.shard, help::shard())

@@ -302,6 +302,11 @@ inline constexpr Message<> tolerance{
     "what goes wrong first",
     "chercher aussi de combien les retards des portes peuvent différer (MAX/MIN) avant une erreur, "
     "et quelle erreur vient la première"};
+inline constexpr Message<> pulses{
+    "also find X and outputs that can change more often in one instant than the GRAFCET asks for, "
+    "and the gates that race there; no part of the verdict",
+    "chercher aussi les X et sorties qui peuvent changer plus souvent en un instant que le GRAFCET "
+    "ne le demande, et les portes alors en course ; sans effet sur le verdict"};
 inline constexpr Message<> shard{
     "only part K of N of all checks, by file and style; every machine that has the same files cuts "
     "them in the same way",

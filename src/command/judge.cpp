@@ -89,6 +89,7 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
     asked.workers = session.workers;
     asked.language = session.line.language();
     asked.with_files = !request.witness.empty();
+    asked.looks_for_pulses = request.pulses;
     Diagnostics messages;
     CheckBounds bounds(request.max_seconds, session.values.max_memory);
     asked.progress = [&session](const Coverage& coverage) {

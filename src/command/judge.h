@@ -31,6 +31,7 @@ struct CheckArguments {
     std::string format = "text";
     std::string witness;
     bool tolerance = false;
+    bool pulses = false;
     std::vector<std::string> assumptions;
     std::string shard;       ///< empty: all
     std::uint64_t jobs = 0;  ///< 0: as many as there are cores

@@ -16,6 +16,7 @@
 #include "explain/cause_search.h"
 #include "explain/compare_functions.h"
 #include "explain/explanation_writer.h"
+#include "explain/named_chain.h"
 #include "trace/input_values.h"
 
 namespace grafwire {
@@ -318,22 +319,11 @@ class Explainer {
         return {changes.back()};
     }
 
-    /// The chain with names in the place of numbers.
     void make_chain() {
-        for (const CausalLink& link :
-             causal_chain(netlist_, delays_, history_, targets(), witness_.delays)) {
-            const NetChange& change = history_.changes[link.change];
-            Explanation::Link shown;
-            shown.after = change.at - witness_.stimuli.end;
-            shown.cell = reader_.driver(change.net);
-            shown.net = std::string(netlist_.names[change.net]);
-            shown.value = change.value;
-            shown.is_begin = link.causes.empty();
-            for (const std::size_t cause : link.causes) {
-                shown.causes.emplace_back(netlist_.names[history_.changes[cause].net]);
-            }
-            result_.chain.push_back(std::move(shown));
-        }
+        result_.chain =
+            named_chain(netlist_, history_,
+                        causal_chain(netlist_, delays_, history_, targets(), witness_.delays),
+                        witness_.stimuli.end);
     }
 
     /// Puts together what the search for a known cause looks at.

@@ -260,6 +260,23 @@ inline constexpr CauseMessage gate_race_remedy{
     "Choisir un câblage dont les portes s'attendent (style handshake) ou le style synchrone "
     "(clocked) ; ou veiller à ce que les portes lentes ci-dessus soient rapides."};
 
+// A net that changes too often in an instant (pulse_race).
+
+/// Arguments: the X or output, how often it changes.
+inline constexpr Message<std::string, unsigned> pulses_unasked{
+    "{}: {} changes in one instant, and the reference asks for none\n",
+    "{} : {} changements en un seul instant, et la référence n'en demande aucun\n"};
+inline constexpr Message<std::string, unsigned> pulses_beside_one{
+    "{}: {} changes in one instant, and the reference asks for one\n",
+    "{} : {} changements en un seul instant, et la référence n'en demande qu'un\n"};
+inline constexpr Message<std::string, unsigned, unsigned> pulses_beside_some{
+    "{}: {} changes in one instant, and the reference asks for {}\n",
+    "{} : {} changements en un seul instant, et la référence en demande {}\n"};
+/// Arguments: the gates on the one way, those on the other.
+inline constexpr Message<std::string, std::string> gates_that_race{
+    "Gates that race: {}, which come first; {}, which come after them\n",
+    "Portes en course : {}, les premières ; {}, les suivantes\n"};
+
 /// The circuit of a witness that depends on delays.
 inline constexpr Message<> delays_needed{
     "The delays that it takes (every other gate is as fast as can be):\n",

@@ -5,20 +5,26 @@
 // and no order matters. Else the orders are gone through that stubborn sets leave, which finds
 // every rest. Only if these hold a loop in which some gate starves do all orders have to be looked
 // at: a reduced graph may leave out the firings that would show another loop to be fair.
+//
+// Whether a net can change too often takes the reduced graph alone, with the number of changes in
+// its states (firing_graph.cpp): where all comes to rest, every way on which the net changes too
+// often goes on to a rest at which it has, and of these none is missed.
 
 #include "settling/any_order.h"
 
 #include "settling/joint_firings.h"
+#include "settling/late_orders.h"
 #include "settling/ternary.h"
 
 namespace grafwire {
 
-FiringGraph::End AnyOrder::build(const CircuitState& start, bool reduced, std::size_t most_states) {
+FiringGraph::End AnyOrder::build(const CircuitState& start, bool reduced, std::size_t most_states,
+                                 const WatchedNet* watched) {
     const FiringGraph::Choice choice = [&](const CircuitState& state,
                                            std::vector<Firing>& firings) {
         return reduced ? sets_.choose(state, firings) : all_firings(circuit_, state, firings);
     };
-    return graph_.build(start, choice, {most_states, &keep_going_});
+    return graph_.build(start, choice, {most_states, &keep_going_}, watched);
 }
 
 void AnyOrder::append_settled(Rests& rests, bool with_firings) const {
@@ -69,6 +75,21 @@ Rests AnyOrder::settle(const CircuitState& start, bool with_firings, std::size_t
         if (append_endless(rests, with_firings)) break;
     }
     return rests;
+}
+
+Pulsing AnyOrder::pulsing(const CircuitState& start, const WatchedNet& watched,
+                          std::size_t most_states) {
+    Pulsing pulsing;
+    const FiringGraph::End end = build(start, true, most_states, &watched);
+    if (end == FiringGraph::End::complete) pulsing.answer = Pulsing::Answer::never;
+    if (end != FiringGraph::End::exceeded) return pulsing;
+    const auto last = static_cast<std::uint32_t>(graph_.state_count() - 1);
+    const auto rest = firings_to_rest(circuit_, graph_.state(last));
+    if (!rest) return pulsing;
+    pulsing.answer = Pulsing::Answer::shown;
+    pulsing.firings = graph_.way_to(last);
+    pulsing.firings.insert(pulsing.firings.end(), rest->begin(), rest->end());
+    return pulsing;
 }
 
 }  // namespace grafwire

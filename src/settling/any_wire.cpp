@@ -42,4 +42,15 @@ Rests AnyWire::settle(const CircuitState& start, bool with_firings, std::size_t 
     return rests;
 }
 
+Pulsing AnyWire::pulsing(const CircuitState& start, const WatchedNet& watched,
+                         std::size_t most_states) {
+    Pulsing pulsing = any_order_.pulsing(start, watched, most_states / share_of_states);
+    if (pulsing.answer != Pulsing::Answer::open) return pulsing;
+    if (auto late = late_order_with_pulse(circuit_, start, watched, keep_going_)) {
+        pulsing.answer = Pulsing::Answer::shown;
+        pulsing.firings = std::move(*late);
+    }
+    return pulsing;
+}
+
 }  // namespace grafwire

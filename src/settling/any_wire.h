@@ -12,6 +12,8 @@ class AnyWire : public SettlingModel {
     AnyWire(const Circuit& circuit, KeepGoing keep_going)
         : circuit_(circuit), keep_going_(keep_going), any_order_(circuit, std::move(keep_going)) {}
     Rests settle(const CircuitState& start, bool with_firings, std::size_t most_states) override;
+    Pulsing pulsing(const CircuitState& start, const WatchedNet& watched,
+                    std::size_t most_states) override;
 
   private:
     const Circuit& circuit_;

@@ -6,6 +6,12 @@
 // from some state on and never fires is none. A strongly connected part holds a fair run exactly if
 // each cell fires on one of its edges or is quiet in one of its states, since a run can visit them
 // all again and again.
+//
+// How often a net changes is no matter of the states alone. Where one is watched, the number of its
+// changes so far is a part of every state. Only the cell that drives the net touches that number,
+// so what a firing of another cell does is what it was, and whatever leaves out orders of firings
+// because they lead to the same (stubborn_sets.cpp) may do so with the number as well: the orders
+// that it keeps are rearrangements of all others, with the same firings in them.
 
 #include "settling/firing_graph.h"
 
@@ -17,21 +23,23 @@
 namespace grafwire {
 
 std::uint32_t FiringGraph::add(const CircuitState& state, std::uint32_t parent,
-                               std::uint32_t firing) {
+                               std::uint32_t firing, std::uint8_t changes) {
     const auto number = static_cast<std::uint32_t>(nodes_.size());
-    const auto [place, is_new] = numbers_.emplace(circuit_.encoded(state), number);
-    if (is_new) nodes_.push_back({&place->first, parent, firing, {}});
+    std::string encoding = circuit_.encoded(state);
+    encoding += static_cast<char>(changes);
+    const auto [place, is_new] = numbers_.emplace(std::move(encoding), number);
+    if (is_new) nodes_.push_back({&place->first, parent, firing, {}, changes});
     return place->second;
 }
 
 FiringGraph::End FiringGraph::build(const CircuitState& start, const Choice& choice,
-                                    const Limits& limits) {
+                                    const Limits& limits, const WatchedNet* watched) {
     like_ = start;
     numbers_.clear();
     nodes_.clear();
     firings_.clear();
     rests_.clear();
-    add(start, 0, 0);
+    add(start, 0, 0, 0);
     std::vector<Firing> choices;
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
         if (limits.keep_going != nullptr && *limits.keep_going && !(*limits.keep_going)()) {
@@ -46,8 +54,11 @@ FiringGraph::End FiringGraph::build(const CircuitState& start, const Choice& cho
             circuit_.perform(firing, to);
             const auto number = static_cast<std::uint32_t>(firings_.size());
             firings_.push_back(std::move(firing));
-            const std::uint32_t target = add(to, node, number);
+            const std::uint8_t changes =
+                watched == nullptr ? 0 : watched->count(nodes_[node].changes, from, to);
+            const std::uint32_t target = add(to, node, number, changes);
             nodes_[node].edges.push_back({target, number});
+            if (watched != nullptr && changes > watched->most) return End::exceeded;
         }
     }
     return End::complete;

@@ -23,12 +23,20 @@ class FiringGraph {
         std::size_t states = 0;
         const KeepGoing* keep_going = nullptr;
     };
-    enum class End : std::uint8_t { complete, too_large, broken_off };
+    enum class End : std::uint8_t {
+        complete,
+        too_large,
+        broken_off,
+        exceeded,  ///< a net that is watched has changed too often
+    };
 
     explicit FiringGraph(const Circuit& circuit) : circuit_(circuit) {}
 
-    /// Breadth first, from a state until there are no new ones.
-    End build(const CircuitState& start, const Choice& choice, const Limits& limits);
+    /// Breadth first, from a state until there are no new ones. With a net that is watched, states
+    /// also differ in how often it has changed, and the first in which that is too often is the
+    /// last.
+    End build(const CircuitState& start, const Choice& choice, const Limits& limits,
+              const WatchedNet* watched = nullptr);
 
     std::size_t state_count() const { return nodes_.size(); }
     /// The states in which nothing more happens.
@@ -61,8 +69,10 @@ class FiringGraph {
         std::uint32_t parent = 0;
         std::uint32_t firing = 0;
         std::vector<Edge> edges;
+        std::uint8_t changes = 0;  ///< of a net that is watched
     };
-    std::uint32_t add(const CircuitState& state, std::uint32_t parent, std::uint32_t firing);
+    std::uint32_t add(const CircuitState& state, std::uint32_t parent, std::uint32_t firing,
+                      std::uint8_t changes);
     bool is_fair(const Loop& loop, const std::vector<std::uint32_t>& loop_of) const;
 
     const Circuit& circuit_;

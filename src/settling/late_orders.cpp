@@ -94,4 +94,31 @@ Rests rests_of_late_gates(const Circuit& circuit, const CircuitState& start,
     return rests;
 }
 
+std::optional<std::vector<Firing>> late_order_with_pulse(const Circuit& circuit,
+                                                         const CircuitState& start,
+                                                         const WatchedNet& watched,
+                                                         const KeepGoing& keep_going) {
+    for (const std::uint32_t late : circuit.cells()) {
+        if (keep_going && !keep_going()) return std::nullopt;
+        auto rest = LateOrder(circuit, start, late).go();
+        if (!rest) continue;
+        CircuitState state = start;
+        std::uint8_t changes = 0;
+        for (const Firing& firing : rest->firings) {
+            const CircuitState before = state;
+            circuit.perform(firing, state);
+            changes = watched.count(changes, before, state);
+            if (changes > watched.most) return std::move(rest->firings);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::vector<Firing>> firings_to_rest(const Circuit& circuit,
+                                                   const CircuitState& start) {
+    auto rest = LateOrder(circuit, start, Circuit::none).go();
+    if (!rest) return std::nullopt;
+    return std::move(rest->firings);
+}
+
 }  // namespace grafwire

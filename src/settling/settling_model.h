@@ -49,6 +49,30 @@ struct Rests {
     std::size_t states = 0;     ///< that were gone through
 };
 
+/// A net, and how often it may change within an instant.
+struct WatchedNet {
+    NetId net = no_net;
+    std::uint8_t most = 0;
+
+    /// How often it has changed after a firing, if it had `before`.
+    std::uint8_t count(std::uint8_t before, const CircuitState& from,
+                       const CircuitState& to) const {
+        const bool changes = from.values[index_of(net)] != to.values[index_of(net)];
+        return static_cast<std::uint8_t>(before + (changes ? 1 : 0));
+    }
+};
+
+/// Whether a net can change more often than it may.
+struct Pulsing {
+    enum class Answer : std::uint8_t {
+        never,  ///< whatever the gates do, as far as the delay model lets them
+        shown,  ///< with these firings
+        open,   ///< there are more orders than are gone through, or the caller said so
+    };
+    Answer answer = Answer::open;
+    std::vector<Firing> firings;  ///< from the start until everything rests
+};
+
 /// What is known of the delays of gates, as a question: from a state on, what can happen? A row of
 /// the delay models that leaves delays open (delay_model.h) is a class of its own behind this.
 class SettlingModel {
@@ -58,6 +82,11 @@ class SettlingModel {
     /// From a state whose inputs have just changed. `with_firings`: tell how each rest comes about.
     /// `most_states`: how many are gone through before the search is given up.
     virtual Rests settle(const CircuitState& start, bool with_firings, std::size_t most_states) = 0;
+
+    /// From such a state, of which everything is known and after which all comes to rest: whether a
+    /// net can change too often on the way.
+    virtual Pulsing pulsing(const CircuitState& start, const WatchedNet& watched,
+                            std::size_t most_states) = 0;
 
     /// Enough for nearly everything that can be answered at all.
     static constexpr std::size_t usual_states = 100'000;

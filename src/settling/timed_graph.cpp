@@ -79,7 +79,9 @@ bool TimedGraph::turns_before(std::uint32_t number, const std::string& state) co
 /// The number of the class, or of one that includes it.
 std::uint32_t TimedGraph::add(const CircuitState& state, StateClass&& reached) {
     const auto number = static_cast<std::uint32_t>(classes_.size());
-    const auto place = classes_of_.try_emplace(circuit_.encoded(state)).first;
+    std::string encoding = circuit_.encoded(state);
+    encoding += static_cast<char>(reached.changes);
+    const auto place = classes_of_.try_emplace(std::move(encoding)).first;
     for (const std::uint32_t known : place->second) {
         if (classes_[known].domain.includes(reached.domain)) return known;
     }
@@ -163,6 +165,9 @@ void TimedGraph::fire(std::uint32_t number, const CircuitState& from, const Firi
     if (!domain.fire(first, others, quietened, origins, reached.domain)) return;
     reached.parent = number;
     reached.firing = firing;
+    if (watched_ != nullptr) {
+        reached.changes = watched_->count(classes_[number].changes, from, to);
+    }
     const std::uint32_t next = add(to, std::move(reached));
     classes_[number].edges.push_back({next, firing});
 }
@@ -244,9 +249,21 @@ Rest TimedGraph::drifting() const {
     return oscillation(drifting_, changed.take());
 }
 
+/// Once a net has changed too often in a class, nothing else is gone on from; whether that is so.
+bool TimedGraph::follow_excess(std::size_t first_new) {
+    for (std::size_t number = first_new; number < classes_.size() && !is_exceeded_; ++number) {
+        if (classes_[number].changes <= watched_->most) continue;
+        is_exceeded_ = true;
+        waiting_.assign(1, static_cast<std::uint32_t>(number));
+    }
+    return is_exceeded_;
+}
+
 TimedGraph::End TimedGraph::build(const CircuitState& start, const Search& search,
-                                  const KeepGoing& keep_going) {
+                                  const KeepGoing& keep_going, const WatchedNet* watched) {
     search_ = search;
+    watched_ = watched;
+    is_exceeded_ = false;
     is_merged_ = false;
     drifting_ = nowhere;
     classes_of_.clear();
@@ -262,13 +279,19 @@ TimedGraph::End TimedGraph::build(const CircuitState& start, const Search& searc
     std::unordered_set<const std::string*> rests;
     for (std::size_t steps = 0; !waiting_.empty(); ++steps) {
         if (keep_going && !keep_going()) return End::broken_off;
-        const std::uint32_t number = search.deep_first ? waiting_.back() : waiting_.front();
-        search.deep_first ? waiting_.pop_back() : waiting_.pop_front();
+        const bool is_deep = search.deep_first || is_exceeded_;
+        const std::uint32_t number = is_deep ? waiting_.back() : waiting_.front();
+        is_deep ? waiting_.pop_back() : waiting_.pop_front();
+        const std::size_t first_new = classes_.size();
         if (steps > search.most_classes || !expand(number)) return End::too_large;
+        last_ = number;
+        if (watched != nullptr && follow_excess(first_new) && classes_[number].pending.empty()) {
+            return End::exceeded;
+        }
         if (classes_[number].pending.empty()) rests.insert(classes_[number].encoding);
         if (search.most_rests != 0 && rests.size() == search.most_rests) break;
     }
-    return End::complete;
+    return is_exceeded_ ? End::too_large : End::complete;
 }
 
 }  // namespace grafwire

@@ -31,7 +31,10 @@ class TimedGraph {
         std::size_t most_rests = 0;
         bool deep_first = false;  ///< else the ways to rests are as short as can be
     };
-    End build(const CircuitState& start, const Search& search, const KeepGoing& keep_going);
+    /// With a net that is watched, states also differ in how often it has changed. A class in which
+    /// that is too often is gone on from alone, until a rest.
+    End build(const CircuitState& start, const Search& search, const KeepGoing& keep_going,
+              const WatchedNet* watched = nullptr);
 
     std::size_t class_count() const { return classes_.size(); }
     /// Whether no class stands for more than can be.
@@ -41,6 +44,10 @@ class TimedGraph {
     /// What can be gone through again and again. As a class may stand for others that it includes,
     /// that is more than can be, and for a replay to decide.
     std::vector<Rest> oscillations() const;
+    /// Whether times were left out because a part of the circuit seemed to go round for ever.
+    bool is_drifting() const { return drifting_ != nowhere; }
+    /// The firings of the last class that was gone on from.
+    std::vector<Firing> last_way() const { return way_to(last_); }
 
   private:
     struct Edge {
@@ -56,12 +63,14 @@ class TimedGraph {
         Firing firing;  ///< that led to it from there
         std::vector<Edge> edges;
         std::uint32_t mergers = 0;
-        bool is_waiting = true;  ///< to be gone on from
+        bool is_waiting = true;    ///< to be gone on from
+        std::uint8_t changes = 0;  ///< of a net that is watched
     };
     std::uint32_t add(const CircuitState& state, StateClass&& reached);
     void merge(std::uint32_t known, const FiringDomain& domain);
     bool turns_before(std::uint32_t number, const std::string& state) const;
     bool expand(std::uint32_t number);
+    bool follow_excess(std::size_t first_new);
     void fire(std::uint32_t number, const CircuitState& from, const Firing& firing);
     std::vector<CellAction> pending_in(const CircuitState& state) const;
     std::vector<FiringDomain::Origin> origins_after(const std::vector<CellAction>& before,
@@ -84,6 +93,9 @@ class TimedGraph {
     std::vector<StateClass> classes_;
     std::deque<std::uint32_t> waiting_;
     static constexpr std::uint32_t nowhere = 0xffffffffU;
+    const WatchedNet* watched_ = nullptr;
+    std::uint32_t last_ = 0;  ///< the last that was gone on from
+    bool is_exceeded_ = false;
     bool is_merged_ = false;
     std::uint32_t drifting_ = nowhere;  ///< a class before a state with too many classes
 };

@@ -79,4 +79,24 @@ Rests TimedOrder::settle(const CircuitState& start, bool with_firings, std::size
     return found;
 }
 
+/// What merged classes do not show cannot be; what they show counts only where none is merged.
+Pulsing TimedOrder::pulsing(const CircuitState& start, const WatchedNet& watched,
+                            std::size_t most_states) {
+    Pulsing pulsing;
+    for (const std::size_t most_of_a_state : {std::size_t{1}, std::size_t{8}, all}) {
+        const std::size_t most = std::min(most_states, most_exact_classes);
+        const TimedGraph::End end =
+            graph_.build(start, {most_of_a_state, most, 0, false}, keep_going_, &watched);
+        if (end == TimedGraph::End::complete && !graph_.is_drifting()) {
+            pulsing.answer = Pulsing::Answer::never;
+        }
+        if (end != TimedGraph::End::exceeded) return pulsing;
+        if (!graph_.is_exact()) continue;
+        pulsing.answer = Pulsing::Answer::shown;
+        pulsing.firings = graph_.last_way();
+        return pulsing;
+    }
+    return pulsing;
+}
+
 }  // namespace grafwire

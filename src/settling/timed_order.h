@@ -11,6 +11,8 @@ class TimedOrder : public SettlingModel {
   public:
     TimedOrder(const Circuit& circuit, CellBands bands, KeepGoing keep_going);
     Rests settle(const CircuitState& start, bool with_firings, std::size_t most_states) override;
+    Pulsing pulsing(const CircuitState& start, const WatchedNet& watched,
+                    std::size_t most_states) override;
 
   private:
     Rests explore(const CircuitState& start, const TimedGraph::Search& search, bool with_firings);

@@ -14,6 +14,7 @@
 #include "check/scan_check.h"
 #include "draw/write_drawing.h"
 #include "explain/explain.h"
+#include "explain/pulse_race.h"
 #include "explain/write_explanation.h"
 #include "grafcet/messages.h"
 #include "laddercheck/ladder_device.h"
@@ -63,6 +64,7 @@ CheckOptions check_options(const CheckRequest& request) {
     options.delays = request.subject.delays;
     options.progress = request.progress;
     options.keep_going = request.keep_going;
+    options.looks_for_pulses = request.looks_for_pulses;
     return options;
 }
 
@@ -164,14 +166,16 @@ void add_explanation(Judgement& judgement, const Grafcet& grafcet, const Netlist
     }
 }
 
-/// Makes the witness one in terms of a netlist in which only those wires take time that the
-/// difference needs, and gives that netlist; else `wired`, where the others are as fast as gates.
-Netlist with_wires_needed(const Grafcet& grafcet, const Netlist& netlist, const Netlist& wired,
-                          const DelayModel& delays, Witness& witness) {
+/// A netlist in which only those wires take time that a schedule names, and that schedule for it.
+struct NeededWires {
+    Netlist netlist;
+    DelaySchedule schedule;
+};
+NeededWires needed_wires(const Netlist& netlist, const DelaySchedule& delays) {
     const std::vector<Wire> wires = telling_wires(netlist);
     const std::size_t gates = netlist.cells.size();
     std::vector<Wire> needed;
-    DelaySchedule schedule = witness.delays;
+    DelaySchedule schedule = delays;
     for (DelayChange& change : schedule.changes) {
         if (index_of(change.cell) < gates) continue;
         const Wire& wire = wires[index_of(change.cell) - gates];
@@ -179,14 +183,69 @@ Netlist with_wires_needed(const Grafcet& grafcet, const Netlist& netlist, const 
         change.cell = static_cast<CellId>(gates + static_cast<std::size_t>(known - needed.begin()));
         if (known == needed.end()) needed.push_back(wire);
     }
-    Netlist fewer = with_wire_delays(netlist, needed);
-    auto again = replay(grafcet, with_power_up(fewer, witness.power_up), cell_delays(fewer, delays),
-                        witness.stimuli, 0, schedule);
+    return {with_wire_delays(netlist, needed), std::move(schedule)};
+}
+
+/// Makes the witness one in terms of a netlist in which only those wires take time that the
+/// difference needs, and gives that netlist; else `wired`, where the others are as fast as gates.
+Netlist with_wires_needed(const Grafcet& grafcet, const Netlist& netlist, const Netlist& wired,
+                          const DelayModel& delays, Witness& witness) {
+    NeededWires fewer = needed_wires(netlist, witness.delays);
+    auto again = replay(grafcet, with_power_up(fewer.netlist, witness.power_up),
+                        cell_delays(fewer.netlist, delays), witness.stimuli, 0, fewer.schedule);
     if (!again || again->kind != witness.kind) return wired;
     again->power_up = std::move(witness.power_up);
-    again->delays = std::move(schedule);
+    again->delays = std::move(fewer.schedule);
     witness = std::move(*again);
-    return fewer;
+    return std::move(fewer.netlist);
+}
+
+/// The same of a net that changes too often.
+Netlist with_wires_needed(const Grafcet& grafcet, const Netlist& netlist, const Netlist& wired,
+                          const DelayModel& delays, Pulse& pulse) {
+    NeededWires fewer = needed_wires(netlist, pulse.delays);
+    const unsigned changes =
+        changes_at_end(grafcet, fewer.netlist, cell_delays(fewer.netlist, delays), pulse.stimuli,
+                       run_until_stable(grafcet, pulse.stimuli), fewer.schedule, pulse.net);
+    if (changes <= pulse.expected) return wired;
+    pulse.got = changes;
+    pulse.delays = std::move(fewer.schedule);
+    return std::move(fewer.netlist);
+}
+
+std::vector<std::string> net_names(const Netlist& netlist, const std::vector<NetId>& nets) {
+    std::vector<std::string> names;
+    for (const NetId net : nets) names.emplace_back(netlist.names[net]);
+    return names;
+}
+
+/// Explains what changes too often. `compared` is what was simulated, with wires as cells where
+/// they take time.
+std::vector<ExplainedPulse> explained_pulses(const Grafcet& grafcet, const Netlist& netlist,
+                                             const Netlist& compared, Pulses& pulses,
+                                             const CheckRequest& request) {
+    const DelayModel& model = request.subject.delays;
+    std::vector<ExplainedPulse> all;
+    for (Pulse& pulse : pulses.found) {
+        const bool has_wires = model.kind == DelayModel::Kind::any_wire;
+        const Netlist shown =
+            has_wires ? with_wires_needed(grafcet, netlist, compared, model, pulse) : compared;
+        const CellDelays delays = cell_delays(shown, model);
+        const PulseRace race = race_of(grafcet, shown, delays, pulse);
+        const auto text_in = [&](Language language) {
+            return write_pulse(grafcet, shown, pulse, race, {language, 0, request.subject.against});
+        };
+        ExplainedPulse explained{text_in(request.language),
+                                 lines_of(text_in(Language::english)),
+                                 net_names(shown, race.sooner),
+                                 net_names(shown, race.later),
+                                 {}};
+        if (!pulse.delays.changes.empty()) {
+            explained.delays = write_delays(all_delays(shown, delays, pulse.delays), shown);
+        }
+        all.push_back(std::move(explained));
+    }
+    return all;
 }
 
 /// Finds how much delays may differ, and explains what goes wrong first.
@@ -243,7 +302,12 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
     const bool has_wires = subject.delays.kind == DelayModel::Kind::any_wire;
     Netlist compared = has_wires ? with_wire_delays(netlist, telling_wires(netlist)) : netlist;
     judgement.result = check_equivalence(chart.grafcet, compared, options);
-    // Explain a difference.
+    // Explain a difference, and what changes too often.
+    std::vector<ExplainedPulse> pulses;
+    if (judgement.result.pulses) {
+        pulses =
+            explained_pulses(chart.grafcet, netlist, compared, *judgement.result.pulses, request);
+    }
     if (auto& witness = judgement.result.witness) {
         if (has_wires) {
             compared =
@@ -251,6 +315,7 @@ std::optional<Judgement> check_netlist(const Chart& chart, const Netlist& netlis
         }
         add_explanation(judgement, chart.grafcet, compared, request);
     }
+    judgement.explained.pulses = std::move(pulses);
     if (request.tolerance_of) add_tolerance(judgement, chart.grafcet, request);
     return judgement;
 }

@@ -38,6 +38,7 @@ struct CheckRequest {
     KeepGoing keep_going;
     Language language = Language::english;  ///< of the explanation
     bool with_files = false;                ///< whether the files of a witness are wanted
+    bool looks_for_pulses = false;          ///< as in CheckOptions
     /// Asynchronous netlists: to find how much delays may differ as well, what to check then under
     /// a model; none: not wanted.
     NetlistFor tolerance_of{};

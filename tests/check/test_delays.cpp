@@ -52,20 +52,6 @@ Netlist made_for(const Grafcet& grafcet, Style style, std::string_view delays) {
     return std::move(*netlist);
 }
 
-/// One change of an input every 10 ms.
-Stimuli single_changes(std::mt19937& random, const Grafcet& grafcet) {
-    Stimuli stimuli;
-    stimuli.changes.push_back({0, {}, {}});
-    std::vector<bool> values(grafcet.inputs.size());
-    for (Time at = 1; at <= 12; ++at) {
-        const auto input = static_cast<std::uint32_t>(random() % values.size());
-        values[input] = !values[input];
-        stimuli.end = at * 10 * millisecond;
-        stimuli.changes.push_back({stimuli.end, {{input, values[input]}}, {}});
-    }
-    return stimuli;
-}
-
 /// Gates that take anything between two times, each edge for itself.
 CellDelays random_delays(std::mt19937& random, const Netlist& netlist, Time least, Time most) {
     CellDelays delays = cell_delays(netlist, {});

@@ -4,10 +4,13 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command/charts.h"
+#include "command/json_schema.h"
 #include "support/files.h"
 #include "support/run_program.h"
 
@@ -188,6 +191,95 @@ TEST_CASE("a check finds how much delays may differ") {
     const Ran clocked =
         grafwire_with({"check", sequence_chart, "--style", "clocked", "--tolerance"});
     CHECK(clocked.status == 2);
+}
+
+namespace {
+
+constexpr const char* selection_chart =
+    "input a, b, c\noutput v\ngraph G {\n  initial 0 : v if a.b + /a.c\n}\n";
+
+/// How often a net of a waveform changes in the last instant at which anything does.
+std::size_t changes_at_end(const std::string& vcd, const std::string& net) {
+    const std::size_t name = vcd.find(" " + net + " $end");
+    REQUIRE(name != std::string::npos);
+    const std::size_t before = vcd.rfind(' ', name - 1);
+    const std::string id = vcd.substr(before + 1, name - before - 1);
+    std::size_t changes = 0;
+    std::uint64_t at = 0;
+    std::istringstream lines(vcd.substr(vcd.find("$enddefinitions")));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty()) continue;
+        if (line[0] == '#') {
+            // Gates answer within nanoseconds, instants are far apart.
+            const std::uint64_t last = std::exchange(at, std::stoull(line.substr(1)));
+            if (at - last > at / 100) changes = 0;
+        } else if (line.substr(1) == id) {
+            ++changes;
+        }
+    }
+    return changes;
+}
+
+}  // namespace
+
+TEST_CASE("a check finds outputs that change too often, and they can be run") {
+    const ScratchFolder folder;
+    folder.file("selection.grafcet", selection_chart);
+    const std::string chart = folder.path("selection.grafcet");
+    for (const std::string delay : {"any", "any-wire", "1..2", "74HC"}) {
+        CAPTURE(delay);
+        const std::vector<std::string> request = {"check",   chart, "--style", "gates",
+                                                  "--delay", delay, "--pulses"};
+        std::vector<std::string> as_json = request;
+        as_json.insert(as_json.end(), {"--to", "json"});
+        const Ran ran = grafwire_with(as_json);
+        CHECK(schema_problems(ran.out) == "");
+        const auto json = nlohmann::json::parse(ran.out);
+        REQUIRE(json["pulses"].size() == 1);
+        const auto& pulse = json["pulses"][0];
+        CHECK(pulse["name"] == "v");
+        CHECK(pulse["expected"] == 0);
+        CHECK(pulse["got"] == 2);
+        CHECK(json["pulses_open"].empty());
+        folder.file("v.stim", pulse["stimuli"].get<std::string>());
+        folder.file("v.delays", pulse["delays"].get<std::string>());
+        const std::string vcd = folder.path("v.vcd");
+        CHECK(grafwire_with({"simulate", chart, folder.path("v.stim"), "--style", "gates",
+                             "--delay", delay, "--delays", folder.path("v.delays"), "--vcd", vcd})
+                  .status == 0);
+        CHECK(changes_at_end(text_of(vcd), "v") == 2);
+    }
+}
+
+TEST_CASE("pulses are told beside the verdict, in the language asked for") {
+    const ScratchFolder folder;
+    folder.file("selection.grafcet", selection_chart);
+    std::vector<std::string> request = {
+        "check",   folder.path("selection.grafcet"), "--style", "gates", "--delay", "any",
+        "--pulses"};
+    const Ran english = grafwire_with(request);
+    CHECK(english.status == 0);
+    CHECK(contains(english.out,
+                   "\nv: 2 changes in one instant, and the reference asks for none\n"
+                   "Gates that race: AND gate v$1 of output v, "));
+    CHECK(contains(english.out, "\nStimuli:\n  0s : "));
+    request.insert(request.end(), {"--to", "junit"});
+    const Ran junit = grafwire_with(request);
+    CHECK(junit.status == 0);
+    CHECK(contains(junit.out, " failures=\"0\" errors=\"0\""));
+    CHECK(contains(junit.out, "v: 2 changes in one instant"));
+    request.resize(request.size() - 2);
+    request.insert(request.end(), {"--lang", "fr"});
+    CHECK(contains(grafwire_with(request).out,
+                   "2 changements en un seul instant, et la référence n'en demande aucun\n"));
+    const Ran handshake = grafwire_with(
+        {"check", sequence_chart, "--style", "handshake", "--delay", "any", "--pulses"});
+    CHECK(handshake.status == 0);
+    CHECK(contains(handshake.out, "\nPulses: none. No X and no output changes more often "));
+    const Ran bounded = grafwire_with(
+        {"check", sequence_chart, "--style", "handshake", "--pulses", "--max-cases", "5"});
+    CHECK(bounded.status == 3);
+    CHECK(contains(bounded.out, "\nPulses: none found, and not everything could be looked at.\n"));
 }
 
 TEST_CASE("delays of single gates are in the waveform") {

@@ -247,8 +247,8 @@ TEST_CASE("options of simulate") {
 
 TEST_CASE("options of check") {
     const Files files;
-    const std::set<std::string> of_programs{"--style",   "--cdx",      "--modes",    "--delay",
-                                            "--changes", "--power-up", "--tolerance"};
+    const std::set<std::string> of_programs{"--style",   "--cdx",      "--modes",     "--delay",
+                                            "--changes", "--power-up", "--tolerance", "--pulses"};
     const auto with = [](std::set<std::string> some, const std::set<std::string>& more) {
         some.insert(more.begin(), more.end());
         return some;
@@ -258,12 +258,12 @@ TEST_CASE("options of check") {
     std::vector<Context> contexts{
         {{sequence_chart}, with(of_netlists, {"--power-up", "--scan"})},
         {{sequence_chart, "--style", "clocked"},
-         with(of_netlists, {"--power-up", "--changes", "--delay", "--tolerance"})},
+         with(of_netlists, {"--power-up", "--changes", "--delay", "--tolerance", "--pulses"})},
         {{sequence_chart, "--against", files.path("init.blif")},
          with(of_elsewhere, {"--power-up", "--scan"})},
         {{sequence_chart, "--against", files.path("bare.blif")}, with(of_elsewhere, {"--scan"})},
         {{sequence_chart, "--against", files.path("clocked.blif")},
-         with(of_elsewhere, {"--power-up", "--changes", "--delay", "--tolerance"})},
+         with(of_elsewhere, {"--power-up", "--changes", "--delay", "--tolerance", "--pulses"})},
         {{sequence_chart, "--against", files.path("ladder.xml")},
          with(of_programs, {"--io", "--cpu"})},
         {{sequence_chart, "--against", files.path("a.awl"), "--io", files.path("a.io")},
@@ -291,6 +291,7 @@ TEST_CASE("options of check") {
              {"-o", {files.path("out")}},
              {"--witness", {files.path("w")}},
              {"--tolerance", {}},
+             {"--pulses", {}},
              {"--assume", {"m + /m"}},
              {"--max-cases", {"5"}},
              {"--max-seconds", {"1"}},

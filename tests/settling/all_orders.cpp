@@ -113,4 +113,24 @@ Outcomes outcomes_by_definition(const Netlist& netlist, const Bits& start) {
     return outcomes;
 }
 
+unsigned changes_by_definition(const Netlist& netlist, const Bits& start, NetId net,
+                               unsigned most) {
+    const Graph graph = graph_from(netlist, start);
+    std::map<Bits, std::set<unsigned>> seen;
+    std::vector<std::pair<Bits, unsigned>> waiting{{start, 0}};
+    unsigned greatest = 0;
+    while (!waiting.empty()) {
+        const auto [state, changes] = waiting.back();
+        waiting.pop_back();
+        if (!seen[state].insert(changes).second) continue;
+        greatest = std::max(greatest, changes);
+        if (greatest == most) break;
+        for (const Bits& next : graph.at(state)) {
+            const bool is_changed = next[index_of(net)] != state[index_of(net)];
+            waiting.emplace_back(next, changes + (is_changed ? 1 : 0));
+        }
+    }
+    return greatest;
+}
+
 }  // namespace grafwire::testing

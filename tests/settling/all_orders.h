@@ -21,4 +21,7 @@ struct Outcomes {
 /// Goes through all of it, as the definition says.
 Outcomes outcomes_by_definition(const Netlist& netlist, const Bits& start);
 
+/// How often a net can change on the way, but no more than `most`.
+unsigned changes_by_definition(const Netlist& netlist, const Bits& start, NetId net, unsigned most);
+
 }  // namespace grafwire::testing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <string_view>
 
 #include "check/check_equivalence.h"
@@ -16,6 +17,20 @@ inline CheckResult checked(const Grafcet& grafcet, const Netlist& netlist, std::
     options.looks_at_many = false;
     options.max_cases = max_cases;
     return check_equivalence(grafcet, netlist, options);
+}
+
+/// One change of an input every 10 ms.
+inline Stimuli single_changes(std::mt19937& random, const Grafcet& grafcet) {
+    Stimuli stimuli;
+    stimuli.changes.push_back({0, {}, {}});
+    std::vector<bool> values(grafcet.inputs.size());
+    for (Time at = 1; at <= 12; ++at) {
+        const auto input = static_cast<std::uint32_t>(random() % values.size());
+        values[input] = !values[input];
+        stimuli.end = at * 10 * millisecond;
+        stimuli.changes.push_back({stimuli.end, {{input, values[input]}}, {}});
+    }
+    return stimuli;
 }
 
 /// Whether the delays of a witness show it in a simulation.
