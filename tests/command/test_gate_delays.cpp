@@ -234,6 +234,9 @@ TEST_CASE("a check finds outputs that change too often, and they can be run") {
         as_json.insert(as_json.end(), {"--to", "json"});
         const Ran ran = grafwire_with(as_json);
         CHECK(schema_problems(ran.out) == "");
+        std::vector<std::string> by_two = as_json;
+        by_two.insert(by_two.end(), {"-j", "2"});
+        CHECK(grafwire_with(by_two).out == ran.out);
         const auto json = nlohmann::json::parse(ran.out);
         REQUIRE(json["pulses"].size() == 1);
         const auto& pulse = json["pulses"][0];
