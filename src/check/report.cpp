@@ -15,6 +15,7 @@
 #include "text/joined.h"
 #include "text/shown_duration.h"
 #include "text/utf8.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -514,6 +515,7 @@ std::string write_junit(std::span<const JunitCase> cases) {
     for (const JunitCase& item : cases) seconds += item.seconds;
     const auto skipped = count(JunitCase::Outcome::skipped);
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    text += fmt::format("<!-- {} -->\n", program_and_version());
     text += fmt::format(
         "<testsuite name=\"grafwire check\" tests=\"{}\" failures=\"{}\" errors=\"{}\"{} "
         "time=\"{:.3f}\">\n",

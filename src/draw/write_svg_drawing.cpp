@@ -7,6 +7,7 @@
 #include "draw/write_drawing.h"
 #include "text/escape.h"
 #include "text/joined.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -225,9 +226,9 @@ std::string write_svg_drawing(const std::vector<Sheet>& sheets, std::string_view
         height += sheet.height;
     }
     const std::string style_element =
-        fmt::format("<style>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n", style,
-                    shows_values(sheets) ? style_of_values : "", paper.name,
-                    sheets.front().lies ? " landscape" : "");
+        fmt::format("<!-- {} -->\n<style>\n{}{}@page {{ size: {}{}; margin: 10mm; }}\n</style>\n",
+                    program_and_version(), style, shows_values(sheets) ? style_of_values : "",
+                    paper.name, sheets.front().lies ? " landscape" : "");
     const Words words{title, joined(descriptions, "\n"), language, ""};
     return svg_element(width, height, sheets.front().unit, words, style_element, writer.take());
 }

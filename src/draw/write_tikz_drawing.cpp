@@ -10,6 +10,7 @@
 #include "draw/write_drawing.h"
 #include "text/latex.h"
 #include "text/utf8.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -148,7 +149,7 @@ std::string write_tikz_drawing(const std::vector<Sheet>& sheets, std::string_vie
                                const Paper& paper, bool standalone) {
     TikzWriter writer;
     for (const Sheet& sheet : sheets) writer.write(sheet);
-    const std::string head = fmt::format("% {}\n", visible(title, ""));
+    const std::string head = fmt::format("% {}\n% {}\n", visible(title, ""), program_and_version());
     if (!standalone) return head + writer.take();
     return head +
            fmt::format(

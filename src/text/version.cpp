@@ -6,4 +6,8 @@ std::string_view version() {
     return GRAFWIRE_VERSION;
 }
 
+std::string program_and_version() {
+    return "grafwire " + std::string(version());
+}
+
 }  // namespace grafwire

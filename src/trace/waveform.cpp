@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "text/utf8.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -67,7 +68,8 @@ std::string_view timescale(Time tick) {
 }  // namespace
 
 VcdWriter::VcdWriter(std::string_view scope, Time tick) : scope_(one_word(scope)), tick_(tick) {
-    text_ += fmt::format("$version grafwire $end\n$timescale {} $end\n", timescale(tick));
+    text_ += fmt::format("$version {} $end\n$timescale {} $end\n", program_and_version(),
+                         timescale(tick));
     tell_apart(scope, scope_);
     text_ += fmt::format("$scope module {} $end\n", scope_);
 }
@@ -196,7 +198,8 @@ constexpr std::pair<Trace::Column::Kind, std::string_view> groups[] = {
 }  // namespace
 
 std::string write_gtkw(const Waveform& waveform, std::string_view vcd_file) {
-    std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n", vcd_file);
+    std::string text =
+        fmt::format("[*] {}\n[dumpfile] \"{}\"\n[timestart] 0\n", program_and_version(), vcd_file);
     for (const auto& [kind, title] : groups) {
         const auto is_of_group = [kind = kind](const Waveform::Signal& s) {
             return s.kind == kind;

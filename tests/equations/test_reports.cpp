@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equations/parsed.h"
+#include "text/version.h"
 
 namespace grafwire::testing {
 
@@ -142,7 +143,8 @@ CDX from the steps that follow (successor form), with Init, AUdur and AUdoux.
 
 TEST_CASE("the report in LaTeX") {
     CHECK(report(lamp, {.format = EquationFormat::latex}) ==
-          R"report(% Needs in the preamble: \usepackage{amsmath,array,booktabs,longtable}
+          "% " + program_and_version() + R"report(
+% Needs in the preamble: \usepackage{amsmath,array,booktabs,longtable}
 \providecommand{\equationlist}[1]{\raggedright
   \settowidth{\labelwidth}{#1}\setlength{\leftmargin}{\labelwidth}%
   \addtolength{\leftmargin}{\labelsep}\setlength{\itemsep}{3pt}\setlength{\parsep}{0pt}}
@@ -519,7 +521,8 @@ TEST_CASE("LaTeX: a whole document in the language of the report") {
         report(two_steps,
                {.format = EquationFormat::latex, .language = Language::french, .standalone = true});
     INFO(text);
-    CHECK(text.rfind("\\documentclass[a4paper]{article}\n", 0) == 0);
+    CHECK(text.rfind("% " + program_and_version() + "\n\\documentclass[a4paper]{article}\n", 0) ==
+          0);
     CHECK(text.find("\\usepackage[french]{babel}\n") != std::string::npos);
     CHECK(text.substr(text.size() - 15) == "\\end{document}\n");
 }

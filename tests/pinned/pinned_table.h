@@ -43,6 +43,9 @@ class PinnedTable {
     std::size_t count_ = 0;
 };
 
+/// The text as every version of the program writes it: without what says which one has.
+std::string of_any_version(std::string text);
+
 /// 64 bits of a text (FNV-1a; Fowler, Noll, Vo), as 16 hexadecimal digits.
 std::string digest(std::string_view text);
 

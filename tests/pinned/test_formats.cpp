@@ -35,7 +35,7 @@ PinnedCase pinned_formats(const Chart& chart, const Netlist& netlist, const Stim
             write_netlist(chart, netlist, format, &stimuli, 10 * millisecond, DelayModel{});
         const WrittenNetlist idle =
             write_netlist(chart, netlist, format, nullptr, 20 * millisecond, DelayModel{});
-        pinned.add(fmt::format("{} {}", format.name, written.text.size()),
+        pinned.add(fmt::format("{} {}", format.name, of_any_version(written.text).size()),
                    written.text + written.bench + idle.text + read_again(format, written.text));
     }
     return pinned;

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "text/version.h"
 #include "two_steps.h"
 
 using namespace grafwire;
@@ -140,7 +141,7 @@ TEST_CASE("the waveform shows every net, from instant 0 on") {
     SimulateOptions options;
     options.waveform = true;
     CHECK(run(small, grafcet, "1us : a=1\n2us : a=0\n3us : end\n", options).waveform.vcd ==
-          R"($version grafwire $end
+          "$version " + program_and_version() + R"( $end
 $timescale 1 ns $end
 $scope module one $end
 $var wire 1 ! a $end

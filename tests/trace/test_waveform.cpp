@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "text/version.h"
 #include "trace/sample_trace.h"
 #include "trace/waveform.h"
 
@@ -17,23 +18,23 @@ TEST_CASE("a waveform written signal by signal") {
     writer.change(5, b, std::int64_t{-1});
     writer.change(5, a, '1');
     writer.change(7, b, std::int64_t{2});
-    CHECK(writer.finish(12) ==
-          "$version grafwire $end\n"
-          "$timescale 1 ps $end\n"
-          "$scope module top $end\n"
-          "$var wire 1 ! H+ $end\n"
-          "$var wire 3 \" word $end\n"
-          "$upscope $end\n"
-          "$enddefinitions $end\n"
-          "#0\n"
-          "x!\n"
-          "bx \"\n"
-          "#5\n"
-          "b111 \"\n"
-          "1!\n"
-          "#7\n"
-          "b010 \"\n"
-          "#12\n");
+    CHECK(writer.finish(12) == "$version " + program_and_version() +
+                                   " $end\n"
+                                   "$timescale 1 ps $end\n"
+                                   "$scope module top $end\n"
+                                   "$var wire 1 ! H+ $end\n"
+                                   "$var wire 3 \" word $end\n"
+                                   "$upscope $end\n"
+                                   "$enddefinitions $end\n"
+                                   "#0\n"
+                                   "x!\n"
+                                   "bx \"\n"
+                                   "#5\n"
+                                   "b111 \"\n"
+                                   "1!\n"
+                                   "#7\n"
+                                   "b010 \"\n"
+                                   "#12\n");
 }
 
 TEST_CASE("names are written in what GTKWave reads, and differ") {
@@ -43,27 +44,27 @@ TEST_CASE("names are written in what GTKWave reads, and differ") {
     }
     CHECK(writer.shown_name(5) == "a_b.ete_plus");
     writer.begin();
-    CHECK(writer.finish(0) ==
-          "$version grafwire $end\n"
-          "$timescale 1 ns $end\n"
-          "$scope module a_b $end\n"
-          "$var wire 1 ! x_y $end\n"
-          "$var wire 1 \" x_y_2 $end\n"
-          "$var wire 1 # _end $end\n"
-          "$var wire 1 $ _ $end\n"
-          "$var wire 1 % a_1__b $end\n"
-          "$var wire 1 & ete_plus $end\n"
-          "$var wire 1 ' X0$set $end\n"
-          "$upscope $end\n"
-          "$enddefinitions $end\n"
-          "#0\n"
-          "$comment a_b is a b $end\n"
-          "$comment x_y is x y $end\n"
-          "$comment x_y_2 is x_y $end\n"
-          "$comment _end is _end $end\n"
-          "$comment _ is  $end\n"
-          "$comment a_1__b is a[1]:b $end\n"
-          "$comment ete_plus is été + $end\n");
+    CHECK(writer.finish(0) == "$version " + program_and_version() +
+                                  " $end\n"
+                                  "$timescale 1 ns $end\n"
+                                  "$scope module a_b $end\n"
+                                  "$var wire 1 ! x_y $end\n"
+                                  "$var wire 1 \" x_y_2 $end\n"
+                                  "$var wire 1 # _end $end\n"
+                                  "$var wire 1 $ _ $end\n"
+                                  "$var wire 1 % a_1__b $end\n"
+                                  "$var wire 1 & ete_plus $end\n"
+                                  "$var wire 1 ' X0$set $end\n"
+                                  "$upscope $end\n"
+                                  "$enddefinitions $end\n"
+                                  "#0\n"
+                                  "$comment a_b is a b $end\n"
+                                  "$comment x_y is x y $end\n"
+                                  "$comment x_y_2 is x_y $end\n"
+                                  "$comment _end is _end $end\n"
+                                  "$comment _ is  $end\n"
+                                  "$comment a_1__b is a[1]:b $end\n"
+                                  "$comment ete_plus is été + $end\n");
 }
 
 TEST_CASE("identifiers are short, printable and all different") {
@@ -94,26 +95,27 @@ TEST_CASE("wide numbers are extended with their sign") {
 
 TEST_CASE("a trace as a waveform: only changes, counters as vectors, x for the unknown") {
     CHECK(waveform_of(sample_trace(), "my machine").vcd ==
-          "$version grafwire $end\n"
-          "$timescale 1 us $end\n"
-          "$scope module my_machine $end\n"
-          "$var wire 1 ! a $end\n"
-          "$var wire 1 \" a,b_\"c\" $end\n"
-          "$var wire 4 # count $end\n"
-          "$upscope $end\n"
-          "$enddefinitions $end\n"
-          "#0\n"
-          "0!\n"
-          "1\"\n"
-          "b1101 #\n"
-          "#1500\n"
-          "1!\n"
-          "x\"\n"
-          "b0101 #\n"
-          "#2000000\n"
-          "0\"\n"
-          "$comment my_machine is my machine $end\n"
-          "$comment a,b_\"c\" is a,b \"c\" $end\n");
+          "$version " + program_and_version() +
+              " $end\n"
+              "$timescale 1 us $end\n"
+              "$scope module my_machine $end\n"
+              "$var wire 1 ! a $end\n"
+              "$var wire 1 \" a,b_\"c\" $end\n"
+              "$var wire 4 # count $end\n"
+              "$upscope $end\n"
+              "$enddefinitions $end\n"
+              "#0\n"
+              "0!\n"
+              "1\"\n"
+              "b1101 #\n"
+              "#1500\n"
+              "1!\n"
+              "x\"\n"
+              "b0101 #\n"
+              "#2000000\n"
+              "0\"\n"
+              "$comment my_machine is my machine $end\n"
+              "$comment a,b_\"c\" is a,b \"c\" $end\n");
 }
 
 TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
@@ -133,17 +135,18 @@ TEST_CASE("the timescale of a waveform is as coarse as its moments allow") {
 
 TEST_CASE("a viewer is told to show inputs, steps and outputs in groups, counters as numbers") {
     CHECK(write_gtkw(waveform_of(sample_trace(), "my machine"), "run.vcd") ==
-          "[dumpfile] \"run.vcd\"\n"
-          "[timestart] 0\n"
-          "@800200\n-inputs\n"
-          "@28\nmy_machine.a\n"
-          "@1000200\n-inputs\n"
-          "@800200\n-outputs\n"
-          "@28\nmy_machine.a,b_\"c\"\n"
-          "@1000200\n-outputs\n"
-          "@800200\n-vars and counters\n"
-          "@420\nmy_machine.count[3:0]\n"
-          "@1000200\n-vars and counters\n");
+          "[*] " + program_and_version() +
+              "\n[dumpfile] \"run.vcd\"\n"
+              "[timestart] 0\n"
+              "@800200\n-inputs\n"
+              "@28\nmy_machine.a\n"
+              "@1000200\n-inputs\n"
+              "@800200\n-outputs\n"
+              "@28\nmy_machine.a,b_\"c\"\n"
+              "@1000200\n-outputs\n"
+              "@800200\n-vars and counters\n"
+              "@420\nmy_machine.count[3:0]\n"
+              "@1000200\n-vars and counters\n");
 }
 
 }  // namespace grafwire::testing

@@ -14,6 +14,7 @@
 #include "equations/report/messages.h"
 #include "equations/report/page.h"
 #include "text/joined.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -141,6 +142,7 @@ class LatexPage : public Page {
 };
 
 void LatexPage::title(std::string_view text) {
+    text_ += "% " + program_and_version() + '\n';
     if (standalone_) {
         text_ +=
             "\\documentclass[a4paper]{article}\n"

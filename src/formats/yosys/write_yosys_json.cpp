@@ -16,6 +16,7 @@
 #include "formats/shared/append.h"
 #include "formats/shared/helper_cells.h"
 #include "formats/shared/net_spelling.h"
+#include "text/version.h"
 
 namespace grafwire {
 
@@ -124,7 +125,7 @@ class JsonWriter {
 
 std::string JsonWriter::write() {
     out_.reserve(netlist_.cells.size() * 400);
-    out_ += "{\n  \"creator\": \"grafwire\",\n  \"modules\": {\n    \"";
+    out_ += "{\n  \"creator\": \"" + program_and_version() + "\",\n  \"modules\": {\n    \"";
     spell_json(out_, netlist_.name);
     out_ += "\": {\n      \"attributes\": { \"top\": 1 },\n";
     write_ports();

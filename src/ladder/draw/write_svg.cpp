@@ -16,6 +16,7 @@
 #include "ladder/draw/write_drawings.h"
 #include "text/escape.h"
 #include "text/utf8.h"
+#include "text/version.h"
 
 namespace grafwire::ladder {
 
@@ -283,8 +284,9 @@ std::string Picture::write(const Ladder& ladder, Language language) {
     const auto count = static_cast<double>(pages_.size());
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"210mm\" height=\"{}mm\" "
-        "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n{}",
-        297 * pages_.size(), width_, height_ * count, xml_text(ladder.name), style);
+        "viewBox=\"0 0 {} {}\">\n<!-- {} -->\n<title>{}</title>\n{}",
+        297 * pages_.size(), width_, height_ * count, program_and_version(), xml_text(ladder.name),
+        style);
     for (std::size_t i = 0; i < pages_.size(); ++i) svg += page(i);
     return svg + "</svg>\n";
 }
