@@ -29,6 +29,8 @@ packages_to_test='
 arduino-core-avr     /usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h
 avr-libc             /usr/lib/avr/include/avr/io.h
 doctest-dev          /usr/include/doctest/doctest.h
+dpkg-dev             /usr/bin/dpkg-shlibdeps
+fish                 /usr/bin/fish
 fp-compiler          /usr/bin/fpc
 gcc-avr              /usr/bin/avr-g++
 gtkwave              /usr/bin/gtkwave
@@ -36,6 +38,8 @@ iverilog             /usr/bin/iverilog
 libsimavr-dev        /usr/include/simavr/sim_avr.h
 libxml2-utils        /usr/bin/xmllint
 lmodern              /usr/share/texmf/tex/latex/lm/lmodern.sty
+man-db               /usr/bin/man
+mandoc               /usr/bin/mandoc
 mypy                 /usr/bin/mypy
 ngspice              /usr/bin/ngspice
 patch                /usr/bin/patch
@@ -50,12 +54,20 @@ texlive-pictures     /usr/share/texlive/texmf-dist/tex/latex/pgf/frontendlayer/t
 xauth                /usr/bin/xauth
 xvfb                 /usr/bin/xvfb-run
 yosys                /usr/bin/yosys
+zsh                  /usr/bin/zsh
 '
 packages_to_check='
 clang                /usr/bin/clang++
 clang-format         /usr/bin/clang-format
 clang-tidy           /usr/bin/clang-tidy
 libclang-rt-14-dev   /usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.fuzzer-x86_64.a
+'
+packages_to_package='
+dpkg-dev             /usr/bin/dpkg-shlibdeps
+'
+packages_to_test_package='
+debootstrap          /usr/sbin/debootstrap
+lintian              /usr/bin/lintian
 '
 # For the page in a browser: a compiler to WebAssembly, the libraries of C and C++ for it, and what the
 # compiler calls to make the module smaller.
@@ -82,6 +94,11 @@ cannot_build=70
 
 say() {
     printf '%s\n' "$*" >&2
+}
+
+# The version of the sources.
+version() {
+    sed -nE 's/^project\(grafwire VERSION ([0-9.]+).*/\1/p' "$root/CMakeLists.txt"
 }
 
 # Runs a command quietly; shows what it printed only where it fails.
@@ -122,6 +139,14 @@ need() {
     say "installing: ${missing[*]}"
     quietly "${as_root[@]}" update &&
         quietly "${as_root[@]}" install --no-install-recommends "${missing[@]}"
+}
+
+# The mirror that packages come from.
+mirror() {
+    local found
+    found=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' \
+        'Component: main' 2>/dev/null | grep -v security | head -n 1)
+    printf '%s\n' "${found:-http://deb.debian.org/debian/}"
 }
 
 # locked NAME COMMAND…: one caller at a time in this work tree, which must be one to write to.

@@ -279,7 +279,7 @@ ExitStatus check(const CheckArguments& request, const CommandLine& line) {
 
 /// What is compared, and under which conditions.
 void declare_subject(const CommandLine& line, CheckArguments& request) {
-    line.add_arguments(help::file_name, request.files, help::files());
+    line.add_arguments(help::file_name, request.files, help::files()).names_file({".grafcet"});
     std::vector<std::string_view> styles;
     for (const StyleRow& row : style_table) styles.push_back(row.name);
     styles.push_back("all");
@@ -288,9 +288,10 @@ void declare_subject(const CommandLine& line, CheckArguments& request) {
         .shows_default();
     request.netlist.declare_equations(line);
     request.netlist.declare_delay(line);
-    line.add("--against", request.against, help::check_against());
+    line.add("--against", request.against, help::check_against())
+        .names_file({".blif", ".json", ".awl", ".xml"});
     line.add("--program", request.program, help::check_program());
-    line.add("--io", request.io, help::check_io());
+    line.add("--io", request.io, help::check_io()).names_file({".io"});
     line.add("--changes", request.changes, help::changes()).one_of({"one", "many"});
     line.add("--power-up", request.power_up, help::power_up()).one_of({"unknown", "initial"});
     line.add("--scan", request.scan, help::check_scan());
@@ -298,10 +299,10 @@ void declare_subject(const CommandLine& line, CheckArguments& request) {
 }
 
 /// What is written, and when the check gives up.
-void declare_report(const CommandLine& line, CheckArguments& request) {
+void declare_results(const CommandLine& line, CheckArguments& request) {
     line.add("--to", request.format, help::check_to()).one_of_names(report_forms()).shows_default();
-    line.add("-o", request.output, help::check_output());
-    line.add("--witness", request.witness, help::witness());
+    line.add("-o", request.output, help::check_output()).names_file({});
+    line.add("--witness", request.witness, help::witness()).names_folder();
     line.add_flag("--tolerance", request.tolerance, help::tolerance());
     line.add_flag("--pulses", request.pulses, help::pulses());
     line.add("--assume", request.assumptions, help::assume());
@@ -319,7 +320,7 @@ void declare_report(const CommandLine& line, CheckArguments& request) {
 Task declare_check(const CommandLine& line) {
     const auto request = std::make_shared<CheckArguments>();
     declare_subject(line, *request);
-    declare_report(line, *request);
+    declare_results(line, *request);
     return [request, line] { return check(*request, line); };
 }
 

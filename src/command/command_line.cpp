@@ -35,16 +35,53 @@ std::string label(const Message<>& heading, Language language) {
     return text;
 }
 
-/// The kind of value as help shows it.
-AddedOption text_option(CLI::Option* option, Language language) {
-    option->type_name(help::text.in(language));
-    return {option, language};
+/// The names of an option as CLI11 takes them: `-h,--help`.
+std::vector<std::string> names_in(std::string_view names) {
+    std::vector<std::string> result;
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        result.emplace_back(names.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return result;
+}
+
+/// Every command has it.
+constexpr const char* help_names = "-h,--help";
+OptionDescription help_option(Language language) {
+    return {names_in(help_names), "", help::help.in(language)};
+}
+
+/// Shows the kind of value in help. `described` is complete but for what an AddedOption adds.
+AddedOption typed_option(CLI::Option* option, const Message<>& type, OptionDescription& described,
+                         Language language) {
+    const std::string name = type.in(language);
+    option->type_name(name);
+    if (described.value.empty()) described.value = name;
+    return {option, described, language};
 }
 
 }  // namespace
 
 AddedOption AddedOption::required() const {
     option_->required();
+    description_->is_required = true;
+    return *this;
+}
+
+AddedOption AddedOption::names_file(std::vector<std::string> extensions) const {
+    description_->kind = ValueKind::file;
+    description_->extensions = std::move(extensions);
+    return *this;
+}
+
+AddedOption AddedOption::names_folder() const {
+    description_->kind = ValueKind::folder;
+    return *this;
+}
+
+AddedOption AddedOption::offers(std::vector<std::string> words) const {
+    description_->values = std::move(words);
     return *this;
 }
 
@@ -62,38 +99,54 @@ AddedOption AddedOption::one_that(const std::function<bool(std::string_view)>& p
         return passes(text) ? std::string() : say::not_one_of.in(language, text, set);
     };
     option_->check(check, set);
-    return *this;
+    return offers({words.begin(), words.end()});
 }
 
 AddedOption AddedOption::shows_default() const {
     option_->capture_default_str();
+    description_->default_value = option_->get_default_str();
     return *this;
 }
 
-void CommandLine::add_argument(const Message<>& name, std::string& target,
-                               const Localized& text) const {
-    const std::string shown = name.in(language_);
-    text_option(app_.add_option(shown, target, text.in(language_)), language_).required();
+AddedOption CommandLine::add_argument(const Message<>& name, std::string& target,
+                                      const Localized& text) const {
+    return add_optional_argument(name, target, text).required();
 }
 
-void CommandLine::add_optional_argument(const Message<>& name, std::string& target,
-                                        const Localized& text) const {
-    text_option(app_.add_option(name.in(language_), target, text.in(language_)), language_);
+AddedOption CommandLine::add_optional_argument(const Message<>& name, std::string& target,
+                                               const Localized& text) const {
+    const std::string shown = name.in(language_);
+    description_.arguments.push_back({{}, shown, text.in(language_)});
+    return typed_option(app_.add_option(shown, target, text.in(language_)), help::text,
+                        description_.arguments.back(), language_);
 }
 
-void CommandLine::add_arguments(const Message<>& name, std::vector<std::string>& targets,
-                                const Localized& text) const {
+AddedOption CommandLine::add_arguments(const Message<>& name, std::vector<std::string>& targets,
+                                       const Localized& text) const {
     const std::string shown = name.in(language_);
-    text_option(app_.add_option(shown, targets, text.in(language_)), language_).required();
+    description_.arguments.push_back({{}, shown, text.in(language_)});
+    description_.arguments.back().may_be_repeated = true;
+    return typed_option(app_.add_option(shown, targets, text.in(language_)), help::text,
+                        description_.arguments.back(), language_)
+        .required();
+}
+
+OptionDescription& CommandLine::described(std::string_view names, const Localized& text) const {
+    return description_.options.emplace_back(
+        OptionDescription{names_in(names), "", text.in(language_)});
 }
 
 AddedOption CommandLine::add(const char* name, std::string& target, const Localized& text) const {
-    return text_option(app_.add_option(name, target, text.in(language_)), language_);
+    return typed_option(app_.add_option(name, target, text.in(language_)), help::text,
+                        described(name, text), language_);
 }
 
 AddedOption CommandLine::add(const char* name, std::vector<std::string>& target,
                              const Localized& text) const {
-    return text_option(app_.add_option(name, target, text.in(language_)), language_);
+    OptionDescription& description = described(name, text);
+    description.may_be_repeated = true;
+    return typed_option(app_.add_option(name, target, text.in(language_)), help::text, description,
+                        language_);
 }
 
 AddedOption CommandLine::add(const char* name, std::uint64_t& target, const Localized& text) const {
@@ -105,9 +158,8 @@ AddedOption CommandLine::add(const char* name, std::uint64_t& target, const Loca
         return say::no_whole_number.in(language, word);
     };
     CLI::Option* option = app_.add_option(name, target, text.in(language_));
-    option->type_name(help::whole.in(language_));
     option->check(check, help::of_64_bits.in(language_));
-    return {option, language_};
+    return typed_option(option, help::whole, described(name, text), language_);
 }
 
 AddedOption CommandLine::add(const char* name, double& target, const Localized& text) const {
@@ -117,13 +169,13 @@ AddedOption CommandLine::add(const char* name, double& target, const Localized& 
         return say::no_number.in(language, word);
     };
     CLI::Option* option = app_.add_option(name, target, text.in(language_));
-    option->type_name(help::number.in(language_));
     option->check(check, help::not_negative.in(language_));
-    return {option, language_};
+    return typed_option(option, help::number, described(name, text), language_);
 }
 
 void CommandLine::add_flag(const char* name, bool& target, const Localized& text) const {
     app_.add_flag(name, target, text.in(language_));
+    described(name, text);
 }
 
 void CommandLine::add_strict() const {
@@ -137,7 +189,12 @@ CommandLine CommandLine::add_command(const std::string& name, const Localized& t
     command->group(label(help::commands, language_));
     command->get_help_ptr()->group(label(help::options, language_));
     command->footer(help::example.in(language_, example));
-    return {*command, language_};
+    CommandDescription& described = description_.commands.emplace_back();
+    described.name = name;
+    described.summary = text.in(language_);
+    described.example = example;
+    described.options.push_back(help_option(language_));
+    return {*command, described, language_};
 }
 
 bool CommandLine::has(std::string_view option) const {
@@ -286,15 +343,43 @@ Localized request_error(const CLI::App& app, const CLI::ParseError& error) {
 // The whole.
 
 /// The words of CLI11 itself.
-void translate(CLI::App& app, Language language) {
+void translate(CLI::App& app, CommandDescription& description, Language language) {
+    constexpr const char* version_name = "--version";
     app.option_defaults()->group(label(help::options, language));
-    app.set_help_flag("-h,--help", help::help.in(language));
-    app.set_version_flag("--version", fmt::format("grafwire {}", version()),
-                         help::version.in(language));
+    app.set_help_flag(help_names, help::help.in(language));
+    app.set_version_flag(version_name, program_and_version(), help::version.in(language));
+    description.options.push_back(help_option(language));
+    description.options.push_back({{version_name}, "", help::version.in(language)});
     const auto formatter = app.get_formatter();
     for (const Message<>& heading :
          {help::usage, help::a_command, help::positionals, help::required}) {
         formatter->label(label(heading, Language::english), label(heading, language));
+    }
+}
+
+/// Declares all that may be written; `chosen` becomes the action of the command that was.
+void declare(CLI::App& app, CommandDescription& description, std::span<const Command> commands,
+             Task& chosen, Language language) {
+    description.name = "grafwire";
+    description.summary = help::program.in(language);
+    translate(app, description, language);
+    app.footer(help::exit_statuses.in(language, help::statuses[0](), help::statuses[1](),
+                                      help::statuses[2](), help::statuses[3]()));
+    // language_asked_for() has read it; here it is checked, each time that it stands there.
+    constexpr const char* lang_name = "--lang";
+    CLI::Option* lang = app.add_option_function<std::string>(
+        lang_name, [](const std::string&) {}, help::language.in(language));
+    description.options.push_back({{lang_name}, "", help::language.in(language)});
+    typed_option(lang, help::text, description.options.back(), language).one_of({"en", "fr"});
+    lang->trigger_on_parse();
+    app.fallthrough();
+
+    const CommandLine line(app, description, language);
+    for (const Command& command : commands) {
+        const std::string name(command.name);
+        const Task action = command.declare(
+            line.add_command(name, command.summary(), std::string(command.example)));
+        app.get_subcommand(name)->final_callback([&chosen, action] { chosen = action; });
     }
 }
 
@@ -304,23 +389,9 @@ ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command
                                   Language language) {
     ReadCommandLine read;
     read.app = std::make_shared<CLI::App>(help::program.in(language), "grafwire");
+    read.description = std::make_shared<CommandDescription>();
     CLI::App& app = *read.app;
-    translate(app, language);
-    app.footer(help::exit_statuses.in(language));
-    // language_asked_for() has read it; here it is checked, each time that it stands there.
-    CLI::Option* lang = app.add_option_function<std::string>(
-        "--lang", [](const std::string&) {}, help::language.in(language));
-    text_option(lang, language).one_of({"en", "fr"});
-    lang->trigger_on_parse();
-    app.fallthrough();
-
-    const CommandLine line(app, language);
-    for (const Command& command : commands) {
-        const std::string name(command.name);
-        const Task action = command.declare(
-            line.add_command(name, command.summary(), std::string(command.example)));
-        app.get_subcommand(name)->final_callback([&read, action] { read.action = action; });
-    }
+    declare(app, *read.description, commands, read.action, language);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -334,6 +405,14 @@ ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command
         }
     }
     return read;
+}
+
+CommandDescription describe_program(std::span<const Command> commands, Language language) {
+    CLI::App app;
+    CommandDescription description;
+    Task chosen;
+    declare(app, description, commands, chosen, language);
+    return description;
 }
 
 }  // namespace grafwire

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command/description.h"
 #include "command/help.h"
 #include "text/message.h"
 
@@ -43,9 +44,21 @@ using Task = std::function<ExitStatus()>;
 /// An option, or an argument without a name, that has just been added to a command line.
 class AddedOption {
   public:
-    AddedOption(CLI::Option* option, Language language) : option_(option), language_(language) {}
+    AddedOption(CLI::Option* option, OptionDescription& description, Language language)
+        : option_(option), description_(&description), language_(language) {}
 
     AddedOption required() const;
+    /// Its value is the name of a file, which should end with one of these; none: of any file.
+    AddedOption names_file(std::vector<std::string> extensions) const;
+    /// Its value is the name of a folder.
+    AddedOption names_folder() const;
+    /// Its value is one of the names in a table, which the command looks up itself.
+    template <typename Rows>
+    AddedOption names_row(const Rows& rows) const {
+        std::vector<std::string> names;
+        for (const auto& row : rows) names.emplace_back(row.name);
+        return offers(std::move(names));
+    }
     AddedOption one_of(const std::vector<std::string>& values) const;
     /// One of the names in a table.
     template <typename Rows>
@@ -61,28 +74,33 @@ class AddedOption {
     AddedOption shows_default() const;
 
   private:
+    AddedOption offers(std::vector<std::string> words) const;
+
     CLI::Option* option_;
+    OptionDescription* description_;
     Language language_;
 };
 
 /// What may be written after a command. CLI11 reads it; the commands only see this, for that
-/// library takes long to compile wherever it is included.
+/// library takes long to compile wherever it is included. All that is added is described as well.
 class CommandLine {
   public:
-    CommandLine(CLI::App& app, Language language) : app_(app), language_(language) {}
+    CommandLine(CLI::App& app, CommandDescription& description, Language language)
+        : app_(app), description_(description), language_(language) {}
 
     /// What help, messages and reports are in.
     Language language() const { return language_; }
 
     /// An argument `FILE`, which must be written: what is written there goes into the target, which
     /// must live until the command line has been read.
-    void add_argument(const Message<>& name, std::string& target, const Localized& help) const;
+    AddedOption add_argument(const Message<>& name, std::string& target,
+                             const Localized& help) const;
     /// The same, which may be left out.
-    void add_optional_argument(const Message<>& name, std::string& target,
-                               const Localized& help) const;
+    AddedOption add_optional_argument(const Message<>& name, std::string& target,
+                                      const Localized& help) const;
     /// One `FILE` or several.
-    void add_arguments(const Message<>& name, std::vector<std::string>& targets,
-                       const Localized& help) const;
+    AddedOption add_arguments(const Message<>& name, std::vector<std::string>& targets,
+                              const Localized& help) const;
     /// An option `--scan`, likewise.
     AddedOption add(const char* name, std::string& target, const Localized& help) const;
     /// An option that may be repeated.
@@ -106,7 +124,10 @@ class CommandLine {
     bool has(std::string_view option) const;
 
   private:
+    OptionDescription& described(std::string_view names, const Localized& help) const;
+
     CLI::App& app_;
+    CommandDescription& description_;
     Language language_;
 };
 
@@ -149,6 +170,7 @@ struct ReadCommandLine {
     std::optional<Localized> problem;  ///< what is wrong, with a suggestion and where to find help
     /// What the action asks whether options were written.
     std::shared_ptr<CLI::App> app;
+    std::shared_ptr<CommandDescription> description;
 };
 
 /// What `--lang` says, wherever it stands; else `other`. It is looked up before the command line is

@@ -68,17 +68,19 @@ ExitStatus draw(const DrawArguments& request, const CommandLine& line) {
 
 Task declare_draw(const CommandLine& line) {
     const auto request = std::make_shared<DrawArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
-    line.add_optional_argument(help::stim_name, request->stimuli, help::draw_stim());
+    line.add_argument(help::file_name, request->path, help::file()).names_file({".grafcet"});
+    line.add_optional_argument(help::stim_name, request->stimuli, help::draw_stim())
+        .names_file({".stim"});
     line.add("--at", request->at, help::draw_at());
     line.add("--to", request->format, with_rows(help::draw_to(), drawing_formats()))
+        .names_row(drawing_formats())
         .shows_default();
     line.add("--notation", request->notation, help::notation())
         .one_of_names(notation_table)
         .shows_default();
     line.add("--paper", request->paper, help::paper()).one_of_names(papers).shows_default();
     line.add_flag("--standalone", request->standalone, help::standalone());
-    line.add("-o", request->output, help::output());
+    line.add("-o", request->output, help::output()).names_file({});
     line.add_strict();
     return [request, line] { return draw(*request, line); };
 }

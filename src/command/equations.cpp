@@ -66,7 +66,7 @@ ExitStatus write(const EquationsArguments& request, const EquationFormatRow& for
 
 Task declare_equations(const CommandLine& line) {
     const auto request = std::make_shared<EquationsArguments>();
-    line.add_arguments(help::file_name, request->files, help::files());
+    line.add_arguments(help::file_name, request->files, help::files()).names_file({".grafcet"});
     line.add("--cdx", request->cdx, help::cdx()).one_of_names(cdx_table).shows_default();
     line.add("--modes", request->modes, help::modes()).one_of({"on", "off"}).shows_default();
     line.add("--to", request->format, help::equations_to())
@@ -74,7 +74,7 @@ Task declare_equations(const CommandLine& line) {
         .shows_default();
     line.add_flag("--karnaugh", request->karnaugh, help::karnaugh());
     line.add_flag("--standalone", request->standalone, help::whole_report());
-    line.add("-o", request->output, help::outputs());
+    line.add("-o", request->output, help::outputs()).names_file({});
     line.add_strict();
     return [request, line] {
         const EquationFormatRow& format = *row_named(equation_format_table, request->format);

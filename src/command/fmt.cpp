@@ -86,7 +86,7 @@ ExitStatus format_files(const FmtArguments& request, const ChartFiles& charts, L
 
 Task declare_fmt(const CommandLine& line) {
     const auto request = std::make_shared<FmtArguments>();
-    line.add_arguments(help::file_name, request->files, help::fmt_files());
+    line.add_arguments(help::file_name, request->files, help::fmt_files()).names_file({".grafcet"});
     line.add_flag("-i", request->in_place, help::in_place());
     line.add_flag("--check", request->check, help::fmt_check());
     return [request, language = line.language()] {

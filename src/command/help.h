@@ -12,11 +12,18 @@ namespace grafwire::messages::help {
 inline constexpr Message<> program{
     "From a GRAFCET (IEC 60848) to wiring, and a proof that the wiring is right.",
     "D'un GRAFCET (CEI 60848) au câblage, avec la preuve que le câblage est juste."};
-inline constexpr Message<> exit_statuses{
-    "Exit status: 0 done or equivalent; 1 the answer is no; 2 wrong request or input; 3 "
-    "undecided.\n'grafwire COMMAND --help' shows the options of a command.",
-    "Code de retour : 0 fait ou équivalent ; 1 la réponse est non ; 2 demande ou entrée erronée ; "
-    "3 indécis.\n« grafwire COMMANDE --help » montre les options d'une commande."};
+/// What the exit statuses say, from 0 on.
+inline constexpr Message<> statuses[] = {
+    {"done or equivalent", "fait ou équivalent"},
+    {"the answer is no", "la réponse est non"},
+    {"wrong request or input", "demande ou entrée erronée"},
+    {"undecided", "indécis"},
+};
+inline constexpr Message<Localized, Localized, Localized, Localized> exit_statuses{
+    "Exit status: 0 {}; 1 {}; 2 {}; 3 {}.\n'grafwire COMMAND --help' shows the options of a "
+    "command.",
+    "Code de retour : 0 {} ; 1 {} ; 2 {} ; 3 {}.\n« grafwire COMMANDE --help » montre les options "
+    "d'une commande."};
 inline constexpr Message<std::string_view> example{"Example: {}", "Exemple : {}"};
 /// A row of the table of styles, formats or languages, below the option that takes its name.
 inline constexpr Message<std::string_view, Localized> row{"{}: {}", "{} : {}"};

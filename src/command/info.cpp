@@ -62,9 +62,9 @@ ExitStatus write_log(const InfoArguments& request, const CommandLine& line) {
 
 Task declare_info(const CommandLine& line) {
     const auto request = std::make_shared<InfoArguments>();
-    line.add_arguments(help::file_name, request->files, help::files());
+    line.add_arguments(help::file_name, request->files, help::files()).names_file({".grafcet"});
     line.add("--to", request->format, help::info_to()).one_of({"text", "sarif"}).shows_default();
-    line.add("-o", request->output, help::info_output());
+    line.add("-o", request->output, help::info_output()).names_file({});
     line.add_strict();
     return [request, line] {
         return request->format == "sarif" ? write_log(*request, line) : describe(*request, line);

@@ -210,8 +210,8 @@ std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& re
 }
 
 void TraceOutput::declare(const CommandLine& line) {
-    line.add("-o", csv, help::trace());
-    line.add("--vcd", vcd, help::waveform());
+    line.add("-o", csv, help::trace()).names_file({});
+    line.add("--vcd", vcd, help::waveform()).names_file({".vcd", ".fst"});
 }
 
 namespace {
@@ -231,7 +231,9 @@ bool TraceOutput::is_refused() const {
 }
 
 void TraceOutput::declare_format(const CommandLine& line) {
-    line.add("--to", format, with_rows(help::trace_to(), trace_formats())).shows_default();
+    line.add("--to", format, with_rows(help::trace_to(), trace_formats()))
+        .names_row(trace_formats())
+        .shows_default();
 }
 
 ChosenFormat TraceOutput::chosen() const {

@@ -141,10 +141,12 @@ ExitStatus write(const NetlistArguments& request, const NetlistTarget& target, T
 
 Task declare_netlist(const CommandLine& line) {
     const auto request = std::make_shared<NetlistArguments>();
-    line.add_arguments(help::file_name, request->files, help::files());
+    line.add_arguments(help::file_name, request->files, help::files()).names_file({".grafcet"});
     request->netlist.declare(line, true);
-    line.add("--to", request->format, with_rows(help::netlist_to(), netlist_targets())).required();
-    line.add("--stim", request->stimuli, help::netlist_stim());
+    line.add("--to", request->format, with_rows(help::netlist_to(), netlist_targets()))
+        .names_row(netlist_targets())
+        .required();
+    line.add("--stim", request->stimuli, help::netlist_stim()).names_file({".stim"});
     line.add_flag("--bench", request->bench, help::bench());
     line.add("--scan", request->scan, help::netlist_scan()).shows_default();
     line.add("--at", request->at, help::netlist_at());
@@ -153,7 +155,7 @@ Task declare_netlist(const CommandLine& line) {
         .shows_default();
     line.add("--paper", request->paper, help::netlist_paper()).one_of_names(papers).shows_default();
     line.add_flag("--standalone", request->standalone, help::standalone());
-    line.add("-o", request->output, help::outputs());
+    line.add("-o", request->output, help::outputs()).names_file({});
     line.add_strict();
     return [request, line] {
         const NetlistTarget* target = format_named(netlist_targets(), request->format);

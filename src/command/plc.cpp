@@ -109,11 +109,13 @@ ExitStatus write(const PlcArguments& request, const PlcFormat& format, const Com
 
 Task declare_plc(const CommandLine& line) {
     const auto request = std::make_shared<PlcArguments>();
-    line.add_arguments(help::file_name, request->files, help::files());
-    line.add("--to", request->format, with_rows(help::plc_to(), plc_formats())).required();
+    line.add_arguments(help::file_name, request->files, help::files()).names_file({".grafcet"});
+    line.add("--to", request->format, with_rows(help::plc_to(), plc_formats()))
+        .names_row(plc_formats())
+        .required();
     line.add("--modes", request->modes, help::plc_modes()).one_of({"on", "off"}).shows_default();
-    line.add("--io", request->io, help::plc_io());
-    line.add("--addresses", request->addresses, help::addresses());
+    line.add("--io", request->io, help::plc_io()).names_file({".io"});
+    line.add("--addresses", request->addresses, help::addresses()).names_file({".io"});
     line.add("--mnemonics", request->mnemonics, help::mnemonics())
         .one_of({"simatic", "iec", "en"})
         .shows_default();
@@ -123,7 +125,7 @@ Task declare_plc(const CommandLine& line) {
         .shows_default();
     line.add("--cpu", request->cpu, help::plc_cpu()).one_of(cpu_numbers());
     line.add_flag("--pull-up", request->pull_up, help::pull_up());
-    line.add("-o", request->output, help::outputs());
+    line.add("-o", request->output, help::outputs()).names_file({});
     line.add_strict();
     return [request, line] {
         const PlcFormat* format = format_named(plc_formats(), request->format);

@@ -79,8 +79,9 @@ ExitStatus write_page(const ReportArguments& request, const CommandLine& line) {
 
 Task declare_report(const CommandLine& line) {
     const auto request = std::make_shared<ReportArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
-    line.add_optional_argument(help::stim_name, request->stimuli, help::report_stim());
+    line.add_argument(help::file_name, request->path, help::file()).names_file({".grafcet"});
+    line.add_optional_argument(help::stim_name, request->stimuli, help::report_stim())
+        .names_file({".stim"});
     line.add("--style", request->style, help::report_style())
         .one_of_names(style_table)
         .shows_default();
@@ -92,7 +93,7 @@ Task declare_report(const CommandLine& line) {
     line.add("--max-cases", request->max_cases, help::report_max_cases());
     line.add("--max-seconds", request->max_seconds, help::report_max_seconds());
     line.add("--max-memory", request->max_memory, help::max_memory());
-    line.add("-o", request->output, help::report_output());
+    line.add("-o", request->output, help::report_output()).names_file({});
     line.add_strict();
     return [request, line] { return write_page(*request, line); };
 }

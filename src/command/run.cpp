@@ -92,8 +92,9 @@ ExitStatus run(const RunArguments& request, const CommandLine& line) {
 
 Task declare_run(const CommandLine& line) {
     const auto request = std::make_shared<RunArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
-    line.add_optional_argument(help::stim_name, request->stimuli, help::run_stim());
+    line.add_argument(help::file_name, request->path, help::file()).names_file({".grafcet"});
+    line.add_optional_argument(help::stim_name, request->stimuli, help::run_stim())
+        .names_file({".stim"});
     line.add("--scan", request->scan, help::run_scan());
     line.add_flag("--explain", request->explain, help::run_explain());
     request->output.declare(line);

@@ -97,12 +97,12 @@ Task declare_s7(const CommandLine& line) {
         "run", help::s7_run(),
         "grafwire s7 run examples/s7-200/manipulator.awl --stim examples/manipulator.stim "
         "--scan 10ms --io examples/s7-200/manipulator.io");
-    run.add_argument(help::listing_name, request->listing, help::listing());
-    run.add("--stim", request->stimuli, help::s7_stim()).required();
+    run.add_argument(help::listing_name, request->listing, help::listing()).names_file({".awl"});
+    run.add("--stim", request->stimuli, help::s7_stim()).names_file({".stim"}).required();
     run.add("--scan", request->scan, help::s7_scan()).required();
-    run.add("--io", request->io, help::s7_io());
+    run.add("--io", request->io, help::s7_io()).names_file({".io"});
     run.add("--cpu", request->cpu, help::s7_cpu()).one_of(cpu_numbers()).shows_default();
-    run.add("--grafcet", request->grafcet, help::s7_grafcet());
+    run.add("--grafcet", request->grafcet, help::s7_grafcet()).names_file({".grafcet"});
     request->output.declare(run);
     return [request, language = line.language()] { return run_listing(*request, language); };
 }

@@ -211,13 +211,14 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
 
 Task declare_simulate(const CommandLine& line) {
     const auto request = std::make_shared<SimulateArguments>();
-    line.add_argument(help::file_name, request->path, help::file());
-    line.add_argument(help::stim_name, request->stimuli, help::stim());
+    line.add_argument(help::file_name, request->path, help::file()).names_file({".grafcet"});
+    line.add_argument(help::stim_name, request->stimuli, help::stim()).names_file({".stim"});
     request->netlist.declare(line, false);
-    line.add("--against", request->against, help::simulate_against());
+    line.add("--against", request->against, help::simulate_against())
+        .names_file({".blif", ".json"});
     line.add("--power-up", request->power_up, help::power_up()).one_of({"unknown", "initial"});
     request->netlist.declare_delay(line);
-    line.add("--delays", request->delays, help::simulate_delays());
+    line.add("--delays", request->delays, help::simulate_delays()).names_file({".delays"});
     line.add("--scan", request->scan, help::simulate_scan());
     line.add_flag("--explain", request->explain, help::simulate_explain());
     line.add("--zoom", request->zoom, help::simulate_zoom());

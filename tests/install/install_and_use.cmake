@@ -34,7 +34,11 @@ endfunction()
 file(REMOVE_RECURSE ${SCRATCH}/prefix ${SCRATCH}/build)
 run(0 ${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
 expect_file(bin/grafwire)
-expect_file(share/doc/grafwire/report.schema.json)
+foreach(file bash-completion/completions/grafwire fish/vendor_completions.d/grafwire.fish
+             zsh/site-functions/_grafwire man/man1/grafwire.1 man/fr/man1/grafwire-check.1
+             doc/grafwire/copyright doc/grafwire/examples/rule-5.grafcet doc/grafwire/report.schema.json)
+  expect_file(share/${file})
+endforeach()
 file(GLOB headers RELATIVE ${SCRATCH}/prefix/include ${SCRATCH}/prefix/include/*
   ${SCRATCH}/prefix/include/grafwire/*)
 set(public check equations grafwire netlist read simulate version write)
