@@ -180,6 +180,7 @@ void CommandLine::add_flag(const char* name, bool& target, const Localized& text
 
 void CommandLine::add_strict() const {
     app_.add_flag("--strict")->description(help::strict.in(language_));
+    described("--strict", help::strict());
 }
 
 CommandLine CommandLine::add_command(const std::string& name, const Localized& text,

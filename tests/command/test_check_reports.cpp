@@ -84,7 +84,7 @@ bool is_well_formed(const std::string& text) {
         if (end == std::string::npos) return false;
         const std::string tag = text.substr(at + 1, end - at - 1);
         at = end + 1;
-        if (tag[0] == '?') continue;
+        if (tag[0] == '?' || (tag.starts_with("!--") && tag.ends_with("--"))) continue;
         if (tag[0] == '/') {
             if (open.empty() || open.back() != tag.substr(1)) return false;
             open.pop_back();
@@ -120,7 +120,8 @@ std::string junit(std::vector<std::string> arguments, int status) {
     CHECK(ran.err.empty());
     INFO("report: " << ran.out);
     CHECK(is_well_formed(ran.out));
-    CHECK(ran.out.rfind("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite", 0) == 0);
+    CHECK(ran.out.rfind("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- grafwire ", 0) == 0);
+    CHECK(contains(ran.out, " -->\n<testsuite "));
     CHECK(contains(ran.out, " tests=\"1\""));
     return ran.out;
 }
