@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "check/exploration.h"
@@ -9,12 +10,23 @@
 #include "check/path.h"
 #include "check/reference_case.h"
 #include "check/running_delays.h"
-#include "check/state_space.h"
 #include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
+#include "simulate/simulator.h"
 #include "text/keep_going.h"
 
 namespace grafwire {
+
+/// A state of the reference together with the settled state of the netlist that came with it: at
+/// the end of an instant, or of a scan.
+struct ProductState {
+    EvolutionState reference;
+    SimulatorState netlist;
+    PartialInputs inputs;
+    RunningDelays delays;
+    /// Everything that decides how the pair goes on, except what remains of its delays.
+    std::string encoding;
+};
 
 /// An instant or scan after a product state, under inputs that both sides have looked at.
 struct ExpandedCase {

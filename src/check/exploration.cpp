@@ -190,12 +190,14 @@ void Exploration::expand(const Node* node) {
 void Exploration::expand_first() {
     const Node node = std::move(waiting_.front());
     waiting_.pop_front();
-    if (!visited_.is_covered(node.state)) expand(&node);
+    if (!visited_.is_covered(node.state.encoding, node.state.delays.zone())) expand(&node);
 }
 
 void Exploration::expand_together() {
     const NodeSteps<Node, StoredCase> steps{
-        [this](const Node& node) { return visited_.is_covered(node.state); },
+        [this](const Node& node) {
+            return visited_.is_covered(node.state.encoding, node.state.delays.zone());
+        },
         [this](const Node& node, std::size_t worker,
                const std::function<bool(StoredCase &&)>& hand_over) {
             return expanders_[worker]->expand(&node.state, [&](ExpandedCase&& found) {
@@ -279,14 +281,14 @@ void Exploration::add_successor(const Node* node, const RunningDelays::Ending& e
                                 SimulatorState&& netlist_state) {
     ProductState next{expected.state, std::move(netlist_state), step.inputs, {}, {}};
     const RunningDelays& before = node == nullptr ? RunningDelays(facts_) : node->state.delays;
-    next.delays =
-        before.after(facts_, ending.zone, next.reference, next.netlist, predecessors_.next());
+    next.delays = before.after(facts_, ending.zone, next.reference.due, next.netlist.due,
+                               predecessors_.next());
     encode(next);
-    if (!visited_.add(next)) return;
+    if (!visited_.add(next.encoding, next.delays.zone())) return;
     abstract_unread_inputs(next);
     if (next.inputs != step.inputs) {
         encode(next);
-        if (!visited_.add(next)) return;
+        if (!visited_.add(next.encoding, next.delays.zone())) return;
     }
     coverage_.record_situation(next.reference.situation);
     const std::uint32_t number = predecessors_.next();

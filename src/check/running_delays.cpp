@@ -85,12 +85,12 @@ std::uint32_t RunningDelays::add(RunningDelays& next, std::vector<Zone::Origin>&
 }
 
 RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_instant,
-                                   EvolutionState& reference, SimulatorState& netlist,
-                                   std::size_t instant) const {
+                                   std::vector<Time>& due_of_conditions,
+                                   std::vector<Time>& due_of_timers, std::size_t instant) const {
     RunningDelays next(facts);
     std::vector<Zone::Origin> origins;
     for (std::size_t k = 0; k < of_condition_.size(); ++k) {
-        Time& due = reference.due[k];
+        Time& due = due_of_conditions[k];
         if (facts.is_relevant_condition[k] == 0) due = never;
         if (due == never) continue;
         const Zone::Origin origin = origin_of(of_condition_[k], due, facts.quantum);
@@ -98,7 +98,7 @@ RunningDelays RunningDelays::after(const DelayFacts& facts, const Zone& at_insta
         due = some_time;
     }
     for (std::size_t i = 0; i < of_timer_.size(); ++i) {
-        Time& due = netlist.due[i];
+        Time& due = due_of_timers[i];
         if (facts.is_relevant_timer[i] == 0) due = never;
         if (due == never) continue;
         const Zone::Origin origin = origin_of(of_timer_[i], due, facts.quantum);

@@ -7,9 +7,7 @@
 
 #include "check/path.h"
 #include "check/zone.h"
-#include "evolution/evolution.h"
 #include "grafcet/grafcet.h"
-#include "simulate/simulator.h"
 
 namespace grafwire {
 
@@ -64,12 +62,13 @@ class RunningDelays {
     /// the one before. `visit` says whether to go on.
     void for_each_ending(const std::function<bool(const Ending&)>& visit) const;
 
-    /// The delays after an instant. `at_instant` is the zone at it; both states are as the instant
-    /// left them, `due` being `some_time` for a delay that goes on and the length of one that began
-    /// at it. They get `some_time` for these too, and `never` for delays on which nothing depends.
-    /// `instant` is the number of the instant.
-    RunningDelays after(const DelayFacts& facts, const Zone& at_instant, EvolutionState& reference,
-                        SimulatorState& netlist, std::size_t instant) const;
+    /// The delays after an instant. `at_instant` is the zone at it; the times at which time
+    /// conditions and timers are due are as the instant left them, `some_time` for a delay that
+    /// goes on and the length of one that began at it. They get `some_time` for these too, and
+    /// `never` for delays on which nothing depends. `instant` is the number of the instant.
+    RunningDelays after(const DelayFacts& facts, const Zone& at_instant,
+                        std::vector<Time>& due_of_conditions, std::vector<Time>& due_of_timers,
+                        std::size_t instant) const;
 
     /// Appends to an encoding what is not in the zone: which delays run, and which share a place.
     void encode(std::string& encoding) const;

@@ -34,9 +34,8 @@ bool agree(const PartialInputs& inputs, const PartialInputs& wanted) {
 
 }  // namespace
 
-bool VisitedStates::add(const ProductState& state) {
-    const Zone& zone = state.delays.zone();
-    std::vector<Zone>& zones = zones_[state.encoding];
+bool VisitedStates::add(const std::string& encoding, const Zone& zone) {
+    std::vector<Zone>& zones = zones_[encoding];
     for (const Zone& seen : zones) {
         if (seen.includes(zone)) return false;
     }
@@ -45,9 +44,9 @@ bool VisitedStates::add(const ProductState& state) {
     return true;
 }
 
-bool VisitedStates::is_covered(const ProductState& state) const {
-    const std::vector<Zone>& zones = zones_.at(state.encoding);
-    return std::find(zones.begin(), zones.end(), state.delays.zone()) == zones.end();
+bool VisitedStates::is_covered(const std::string& encoding, const Zone& zone) const {
+    const std::vector<Zone>& zones = zones_.at(encoding);
+    return std::find(zones.begin(), zones.end(), zone) == zones.end();
 }
 
 /// What a later step needs of the inputs that are unassigned all through a step, assigned before it

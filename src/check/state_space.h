@@ -8,31 +8,19 @@
 
 #include "check/partial_inputs.h"
 #include "check/path.h"
-#include "check/running_delays.h"
-#include "evolution/evolution.h"
-#include "simulate/simulator.h"
+#include "check/zone.h"
 
 namespace grafwire {
 
-/// A state of the reference together with the settled state of the netlist that came with it: at
-/// the end of an instant, or of a scan.
-struct ProductState {
-    EvolutionState reference;
-    SimulatorState netlist;
-    PartialInputs inputs;
-    RunningDelays delays;
-    /// Everything that decides how the pair goes on, except what remains of its delays.
-    std::string encoding;
-};
-
-/// The product states that an exploration has reached.
+/// The states that an exploration has reached: each an encoding of everything that decides how it
+/// goes on, except what can remain of its delays, and that as a zone.
 class VisitedStates {
   public:
     /// Notes a state; false where it has been reached before, with all that can remain of its
     /// delays now.
-    bool add(const ProductState& state);
+    bool add(const std::string& encoding, const Zone& zone);
     /// Whether a state that was added has since been reached with more that can remain.
-    bool is_covered(const ProductState& state) const;
+    bool is_covered(const std::string& encoding, const Zone& zone) const;
 
   private:
     std::unordered_map<std::string, std::vector<Zone>> zones_;  ///< none includes another
