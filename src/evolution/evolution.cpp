@@ -49,10 +49,13 @@ void update_edges(const ScanContext& scan, bool at_start) {
 }
 
 /// SBR 3 for the transitions that are enabled in `Tp`: those that are cleared, in no order.
-void list_cleared(const ScanContext& scan, ClearedList& cleared) {
+/// `may_clear`: as of EvolutionInputs.
+void list_cleared(const ScanContext& scan, const std::vector<std::uint8_t>* may_clear,
+                  ClearedList& cleared) {
     const Grafcet& grafcet = scan.grafcet;
     const BitTable& before = scan.state.previous;
     const auto consider = [&](TransitionId id) {
+        if (may_clear != nullptr && (*may_clear)[index_of(id)] == 0) return;
         const Transition& transition = grafcet.transitions[id];
         if (!scan.state.may_evolve.test(index_of(transition.graph))) return;
         for (const StepId step : grafcet.preceding(transition)) {
@@ -139,7 +142,7 @@ void Evolution::scan(EvolutionState& state, const EvolutionInputs& inputs, Time 
     if (init) {
         state.situation = tables_->initial;
     } else {
-        list_cleared(scan, cleared);
+        list_cleared(scan, inputs.may_clear, cleared);
         clear_transitions(scan, cleared);
         if (inputs.cleared != nullptr) {
             for (const TransitionId id : cleared) (*inputs.cleared)[index_of(id)] = 1;
@@ -209,7 +212,7 @@ std::vector<TransitionId> Evolution::cleared_by_scan(const EvolutionState& state
     copy.previous = copy.situation;
     update_edges(scan, false);
     ClearedList cleared;
-    if (!scan.read.input(tables_->init)) list_cleared(scan, cleared);
+    if (!scan.read.input(tables_->init)) list_cleared(scan, inputs.may_clear, cleared);
     return in_table_order(cleared);
 }
 

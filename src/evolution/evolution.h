@@ -41,6 +41,9 @@ struct EvolutionInputs {
     std::vector<std::uint8_t>* consulted = nullptr;
     /// If not null, one byte per transition, set to 1 when it is cleared. Never cleared here.
     std::vector<std::uint8_t>* cleared = nullptr;
+    /// If not null, one byte per transition: one with a 0 is not cleared, whatever its receptivity.
+    /// That is how a chart is run in another order than its own.
+    const std::vector<std::uint8_t>* may_clear = nullptr;
 };
 
 /// What one scan did, part by part, for telling it in words. The scan itself keeps it.

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "delays/chart_orders.h"
 #include "delays/delay_cases.h"
+#include "delays/judged_orders.h"
 #include "random/plain_chart.h"
 #include "random/random_cases.h"
 #include "random/random_grafcet.h"
@@ -31,7 +31,7 @@ void explore_one(const std::string& chart, std::uint64_t seed, std::size_t most_
         ++tally.refused;
         return;
     }
-    ChartOrders orders(grafcet);
+    JudgedOrders orders(grafcet);
     DelayOptions options;
     options.most_cases = most_cases;
     options.most_states = 30'000;
@@ -39,6 +39,9 @@ void explore_one(const std::string& chart, std::uint64_t seed, std::size_t most_
     const DelayReport report = explore_delays(grafcet, *netlist, options);
     CHECK_MESSAGE(report.first_wrong.empty(), "seed " << seed << ": " << report.first_wrong << "\n"
                                                       << chart);
+    CHECK_MESSAGE(orders.first_disagreement().empty(),
+                  "seed " << seed << ": " << orders.first_disagreement() << "\n"
+                          << chart);
     ++tally.charts;
     tally.cases += report.right;
 }
