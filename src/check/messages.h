@@ -108,6 +108,29 @@ inline constexpr CountedMessage<> states_waiting{
      "  exploration incomplète dans les limites données : {} états atteints restent à "
      "quitter\n"}};
 
+// Charts with interlocks.
+
+/// In the place of the file in a verdict. Argument: the file.
+inline constexpr Message<std::string> interlocked_file{"{} with interlocks",
+                                                       "{} avec verrouillages"};
+inline constexpr Message<> interlocked_reference{
+    "  compared with the chart of the file and these interlocks, not with that chart itself:\n",
+    "  comparé au grafcet du fichier muni de ces verrouillages, non à ce grafcet lui-même :\n"};
+inline constexpr Message<> order_is_immaterial{
+    "  with them the order in which transitions clear does not matter\n",
+    "  avec eux, l'ordre des franchissements n'importe plus\n"};
+/// Argument: how many cases.
+inline constexpr Message<std::uint64_t> interlocked_is_alike{
+    "  in every case with one change at a time, {} in all, the chart comes with them to what it "
+    "came to without\n",
+    "  dans chaque cas à un changement à la fois, {} en tout, le grafcet aboutit avec eux à ce à "
+    "quoi il aboutissait sans eux\n"};
+inline constexpr Message<std::uint64_t> interlocked_is_alike_so_far{
+    "  in the {} cases that were looked at, not all, the chart comes with them to what it came to "
+    "without\n",
+    "  dans les {} cas examinés, qui ne sont pas tous, le grafcet aboutit avec eux à ce à quoi il "
+    "aboutissait sans eux\n"};
+
 // Remarks.
 
 inline constexpr Message<std::string> chart_is_unstable{

@@ -54,11 +54,13 @@ class TextReport {
     std::string make(const ExplainedWitness& explained) {
         write_verdict();
         write_foundation();
+        write_interlocks();
         write_coverage();
         write_never();
         write_why_undecided();
         write_unstable();
         write_together();
+        write_orders();
         write_witness(explained);
         write_tolerance(explained);
         write_pulses(explained);
@@ -68,6 +70,7 @@ class TextReport {
     CheckParts make_parts(const ExplainedWitness& explained) {
         CheckParts parts;
         write_foundation();
+        write_interlocks();
         parts.basis = take_trimmed();
         write_coverage();
         parts.coverage = take_trimmed();
@@ -75,6 +78,7 @@ class TextReport {
         write_why_undecided();
         write_unstable();
         write_together();
+        write_orders();
         parts.remarks = take_trimmed();
         write_witness(explained);
         write_tolerance(explained);
@@ -117,6 +121,8 @@ class TextReport {
     void write_verdict();
     void write_foundation();
     void write_figures();
+    void write_interlocks();
+    void write_orders();
     void write_coverage();
     void write_never();
     void write_why_undecided();
@@ -180,7 +186,10 @@ const Message<>& TextReport::power_up() const {
 }
 
 void TextReport::write_verdict() {
-    say(verdict(), visible(subject_.file), compared_with());
+    const bool is_interlocked = subject_.orders && subject_.orders->is_interlocked();
+    const std::string file = visible(subject_.file);
+    say(verdict(), is_interlocked ? in_words(words::interlocked_file, file) : file,
+        compared_with());
 }
 
 std::string TextReport::delays() const {
@@ -244,6 +253,25 @@ void TextReport::write_figures() {
                             : words::cell_with_inputs.in(language_, used.inputs, type),
             rise == fall ? rise : in_words(words::rise_and_fall, rise, fall), source);
     }
+}
+
+/// An interlocked chart is not the one in the file, and must not be taken for it.
+void TextReport::write_interlocks() {
+    if (!subject_.orders || !subject_.orders->is_interlocked()) return;
+    say(words::interlocked_reference);
+    text_ += indented(subject_.orders->interlock_text.in(language_)) + "\n";
+    if (subject_.orders->is_complete && subject_.orders->races.empty()) {
+        say(words::order_is_immaterial);
+    }
+    if (subject_.orders->is_complete) {
+        say(words::interlocked_is_alike, subject_.orders->cases);
+    } else {
+        say(words::interlocked_is_alike_so_far, subject_.orders->cases);
+    }
+}
+
+void TextReport::write_orders() {
+    if (subject_.orders) text_ += subject_.orders->text.in(language_);
 }
 
 /// What is compared after every scan is so in unstable situations as well.

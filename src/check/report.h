@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,34 @@ enum class PowerUp {
     unknown,         ///< nothing sets them, and any values count
 };
 
+/// Of wiring in the style handshake: where the chart depends on the order in which its transitions
+/// clear.
+struct OrderRemarks {
+    /// Two transitions by their names; `first` is empty where a time condition is the other party.
+    struct Race {
+        std::string kind;
+        std::string first;
+        std::string second;
+        std::string stimuli;
+    };
+    /// One that was added: the names of the transition that waits and of the one it waits for, what
+    /// was added, and the receptivity with it.
+    struct Interlock {
+        std::string transition;
+        std::string awaited;
+        std::string condition;
+        std::string receptivity;
+    };
+    std::vector<Race> races;
+    std::vector<Interlock> interlocks;
+    std::uint64_t cases = 0;   ///< that were looked at for it
+    bool is_complete = true;   ///< those are all
+    Localized text;            ///< of the races, for people; empty where there is nothing to say
+    Localized interlock_text;  ///< of the interlocks
+
+    bool is_interlocked() const { return !interlocks.empty(); }
+};
+
 /// What was compared with a GRAFCET, and what the verdict rests on besides the assumptions of the
 /// GRAFCET.
 struct CheckSubject {
@@ -41,6 +70,7 @@ struct CheckSubject {
     std::string name;
     std::vector<Diagnostic> warnings;        ///< those of the GRAFCET
     std::vector<std::string> witness_files;  ///< what was written for the witness
+    std::optional<OrderRemarks> orders{};    ///< of the style handshake
 
     bool is_scanned() const { return !period.empty(); }
 };

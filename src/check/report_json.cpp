@@ -225,6 +225,33 @@ void put_pulses(Json& json, const Pulses& pulses, const Grafcet& grafcet,
     json["pulses_complete"] = pulses.complete;
 }
 
+/// Where the chart depends on the order in which its transitions clear, and what was added to it.
+Json orders(const OrderRemarks& remarks) {
+    Json json;
+    json["complete"] = remarks.is_complete;
+    json["cases"] = remarks.cases;
+    json["races"] = Json::array();
+    for (const OrderRemarks::Race& race : remarks.races) {
+        Json item;
+        item["kind"] = race.kind;
+        item["first"] = nullptr;
+        if (!race.first.empty()) item["first"] = race.first;
+        item["second"] = race.second;
+        item["stimuli"] = race.stimuli;
+        json["races"].push_back(std::move(item));
+    }
+    json["interlocks"] = Json::array();
+    for (const OrderRemarks::Interlock& interlock : remarks.interlocks) {
+        Json item;
+        item["transition"] = interlock.transition;
+        item["awaited"] = interlock.awaited;
+        item["condition"] = interlock.condition;
+        item["receptivity"] = interlock.receptivity;
+        json["interlocks"].push_back(std::move(item));
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string write_unchecked_json(const CheckSubject& subject, bool is_skipped,
@@ -252,6 +279,7 @@ std::string write_check_json(const CheckSubject& subject, const Grafcet& grafcet
     json["verdict"] = name_of(result.verdict);
     put_subject(json, subject, grafcet);
     put_together(json, grafcet, result);
+    if (subject.orders) json["orders"] = orders(*subject.orders);
     json["situations"] = result.coverage.situations;
     json["cases"] = result.coverage.cases;
     json["unstable"] = result.coverage.unstable;

@@ -8,6 +8,7 @@
 #include "command/inputs.h"
 #include "command/messages.h"
 #include "text/utf8.h"
+#include "workflow/orders.h"
 
 namespace grafwire {
 
@@ -21,6 +22,7 @@ struct FmtArguments {
     std::vector<std::string> files;
     bool in_place = false;
     bool check = false;
+    bool interlock = false;
 
     std::optional<Localized> conflict(const ChartFiles& charts) const;
 };
@@ -40,13 +42,26 @@ struct Formatted {
     std::string after;
 };
 
+/// The text of a chart without errors with its interlocks, which are shown, and what they leave.
+std::optional<std::string> with_interlocks_written(const SourceFile& source, Language language) {
+    Diagnostics said_elsewhere;
+    const auto chart = read_chart(source, said_elsewhere);
+    if (!chart) return std::nullopt;
+    const OrderFindings findings = find_orders(*chart, true);
+    show_diagnostics(interlock_warnings(*chart, findings), source);
+    show_lines(told_interlocks(findings));
+    return format_chart({source.name, interlocked_text(*chart, findings)}, language,
+                        said_elsewhere);
+}
+
 /// Empty after an error, which is shown. Warnings are not: the layout is right or wrong whatever
 /// the chart means, and `grafwire info` has them.
-std::optional<Formatted> format_file(const ChartFile& file, Language language) {
+std::optional<Formatted> format_file(const ChartFile& file, bool interlocks, Language language) {
     Diagnostics diagnostics;
     SourceFile source = read_source(file, diagnostics);
     std::optional<std::string> text;
     if (!diagnostics.has_errors()) text = format_chart(source, language, diagnostics);
+    if (text && interlocks) text = with_interlocks_written(source, language);
     if (!text) {
         show_diagnostics(diagnostics, source);
         return std::nullopt;
@@ -61,7 +76,7 @@ ExitStatus format_files(const FmtArguments& request, const ChartFiles& charts, L
     std::string otherwise;
     for (const ChartFile& file : charts.files) {
         ExitStatus of_file = ExitStatus::bad_request;
-        if (auto text = format_file(file, language)) {
+        if (auto text = format_file(file, request.interlock, language)) {
             const bool differs = text->before.text != text->after;
             of_file = request.check && differs ? ExitStatus::answer_is_no : ExitStatus::done;
             if (request.check && differs) otherwise += visible(text->before.name) + '\n';
@@ -89,6 +104,7 @@ Task declare_fmt(const CommandLine& line) {
     line.add_arguments(help::file_name, request->files, help::fmt_files()).names_file({".grafcet"});
     line.add_flag("-i", request->in_place, help::in_place());
     line.add_flag("--check", request->check, help::fmt_check());
+    line.add_flag("--interlock", request->interlock, help::fmt_interlock());
     return [request, language = line.language()] {
         const ChartFiles charts = find_chart_files(request->files);
         if (const auto conflict = request->conflict(charts)) {

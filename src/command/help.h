@@ -104,6 +104,10 @@ inline constexpr Message<> cdx_by_style{
 inline constexpr Message<> cdx{"form of CDX", "forme de CDX"};
 inline constexpr Message<> modes{"with Init, AUdur and AUdoux, or without",
                                  "avec Init, AUdur et AUdoux, ou sans"};
+inline constexpr Message<> interlock{
+    "style handshake: add to the chart the interlocks that make the order of clearing immaterial",
+    "style handshake : ajouter au grafcet les verrouillages qui rendent l'ordre des "
+    "franchissements sans effet"};
 inline constexpr Message<> delay{
     "delays of gates: unit (1 ns each); MIN..MAX in ns, as 1..2 (each change anywhere between); "
     "any (any finite time); any-wire (of every wire as well); a part family, 74HC, 74LS or 4000 "
@@ -378,6 +382,10 @@ inline constexpr Message<> fmt_files{
     "motifs (* ? **) avec -i ou --check"};
 inline constexpr Message<> in_place{"replace the files that are laid out otherwise",
                                     "remplacer les fichiers présentés autrement"};
+inline constexpr Message<> fmt_interlock{
+    "add the interlocks that make the order of clearing immaterial (style handshake)",
+    "ajouter les verrouillages qui rendent l'ordre des franchissements sans effet (style "
+    "handshake)"};
 inline constexpr Message<> fmt_check{
     "write nothing; list the files that are laid out otherwise, with status 1 if there are any",
     "ne rien écrire ; lister les fichiers présentés autrement, avec le code 1 s'il y en a"};

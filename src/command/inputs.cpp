@@ -15,6 +15,7 @@
 #include "text/joined.h"
 #include "text/nearest_name.h"
 #include "trace/trace.h"
+#include "workflow/orders.h"
 
 namespace grafwire {
 
@@ -176,6 +177,7 @@ void NetlistRequest::declare(const CommandLine& line, bool style_is_required) {
 void NetlistRequest::declare_equations(const CommandLine& line) {
     line.add("--cdx", cdx, help::cdx_by_style()).one_of_names(cdx_table);
     line.add("--modes", modes, help::modes()).one_of({"on", "off"}).shows_default();
+    line.add_flag("--interlock", interlock, help::interlock());
 }
 
 void NetlistRequest::declare_delay(const CommandLine& line) {
@@ -196,6 +198,20 @@ NetlistOptions NetlistRequest::options() const {
     options.modes = modes == "on";
     options.delays = delays();
     return options;
+}
+
+ChartToWire to_wire(Chart chart, const NetlistRequest& request) {
+    if (!request.interlock) return {std::move(chart)};
+    const OrderFindings findings = find_orders(chart, request.options().modes);
+    show_diagnostics(interlock_warnings(chart, findings), chart.source);
+    show_lines(told_interlocks(findings));
+    return {interlocked_chart(chart, findings), interlock_sentences(findings)};
+}
+
+void warn_of_order(const Chart& chart, const NetlistRequest& request) {
+    if (request.interlock || !request.is_handshake()) return;
+    const OrderFindings findings = find_orders(chart, request.options().modes);
+    show_diagnostics(order_warnings(chart, findings), chart.source);
 }
 
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request) {

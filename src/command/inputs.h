@@ -94,13 +94,28 @@ struct NetlistRequest {
     std::string cdx;
     std::string modes = "on";
     std::string delay{DelayModel().name};
+    bool interlock = false;
     void declare(const CommandLine& line, bool style_is_required);
     /// All but the style.
     void declare_equations(const CommandLine& line);
     void declare_delay(const CommandLine& line);
     NetlistOptions options() const;
     DelayModel delays() const;
+    bool is_handshake() const { return options().style == Style::handshake; }
 };
+
+/// The chart that wiring is made of: with interlocks, where they are asked for.
+struct ChartToWire {
+    Chart chart;
+    std::vector<std::string> interlocks{};  ///< a sentence each, in English
+};
+
+/// The same of a chart that has been read. The interlocks are shown, and what they leave.
+ChartToWire to_wire(Chart chart, const NetlistRequest& request);
+
+/// Warns of what depends on the order in which transitions clear, in the style to which that
+/// matters. Not of an interlocked chart, which to_wire() has looked at.
+void warn_of_order(const Chart& chart, const NetlistRequest& request);
 
 /// The generated netlist.
 std::optional<Netlist> make_netlist(const Chart& chart, const NetlistRequest& request);

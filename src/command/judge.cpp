@@ -10,6 +10,7 @@
 #include "command/option_uses.h"
 #include "command/standard_error.h"
 #include "text/utf8.h"
+#include "workflow/orders.h"
 
 namespace grafwire {
 
@@ -24,7 +25,7 @@ CheckArguments CheckArguments::of_one(const std::string& chart, const std::strin
 
 unsigned facts_of(const CheckArguments& request) {
     if (request.against.empty()) {
-        return fact::generated |
+        return fact::generated | (request.netlist.is_handshake() ? fact::handshake : fact::none) |
                (request.netlist.options().style == Style::clocked ? fact::clocked
                                                                   : fact::asynchronous);
     }
@@ -56,6 +57,7 @@ CheckSubject subject_of(const CheckArguments& request) {
     }
     subject.delays = request.netlist.delays();
     subject.name = request.against.empty() ? subject.style + " " + subject.cdx : request.against;
+    if (request.netlist.interlock && request.netlist.is_handshake()) subject.name += " interlock";
     for (const std::string* asked : {&request.changes, &request.power_up, &request.scan}) {
         if (!asked->empty()) subject.name += " " + *asked;
     }
@@ -83,6 +85,7 @@ std::optional<Judgement> within_bounds(const Session& session, const Check& chec
     const CheckArguments& request = session.request;
     CheckRequest asked;
     asked.subject = subject_of(request);
+    asked.subject.orders = session.orders;
     asked.changes = request.changes == "many" ? Changes::many : Changes::one;
     asked.period = session.values.period;
     asked.max_cases = request.max_cases;
@@ -133,8 +136,7 @@ NetlistFor netlist_by_delays(const Session& session, const Netlist& netlist) {
     };
 }
 
-/// A netlist that is made of the GRAFCET, or one from elsewhere.
-Judged judge_netlist(const Session& session) {
+Judged judge_gates(const Session& session) {
     const bool is_made = session.request.against.empty();
     const auto netlist = is_made ? make_netlist(session.chart, session.request.netlist)
                                  : load_fitting_netlist(session);
@@ -143,6 +145,20 @@ Judged judge_netlist(const Session& session) {
         if (session.request.tolerance) asked.tolerance_of = netlist_by_delays(session, *netlist);
         return check_netlist(session.chart, *netlist, asked, messages);
     })};
+}
+
+/// A netlist that is made of the GRAFCET, or one from elsewhere. Where it matters in which order
+/// transitions clear, that is looked at; with interlocks, the chart is another one.
+Judged judge_netlist(const Session& session) {
+    const NetlistRequest& request = session.request.netlist;
+    if (!session.request.against.empty() || !request.is_handshake()) return judge_gates(session);
+    const OrderFindings findings = find_orders(session.chart, request.options().modes);
+    std::optional<Chart> interlocked;
+    if (request.interlock) interlocked = interlocked_chart(session.chart, findings);
+    const Chart& chart = interlocked ? *interlocked : session.chart;
+    return judge_gates({session.request, session.line, chart, session.values, session.workers,
+                        session.progress, session.name,
+                        order_remarks(session.chart, findings, request.interlock)});
 }
 
 /// An S7-200 listing. Its addresses say nothing by themselves, so a table of assignment is needed.

@@ -72,6 +72,7 @@ struct Session {
     /// Where it is shown how far the check is, and under which name.
     ProgressLine& progress;
     std::string name;
+    std::optional<OrderRemarks> orders{};  ///< of the style handshake
 };
 
 struct Judged {

@@ -148,6 +148,10 @@ inline constexpr Message<std::string_view, std::string_view, std::string_view> f
     "{} has no {}; it is for {}", "{} ne connaît pas {} ; cette option est pour {}"};
 inline constexpr Message<> only_generated{"it is for a netlist made from the GRAFCET",
                                           "cette option est pour un câblage tiré du GRAFCET"};
+inline constexpr Message<> only_handshake{
+    "it is for a netlist made in the style handshake: only there does the order of clearing matter",
+    "cette option est pour un câblage fait dans le style handshake : là seulement, l'ordre des "
+    "franchissements importe"};
 inline constexpr Message<> only_clocked{
     "it is for the clocked style: the others have no scans",
     "cette option est pour le style clocked : les autres n'ont pas de scrutation"};

@@ -38,6 +38,7 @@ struct NetlistArguments {
 unsigned facts_of(const NetlistArguments& request, const NetlistTarget& target) {
     unsigned facts =
         request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous;
+    if (request.netlist.is_handshake()) facts |= fact::handshake;
     if (!request.stimuli.empty()) facts |= fact::stimuli;
     if (!request.at.empty()) facts |= fact::moment;
     if (target.format == nullptr) return facts | fact::drawing;
@@ -59,26 +60,43 @@ std::string bench_path(const std::string& output) {
         .string();
 }
 
+/// The chart, with interlocks if they are asked for, and its netlist.
+struct WiredChart {
+    Chart chart;
+    Netlist netlist;
+    std::vector<std::string> interlocks;  ///< as of ChartToWire
+};
+std::optional<WiredChart> load_wired(const NetlistArguments& request, const ChartFile& file,
+                                     const CommandLine& line) {
+    auto read = load_chart(file, line);
+    if (!read) return std::nullopt;
+    ChartToWire to_be_wired = to_wire(std::move(*read), request.netlist);
+    auto netlist = make_netlist(to_be_wired.chart, request.netlist);
+    if (!netlist) return std::nullopt;
+    warn_of_order(to_be_wired.chart, request.netlist);
+    return WiredChart{std::move(to_be_wired.chart), std::move(*netlist),
+                      std::move(to_be_wired.interlocks)};
+}
+
 /// The netlist and, of formats that have one, its bench.
 ExitStatus add_text(const NetlistArguments& request, const NetlistFormat& format, Time period,
                     const CommandLine& line, const ChartFiles& charts, std::size_t number,
                     ChartResults& results) {
     // Read the GRAFCET and make the netlist.
-    const auto chart = load_chart(charts.files[number], line);
-    if (!chart) return ExitStatus::bad_request;
-    const auto netlist = make_netlist(*chart, request.netlist);
-    if (!netlist) return ExitStatus::bad_request;
+    const auto wired = load_wired(request, charts.files[number], line);
+    if (!wired) return ExitStatus::bad_request;
+    const auto& [chart, netlist, interlocks] = *wired;
     std::optional<Stimuli> stimuli;
     if (!request.stimuli.empty()) {
-        stimuli = load_stimuli(request.stimuli, chart->grafcet);
+        stimuli = load_stimuli(request.stimuli, chart.grafcet);
         if (!stimuli) return ExitStatus::bad_request;
     }
     // Write it.
     const std::string place = results.place_of(number);
     WrittenNetlist written = write_netlist(
-        *chart, *netlist, format, stimuli ? &*stimuli : nullptr, period, request.netlist.delays(),
-        netlist_heads(*chart, request.netlist.options(), format, {period, request.stimuli, place},
-                      request.bench));
+        chart, netlist, format, stimuli ? &*stimuli : nullptr, period, request.netlist.delays(),
+        netlist_heads(chart, request.netlist.options(), format,
+                      {period, request.stimuli, place, interlocks}, request.bench));
     results.add(number, std::move(written.text));
     if (!written.bench.empty()) results.add_beside(bench_path(place), std::move(written.bench));
     return ExitStatus::done;
@@ -103,21 +121,20 @@ std::optional<std::vector<Logic>> values_of(const NetlistArguments& request, con
 ExitStatus add_drawing(const NetlistArguments& request, const DrawingFormat& format,
                        const CommandLine& line, const ChartFiles& charts, std::size_t number,
                        ChartResults& results) {
-    const auto chart = load_chart(charts.files[number], line);
-    if (!chart) return ExitStatus::bad_request;
-    const auto netlist = make_netlist(*chart, request.netlist);
-    if (!netlist) return ExitStatus::bad_request;
-    auto values = values_of(request, *chart, *netlist);
+    const auto wired = load_wired(request, charts.files[number], line);
+    if (!wired) return ExitStatus::bad_request;
+    const auto& [chart, netlist, interlocks] = *wired;
+    auto values = values_of(request, chart, netlist);
     if (!values) return ExitStatus::bad_request;
     SchematicDrawing how;
     how.shapes = row_named(gate_shapes_table, request.symbols)->shapes;
     how.paper = *row_named(papers, request.paper);
     how.language = line.language();
     how.values = std::move(*values);
-    how.title = schematic_title(*chart, request.netlist.options().style,
+    how.title = schematic_title(chart, request.netlist.options().style,
                                 request.at.empty() ? std::nullopt : parse_moment(request.at),
                                 line.language());
-    results.add(number, schematic_drawing(*netlist, how, format, request.standalone));
+    results.add(number, schematic_drawing(netlist, how, format, request.standalone));
     return ExitStatus::done;
 }
 

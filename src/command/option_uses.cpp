@@ -30,6 +30,7 @@ constexpr OptionUse option_uses[] = {
     {"equations", "--karnaugh", by_format},
     {"equations", "--standalone", by_format},
 
+    {"netlist", "--interlock", fact::handshake, &say::only_handshake},
     {"netlist", "--at", by_format},
     {"netlist", "--at", fact::stimuli, &say::values_need_stimuli},
     {"netlist", "--symbols", by_format},
@@ -52,6 +53,7 @@ constexpr OptionUse option_uses[] = {
     {"simulate", "--style", fact::generated, &say::only_generated},
     {"simulate", "--cdx", fact::generated, &say::only_generated},
     {"simulate", "--modes", fact::generated, &say::only_generated},
+    {"simulate", "--interlock", fact::handshake, &say::only_handshake},
     {"simulate", "--power-up", fact::elsewhere, &say::only_netlist_from_file},
     {"simulate", "--power-up", fact::open_start, &say::only_open_start},
     {"simulate", "--scan", fact::clocked, &say::only_clocked},
@@ -61,6 +63,7 @@ constexpr OptionUse option_uses[] = {
     {"check", "--style", fact::generated, &say::only_generated},
     {"check", "--cdx", fact::generated, &say::only_generated},
     {"check", "--modes", fact::generated, &say::only_generated},
+    {"check", "--interlock", fact::handshake, &say::only_handshake},
     {"check", "--program", fact::ladder, &say::only_ladder},
     {"check", "--io", fact::listing, &say::only_listing},
     {"check", "--cpu", fact::listing, &say::only_listing},

@@ -25,6 +25,7 @@ inline constexpr unsigned output = 1024;      ///< the result goes into a file
 inline constexpr unsigned text = 2048;        ///< the result is a text for programs
 inline constexpr unsigned drawing = 4096;     ///< it is a drawing
 inline constexpr unsigned moment = 8192;      ///< of a moment
+inline constexpr unsigned handshake = 16384;  ///< the netlist is made in this style
 }  // namespace fact
 
 /// A format as the table of options sees it.

@@ -45,7 +45,7 @@ unsigned facts_of(const SimulateArguments& request) {
     if (!request.against.empty()) {
         return fact::elsewhere | fact::open_start | fact::asynchronous | fact::clocked;
     }
-    return fact::generated |
+    return fact::generated | (request.netlist.is_handshake() ? fact::handshake : fact::none) |
            (request.netlist.options().style == Style::clocked ? fact::clocked : fact::asynchronous);
 }
 
@@ -172,8 +172,9 @@ ExitStatus simulate_netlist(const SimulateArguments& request, const CommandLine&
     if (share_standard_input(request.path, request.stimuli) || shares_delays(request)) {
         return ExitStatus::bad_request;
     }
-    const auto chart = load_chart(request.path, line);
+    auto chart = load_chart(request.path, line);
     if (!chart) return ExitStatus::bad_request;
+    chart = to_wire(std::move(*chart), request.netlist).chart;
     const auto stimuli = load_stimuli(request.stimuli, chart->grafcet);
     if (!stimuli) return ExitStatus::bad_request;
     // Make the netlist, or read it.

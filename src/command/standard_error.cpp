@@ -90,6 +90,10 @@ void show(const Localized& text) {
     }
 }
 
+void show_lines(const Localized& text) {
+    show({text.english + "\n", text.french + "\n"});
+}
+
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source) {
     const auto text_in = [&](Language language) {
         return format_diagnostics(diagnostics, source, language, most_errors);

@@ -53,8 +53,9 @@ void open_standard_error();
 /// that, and the program goes on.
 void show_raw(std::string_view text);
 
-/// Shows lines as they stand.
+/// Shows lines as they stand; the last has no line end in show_lines().
 void show(const Localized& text);
+void show_lines(const Localized& text);
 
 /// Shows messages about a text, the first of many.
 void show_diagnostics(const Diagnostics& diagnostics, const SourceFile& source);

@@ -281,9 +281,17 @@ std::string aligned(const std::vector<Row>& rows) {
     return text;
 }
 
+/// The file; of an interlocked chart, which is another, that it is one.
+std::string file_cell(const CheckedCase& item, Language language) {
+    const std::string file = visible(item.subject.file);
+    const bool is_interlocked = item.judgement && item.judgement->subject.orders &&
+                                item.judgement->subject.orders->is_interlocked();
+    return is_interlocked ? messages::check::interlocked_file.in(language, file) : file;
+}
+
 Row row_of(const CheckedCase& item, Language language) {
     const CheckSubject& subject = item.subject;
-    return {visible(subject.file),
+    return {file_cell(item, language),
             subject.against.empty() ? subject.style : visible(subject.against),
             word_for(item.outcome(), language),
             item.judgement ? fmt::format("{}", item.judgement->result.coverage.cases) : "-",

@@ -68,6 +68,7 @@ std::string netlist_request(const Chart& chart, const NetlistOptions& options,
         name_of(options.style), name_of(cdx_form(options)), on_or_off(options.modes), format.name);
     const bool is_scanned = options.style == Style::clocked && has_word(format.options, "--scan");
     if (is_scanned) line += " --scan " + format_duration(request.scan_period);
+    if (!request.interlocks.empty()) line += " --interlock";
     if (!request.stimuli.empty()) line += " --stim " + shell_word(request.stimuli);
     if (!request.bench_beside.empty()) {
         line += " --bench -o " + shell_word(request.bench_beside);
@@ -78,12 +79,17 @@ std::string netlist_request(const Chart& chart, const NetlistOptions& options,
 std::vector<std::string> netlist_head(const Chart& chart, const NetlistOptions& options,
                                       const NetlistFormat& format,
                                       const NetlistFileRequest& request) {
-    return {title_of(chart),
-            fmt::format("Style {}, CDX by {}, {}.", name_of(options.style),
-                        cdx_form(options) == CdxForm::successor ? "successor steps" : "transitions",
-                        options.modes ? "with Init, AUdur and AUdoux" : "without modes"),
-            fmt::format("Written by grafwire {}:", version()),
-            "  " + netlist_request(chart, options, format, request)};
+    std::vector<std::string> head{
+        title_of(chart),
+        fmt::format("Style {}, CDX by {}, {}.", name_of(options.style),
+                    cdx_form(options) == CdxForm::successor ? "successor steps" : "transitions",
+                    options.modes ? "with Init, AUdur and AUdoux" : "without modes"),
+        fmt::format("Written by grafwire {}:", version()),
+        "  " + netlist_request(chart, options, format, request)};
+    if (request.interlocks.empty()) return head;
+    head.push_back("The chart has got these interlocks:");
+    for (const std::string& interlock : request.interlocks) head.push_back("  " + interlock);
+    return head;
 }
 
 }  // namespace
@@ -93,9 +99,11 @@ NetlistHeads netlist_heads(const Chart& chart, const NetlistOptions& options,
                            bool with_bench) {
     const Time period = request.scan_period;
     if (!with_bench || format.write_bench == nullptr) {
-        return {netlist_head(chart, options, format, {period, request.stimuli}), {}};
+        return {
+            netlist_head(chart, options, format, {period, request.stimuli, {}, request.interlocks}),
+            {}};
     }
-    return {netlist_head(chart, options, format, {period}),
+    return {netlist_head(chart, options, format, {period, {}, {}, request.interlocks}),
             netlist_head(chart, options, format, request)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,8 @@ struct NetlistFileRequest {
     Time scan_period = 0;
     std::string_view stimuli{};
     std::string_view bench_beside{};  ///< of a bench: the file of its netlist
+    /// Sentences on the interlocks that the chart was given, if it was given any.
+    std::span<const std::string> interlocks{};
 };
 
 /// The head of a netlist file (WriteOptions::head) and, `with_bench`, of the bench beside it, of

@@ -22,6 +22,34 @@ inline constexpr Message<> handshake_has_successor_form{
     "the handshake style has the successor form of CDX only: leave out --cdx transition",
     "le style handshake n'existe qu'avec la forme successor de CDX : enlevez --cdx transition"};
 
+// The order in which transitions clear, of the style handshake.
+
+/// Argument: a race.
+inline constexpr Message<Localized> order_matters{
+    "under some delays of its gates the wiring may not do what the chart does: {}",
+    "sous certains retards de ses portes, le câblage peut ne pas faire ce que fait le grafcet : "
+    "{}"};
+/// Argument: how many cases.
+inline constexpr Message<std::uint64_t> order_seen_in_part{
+    "whether the order in which transitions clear matters was looked at in {} cases, which are not "
+    "all",
+    "l'influence de l'ordre des franchissements a été examinée dans {} cas, qui ne sont pas tous"};
+/// Of a chart with interlocks, before what is left of its races.
+inline constexpr Message<> interlocks_do_not_suffice{
+    "interlocks do not help against all that depends on the order in which transitions clear",
+    "les verrouillages ne remédient pas à tout ce qui dépend de l'ordre des franchissements"};
+inline constexpr Message<> no_interlock_needed{
+    "no interlock was added: the chart does not depend on the order in which its transitions clear",
+    "aucun verrouillage ajouté : le grafcet ne dépend pas de l'ordre de ses franchissements"};
+inline constexpr CountedMessage<Localized> interlocks_added{
+    {"{} interlock added to the chart:\n{}", "{} verrouillage ajouté au grafcet :\n{}"},
+    {"{} interlocks added to the chart:\n{}", "{} verrouillages ajoutés au grafcet :\n{}"}};
+inline constexpr Message<> remark_on_orders{
+    "\nRemark: the chart itself depends on the order in which its transitions clear. No wiring "
+    "under any delay can be held to it there:\n",
+    "\nRemarque : le grafcet lui-même dépend de l'ordre de ses franchissements. Aucun câblage à "
+    "retards quelconques ne peut y être tenu :\n"};
+
 inline constexpr Message<> clocked_has_no_races{
     "between two edges of its clock everything in a clocked netlist rests, whatever the delays: "
     "leave "

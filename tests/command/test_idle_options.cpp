@@ -198,10 +198,16 @@ TEST_CASE("options of netlist") {
     contexts.push_back({{sequence_chart, "--style", "clocked", "--to", "svg", "--stim",
                          sequence_stimuli, "--at", "0"},
                         {"--scan", "--bench", "--standalone"}});
+    // Only one style depends on the order of clearing.
+    for (Context& context : contexts) context.idle.insert("--interlock");
+    contexts.push_back(
+        {{sequence_chart, "--style", "handshake", "--to", "blif"},
+         {"--scan", "--stim", "--bench", "--at", "--symbols", "--paper", "--standalone"}});
     try_all({"netlist"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
              {"--modes", {"off"}},
+             {"--interlock", {}},
              {"--to", {"blif"}},
              {"--stim", {sequence_stimuli}},
              {"--bench", {}},
@@ -217,10 +223,26 @@ TEST_CASE("options of netlist") {
 
 TEST_CASE("options of simulate") {
     const Files files;
+    std::vector<Context> contexts{
+        {{sequence_chart, sequence_stimuli}, {"--power-up", "--scan", "--zoom"}},
+        {{sequence_chart, sequence_stimuli, "--against", files.path("init.blif")},
+         {"--style", "--cdx", "--modes", "--power-up", "--scan", "--zoom"}},
+        {{sequence_chart, sequence_stimuli, "--against", files.path("bare.blif")},
+         {"--style", "--cdx", "--modes", "--scan", "--zoom"}},
+        {{sequence_chart, sequence_stimuli, "--against", files.path("clocked.blif")},
+         {"--style", "--cdx", "--modes", "--power-up", "--delays", "--zoom"}},
+        {{sequence_chart, sequence_stimuli, "--style", "clocked"},
+         {"--power-up", "--delays", "--zoom"}},
+        {{sequence_chart, sequence_stimuli, "--to", "svg"}, {"--power-up", "--scan"}},
+        {{sequence_chart, sequence_stimuli, "--to", "wavedrom"}, {"--power-up", "--scan"}}};
+    for (Context& context : contexts) context.idle.insert("--interlock");
+    contexts.push_back({{sequence_chart, sequence_stimuli, "--style", "handshake"},
+                        {"--power-up", "--scan", "--zoom"}});
     try_all({"simulate"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
              {"--modes", {"off"}},
+             {"--interlock", {}},
              {"--against", {files.path("init.blif")}},
              {"--power-up", {"initial"}},
              {"--delay", {"unit"}},
@@ -232,17 +254,7 @@ TEST_CASE("options of simulate") {
              {"--to", {"svg"}},
              {"--vcd", {files.path("vcd")}},
              {"-o", {files.path("out")}}},
-            {{{sequence_chart, sequence_stimuli}, {"--power-up", "--scan", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--against", files.path("init.blif")},
-              {"--style", "--cdx", "--modes", "--power-up", "--scan", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--against", files.path("bare.blif")},
-              {"--style", "--cdx", "--modes", "--scan", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--against", files.path("clocked.blif")},
-              {"--style", "--cdx", "--modes", "--power-up", "--delays", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--style", "clocked"},
-              {"--power-up", "--delays", "--zoom"}},
-             {{sequence_chart, sequence_stimuli, "--to", "svg"}, {"--power-up", "--scan"}},
-             {{sequence_chart, sequence_stimuli, "--to", "wavedrom"}, {"--power-up", "--scan"}}});
+            contexts);
 }
 
 TEST_CASE("options of check") {
@@ -275,10 +287,14 @@ TEST_CASE("options of check") {
     // What any of several checks heeds has an effect.
     contexts.push_back(
         {{sequence_chart, "--style", "nand,clocked"}, with(of_netlists, {"--power-up"})});
+    for (Context& context : contexts) context.idle.insert("--interlock");
+    contexts.push_back(
+        {{sequence_chart, "--style", "handshake"}, with(of_netlists, {"--power-up", "--scan"})});
     try_all({"check"},
             {{"--style", {"nand"}},
              {"--cdx", {"transition"}},
              {"--modes", {"off"}},
+             {"--interlock", {}},
              {"--delay", {"unit"}},
              {"--against", {files.path("init.blif")}},
              {"--program", {"p"}},
