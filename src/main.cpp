@@ -36,6 +36,8 @@ ExitStatus run(int argc, char** argv) {
     ExitStatus status = ExitStatus::bad_request;
     if (line.action) {
         status = line.action();
+    } else if (line.config_messages.has_errors()) {
+        show_diagnostics(line.config_messages, line.config);
     } else if (!line.problem) {
         // Help and version are no errors, but results like any other.
         OutputFiles files({});

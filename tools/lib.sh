@@ -19,6 +19,7 @@ libcli11-dev         /usr/include/CLI/CLI.hpp
 libedit-dev          /usr/include/editline/readline.h
 libfmt-dev           /usr/include/fmt/core.h
 libpugixml-dev       /usr/include/pugixml.hpp
+libtomlplusplus-dev  /usr/include/toml++/toml.h
 libutf8proc-dev      /usr/include/utf8proc.h
 ninja-build          /usr/bin/ninja
 nlohmann-json3-dev   /usr/include/nlohmann/json.hpp

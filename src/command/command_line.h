@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "command/description.h"
 #include "command/help.h"
+#include "text/diagnostics.h"
 #include "text/message.h"
 
 namespace CLI {
@@ -85,8 +87,11 @@ class AddedOption {
 /// library takes long to compile wherever it is included. All that is added is described as well.
 class CommandLine {
   public:
-    CommandLine(CLI::App& app, CommandDescription& description, Language language)
-        : app_(app), description_(description), language_(language) {}
+    /// `shared`: the options that come from a file and were not written.
+    using Names = std::set<std::string, std::less<>>;
+    CommandLine(CLI::App& app, CommandDescription& description, Language language,
+                std::shared_ptr<const Names> shared)
+        : app_(app), description_(description), language_(language), shared_(std::move(shared)) {}
 
     /// What help, messages and reports are in.
     Language language() const { return language_; }
@@ -113,14 +118,14 @@ class CommandLine {
     void add_flag(const char* name, bool& target, const Localized& help) const;
     /// `--strict`, of commands that read charts: warnings about these are errors.
     void add_strict() const;
-    bool is_strict() const { return has("--strict"); }
+    bool is_strict() const;
 
     /// A command below this one; one of those must be given. `example` stands at the end of its
     /// help.
     CommandLine add_command(const std::string& name, const Localized& help,
                             const std::string& example) const;
 
-    /// Whether an option was written; once the command line has been read.
+    /// Whether an option was written on the command line; once that has been read.
     bool has(std::string_view option) const;
 
   private:
@@ -129,6 +134,7 @@ class CommandLine {
     CLI::App& app_;
     CommandDescription& description_;
     Language language_;
+    std::shared_ptr<const Names> shared_;
 };
 
 /// What the help says of an option, and below it the rows of the table that it takes a name of:
@@ -168,6 +174,9 @@ struct ReadCommandLine {
     Task action;                       ///< what was asked for
     std::string help;                  ///< a text to show instead: help, version
     std::optional<Localized> problem;  ///< what is wrong, with a suggestion and where to find help
+    /// What is wrong with shared options, and the file that they are in.
+    Diagnostics config_messages;
+    SourceFile config;
     /// What the action asks whether options were written.
     std::shared_ptr<CLI::App> app;
     std::shared_ptr<CommandDescription> description;
@@ -177,7 +186,9 @@ struct ReadCommandLine {
 /// read, since help and errors of the command line are in that language too.
 Language language_asked_for(std::span<char* const> words, Language other);
 
-/// Reads the command line of the program; all texts are in `language`.
+/// Reads the command line of the program, and the shared options of the charts in it
+/// (grafwire.toml), which count where the command line says nothing else; all texts are in
+/// `language`.
 ReadCommandLine read_command_line(int argc, char** argv, std::span<const Command> commands,
                                   Language language);
 

@@ -32,6 +32,9 @@ inline constexpr Message<> version{"Display program version information and exit
                                    "afficher la version du programme"};
 inline constexpr Message<> language{"language of reports: en or fr (default: from the locale)",
                                     "langue des textes : en ou fr (par défaut : celle du système)"};
+inline constexpr Message<> no_config{
+    "do not read grafwire.toml, which has options that are shared",
+    "ne pas lire grafwire.toml, qui contient des options partagées"};
 inline constexpr Message<> usage{"Usage:", "Utilisation :"};
 inline constexpr Message<> a_command{"SUBCOMMAND", "COMMANDE"};
 inline constexpr Message<> commands{"Subcommands:", "Commandes :"};
@@ -87,8 +90,8 @@ inline constexpr Message<> file{"the GRAFCET, - for standard input",
                                 "le GRAFCET, - pour l'entrée standard"};
 inline constexpr Message<> files{
     "GRAFCETs: files, folders (every .grafcet below), patterns (* ? **); - for standard input",
-    "des GRAFCET : fichiers, dossiers (tout .grafcet qui s'y trouve), motifs (* ? **) ; - pour "
-    "l'entrée standard"};
+    "des GRAFCET : fichiers, dossiers (tout .grafcet qui s'y trouve), motifs (« * », « ? », "
+    "« ** ») ; - pour l'entrée standard"};
 inline constexpr Message<> strict{"warnings about a GRAFCET are errors",
                                   "les avertissements sur un GRAFCET sont des erreurs"};
 inline constexpr Message<> stim{"the stimuli (.stim), - for standard input",
@@ -325,8 +328,8 @@ inline constexpr Message<> shard{
     "qui a les mêmes fichiers les découpe de la même façon"};
 inline constexpr Message<> jobs{
     "how many cores share the work; nothing but the time it takes depends on it (default: all)",
-    "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en "
-    "dépend (par défaut : tous)"};
+    "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en "
+    "dépend (par défaut : tous)"};
 inline constexpr Message<> max_cases{"give up after so many cases (0: never)",
                                      "abandonner après tant de cas (0 : jamais)"};
 inline constexpr Message<> max_seconds{"give up after so much time (0: never)",
@@ -379,7 +382,7 @@ inline constexpr Message<> fmt_files{
     "the GRAFCET, - for standard input; several, folders (every .grafcet below) and patterns (* ? "
     "**) with -i or --check",
     "le GRAFCET, - pour l'entrée standard ; plusieurs, dossiers (tout .grafcet qui s'y trouve) et "
-    "motifs (* ? **) avec -i ou --check"};
+    "motifs (« * », « ? », « ** ») avec -i ou --check"};
 inline constexpr Message<> in_place{"replace the files that are laid out otherwise",
                                     "remplacer les fichiers présentés autrement"};
 inline constexpr Message<> fmt_interlock{

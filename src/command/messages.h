@@ -3,8 +3,14 @@
 #include <cstdint>
 #include <string_view>
 
+#include "text/diagnostics.h"
 #include "text/message.h"
 #include "text/time.h"
+
+namespace grafwire::code {
+/// Of a file of shared options.
+inline constexpr Code bad_config{"bad-config"};
+}  // namespace grafwire::code
 
 namespace grafwire::messages::command {
 
@@ -139,6 +145,32 @@ inline constexpr Message<> replace_or_check{
 inline constexpr Message<> standard_input_in_place{
     "-i replaces files, and standard input is none: leave out -i",
     "-i remplace des fichiers, et l'entrée standard n'en est pas un : enlevez -i"};
+
+// grafwire.toml.
+
+inline constexpr Message<std::string> no_toml{"this is no TOML: {}", "ceci n'est pas du TOML : {}"};
+inline constexpr Message<std::string> option_below_no_command{
+    "'{}' stands below no command: options stand in a table of their command, such as [check]",
+    "« {} » n'est sous aucune commande : les options sont dans la table de leur commande, comme "
+    "[check]"};
+inline constexpr Message<std::string> no_value_of_option{
+    "{} takes a text, a number, true or false, or a list of texts or numbers",
+    "{} prend un texte, un nombre, true ou false, ou une liste de textes ou de nombres"};
+inline constexpr Message<std::string> option_of_one_call{
+    "{} belongs to a single call, and cannot be shared: write it on the command line",
+    "{} appartient à un seul appel et ne se partage pas : écrivez-la sur la ligne de commande"};
+inline constexpr Message<std::string> flag_is_true_or_false{"{} is either true or false",
+                                                            "{} vaut true ou false"};
+inline constexpr Message<std::string> option_has_value{"{} has a value, and is not true or false",
+                                                       "{} a une valeur, et ne vaut pas true ou "
+                                                       "false"};
+/// Two files.
+inline constexpr Message<std::string, std::string> two_configs{
+    "these GRAFCETs have different shared options, {} and {}: give them to two calls, or leave "
+    "both "
+    "out with --no-config",
+    "ces GRAFCET ont des options partagées différentes, {} et {} : traitez-les en deux appels, ou "
+    "ignorez les deux avec --no-config"};
 
 // Options without effect, and what they are for.
 

@@ -89,6 +89,7 @@ inline constexpr Message<Localized, Localized> sarif_skipped{"skipped ({}): {}",
 
 inline constexpr Message<> column_file{"File", "Fichier"};
 inline constexpr Message<> column_compared{"Compared with", "Comparé à"};
+/// The same in both languages.
 inline constexpr Message<> column_verdict{"Verdict", "Verdict"};
 inline constexpr Message<> column_cases{"Cases", "Cas"};
 inline constexpr Message<> column_seconds{"Seconds", "Secondes"};
