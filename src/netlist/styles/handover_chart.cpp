@@ -427,7 +427,7 @@ void Wiring::find_forcings() {
     for (const Order& order : facts_.grafcet.orders) {
         if (order.kind == OrderKind::freeze) continue;
         for (const WiredStepId from : chart_.parts[order.step]) {
-            WiredForcing forcing{from, order.graph, {}, {}};
+            WiredForcing forcing{from, order.graph, {}, {}, facts_.may_pass(order.step)};
             for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
                 const WiredStepId id = chart_.steps.id_at(i);
                 const WiredStep& step = chart_.steps[id];

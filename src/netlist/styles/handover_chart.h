@@ -65,6 +65,8 @@ struct WiredForcing {
     GraphId graph{};
     std::vector<WiredStepId> on;
     std::vector<WiredStepId> off;  ///< all others of the graph, hidden ones included
+    /// The step may be left as soon as it is entered, and has to wait until all is done.
+    bool has_completion = true;
 };
 
 /// The chart as the handshake style wires it, with hidden steps where a transition would otherwise

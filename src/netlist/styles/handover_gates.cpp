@@ -281,6 +281,7 @@ void HandoverGates::make_merge(LinkId id, const GateMaker& gates) {
 
 void HandoverGates::make_completion(std::size_t number) {
     const WiredForcing& forcing = wired_.forcings[number];
+    if (!forcing.has_completion) return;
     const HandoverNets::OfForcing& nets = nets_.of_forcing(number);
     const GateMaker gates = gates_of(forcing.step);
     Nets common{nets_.of(forcing.step).x};
@@ -309,13 +310,8 @@ void HandoverGates::make_step(WiredStepId id) {
     for (const LinkId into : step.into) add_nets(x, nets_.setting(id, into));
     for (const LinkId out : step.out_of) add_nets(b, nets_.resetting(id, out));
     for (std::size_t i = 0; i < wired_.forcings.size(); ++i) {
-        const WiredForcing& forcing = wired_.forcings[i];
-        for (std::size_t j = 0; j < forcing.on.size(); ++j) {
-            if (forcing.on[j] == id) x.push_back(nets_.of_forcing(i).v[j]);
-        }
-        for (std::size_t j = 0; j < forcing.off.size(); ++j) {
-            if (forcing.off[j] == id) b.push_back(nets_.of_forcing(i).q[j]);
-        }
+        add_nets(x, nets_.switching_on(id, i));
+        add_nets(b, nets_.switching_off(id, i));
     }
     x.push_back(nets.b);
     add_nets(b, nets_.enclosing_lines(grafcet_.steps[step.home].graph));

@@ -103,6 +103,10 @@ void HandoverNets::name_forcings(NetlistBuilder& builder) {
             return builder.add_inner_net(owner, role + std::to_string(number++));
         };
         OfForcing nets;
+        if (!forcing.has_completion) {
+            forcings_.push_back(std::move(nets));
+            continue;
+        }
         for (std::size_t i = 0; i < forcing.off.size(); ++i) nets.q.push_back(add_net("off"));
         for (std::size_t i = 0; i < forcing.on.size(); ++i) nets.v.push_back(add_net("on"));
         forcings_.push_back(std::move(nets));
@@ -191,7 +195,7 @@ Nets HandoverNets::completed(WiredStepId step) const {
     Nets result;
     for (std::size_t i = 0; i < wired_.forcings.size(); ++i) {
         const WiredForcing& forcing = wired_.forcings[i];
-        if (forcing.step != step) continue;
+        if (forcing.step != step || !forcing.has_completion) continue;
         for (std::size_t j = 0; j < forcing.off.size(); ++j) {
             add_nets(result, {of(forcing.off[j]).b, forcings_[i].q[j]});
         }
@@ -208,6 +212,22 @@ Nets HandoverNets::completed(WiredStepId step) const {
         }
     }
     return result;
+}
+
+Nets HandoverNets::switching_on(WiredStepId step, std::size_t forcing) const {
+    const WiredForcing& item = wired_.forcings[forcing];
+    const auto at = std::find(item.on.begin(), item.on.end(), step);
+    if (at == item.on.end()) return {};
+    if (!item.has_completion) return {of(item.step).b};
+    return {forcings_[forcing].v[static_cast<std::size_t>(at - item.on.begin())]};
+}
+
+Nets HandoverNets::switching_off(WiredStepId step, std::size_t forcing) const {
+    const WiredForcing& item = wired_.forcings[forcing];
+    const auto at = std::find(item.off.begin(), item.off.end(), step);
+    if (at == item.off.end()) return {};
+    if (!item.has_completion) return {of(item.step).b};
+    return {forcings_[forcing].q[static_cast<std::size_t>(at - item.off.begin())]};
 }
 
 Nets HandoverNets::enclosing_lines(GraphId graph) const {

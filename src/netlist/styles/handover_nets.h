@@ -69,6 +69,9 @@ class HandoverNets {
     Nets written(WiredStepId step) const;
     /// Of a forcing step: 1 once its orders have been obeyed.
     Nets completed(WiredStepId step) const;
+    /// What is 0 while a forcing order sets a step, and while it resets it: for its X, and its B.
+    Nets switching_on(WiredStepId step, std::size_t forcing) const;
+    Nets switching_off(WiredStepId step, std::size_t forcing) const;
     /// Of an enclosed graph: the X of the step that encloses it.
     Nets enclosing_lines(GraphId graph) const;
     /// What keeps T from beginning: the steps that freeze the graph.

@@ -172,6 +172,45 @@ std::vector<Product> HandshakeFacts::folded(TransitionId id,
     return result;
 }
 
+/// What a product says of the inputs, which stay what they are until the evolution ends; of an
+/// edge, its level.
+Product HandshakeFacts::of_inputs(const Product& product) const {
+    Product result;
+    for (const Literal& literal : product) {
+        if (const auto edge = edge_in(literal.atom)) {
+            if (!literal.negated) result.push_back(edge->level);
+            continue;
+        }
+        if (pool.kind(literal.atom) != ExprKind::variable) continue;
+        const VariableKind kind = pool.variable_of(literal.atom).kind;
+        if (kind == VariableKind::input || kind == VariableKind::control) result.push_back(literal);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+bool HandshakeFacts::may_pass(StepId step) const {
+    // What else activates or deactivates it is not looked into.
+    const GraphId graph = grafcet.steps[step].graph;
+    const bool is_forced = std::any_of(grafcet.orders.begin(), grafcet.orders.end(),
+                                       [&](const Order& order) { return order.graph == graph; });
+    const bool is_enclosed = grafcet.graphs[graph].enclosed_by != none;
+    if (is_forced || is_enclosed || edge_of.count(step) != 0 || can_return_to(step)) return true;
+    for (const TransitionId into : transitions.into_step(step)) {
+        for (const Product& first : receptivities[index_of(into)]) {
+            for (const TransitionId out : transitions.out_of_step(step)) {
+                if (waits_for(out, step)) continue;
+                for (const Product& second : receptivities[index_of(out)]) {
+                    if (are_compatible(pool, of_inputs(first), of_inputs(second), assumptions)) {
+                        return true;
+                    }
+                }
+            }
+        }
+    }
+    return false;
+}
+
 bool HandshakeFacts::can_return_to(StepId step) const {
     Search search{{step}};
     return can_return(search, step, {});

@@ -53,6 +53,8 @@ class HandshakeFacts {
     bool needs_merge(StepId step) const;
     /// Whether a stored action writes the variable.
     bool is_written(Variable variable) const;
+    /// Whether a step can come and go, or go and come back, within one evolution.
+    bool may_pass(StepId step) const;
     /// Whether a token can come back to a step within one evolution, and stay there.
     bool can_return_to(StepId step) const;
     /// The products without the literals whose value is known whenever the transition is enabled.
@@ -60,6 +62,7 @@ class HandshakeFacts {
 
   private:
     bool may_end(const Product& product) const;
+    Product of_inputs(const Product& product) const;
     struct Search;
     bool can_return(Search& search, StepId from, const Product& so_far) const;
     std::optional<bool> constant_for(TransitionId id, StepId read) const;
