@@ -125,10 +125,9 @@ inline constexpr Message<std::uint64_t> interlocked_is_alike{
     "came to without\n",
     "  dans chaque cas à un changement à la fois, {} en tout, le grafcet aboutit avec eux à ce à "
     "quoi il aboutissait sans eux\n"};
-inline constexpr Message<std::uint64_t> interlocked_is_alike_so_far{
-    "  in the {} cases that were looked at, not all, the chart comes with them to what it came to "
-    "without\n",
-    "  dans les {} cas examinés, qui ne sont pas tous, le grafcet aboutit avec eux à ce à quoi il "
+inline constexpr Message<Localized> interlocked_is_alike_so_far{
+    "  in {}, not all that there are, the chart comes with them to what it came to without\n",
+    "  dans {}, pas dans tous ceux qui existent, le grafcet aboutit avec eux à ce à quoi il "
     "aboutissait sans eux\n"};
 
 // Remarks.

@@ -266,7 +266,7 @@ void TextReport::write_interlocks() {
     if (subject_.orders->is_complete) {
         say(words::interlocked_is_alike, subject_.orders->cases);
     } else {
-        say(words::interlocked_is_alike_so_far, subject_.orders->cases);
+        say(words::interlocked_is_alike_so_far, counted::cases(subject_.orders->cases));
     }
 }
 

@@ -328,8 +328,8 @@ inline constexpr Message<> shard{
     "qui a les mêmes fichiers les découpe de la même façon"};
 inline constexpr Message<> jobs{
     "how many cores share the work; nothing but the time it takes depends on it (default: all)",
-    "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en "
-    "dépend (par défaut : tous)"};
+    "nombre de cœurs qui se partagent le travail ; seul le temps de calcul en dépend (par "
+    "défaut : tous)"};
 inline constexpr Message<> max_cases{"give up after so many cases (0: never)",
                                      "abandonner après tant de cas (0 : jamais)"};
 inline constexpr Message<> max_seconds{"give up after so much time (0: never)",

@@ -255,10 +255,14 @@ inline constexpr CauseMessage gate_race{
     "A race of gates: which of them is faster decides, and with these delays it goes wrong.",
     "Course entre portes : la plus rapide décide, et avec ces retards le résultat est faux."};
 inline constexpr CauseMessage gate_race_remedy{
-    "Use a wiring whose gates wait for one another (style handshake), or the clocked style; or see "
-    "to it that the slow gates above are fast.",
-    "Choisir un câblage dont les portes s'attendent (style handshake) ou le style synchrone "
-    "(clocked) ; ou veiller à ce que les portes lentes ci-dessus soient rapides."};
+    "Use a wiring whose gates wait for one another (style handshake, with --interlock where the "
+    "chart depends on the order in which its transitions clear), or the clocked style; or see to "
+    "it that the slow gates above are fast.",
+    "Choisir un câblage dont les portes s'attendent (style handshake, avec --interlock si le "
+    "grafcet "
+    "dépend de l'ordre de ses franchissements) ou le style synchrone (clocked) ; ou veiller à ce "
+    "que "
+    "les portes lentes ci-dessus soient rapides."};
 
 // A net that changes too often in an instant (pulse_race).
 

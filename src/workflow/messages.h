@@ -30,10 +30,11 @@ inline constexpr Message<Localized> order_matters{
     "sous certains retards de ses portes, le câblage peut ne pas faire ce que fait le grafcet : "
     "{}"};
 /// Argument: how many cases.
-inline constexpr Message<std::uint64_t> order_seen_in_part{
-    "whether the order in which transitions clear matters was looked at in {} cases, which are not "
-    "all",
-    "l'influence de l'ordre des franchissements a été examinée dans {} cas, qui ne sont pas tous"};
+inline constexpr Message<Localized> order_seen_in_part{
+    "whether the order in which transitions clear matters was looked at in {}, not all that "
+    "there are",
+    "l'influence de l'ordre des franchissements a été examinée dans {}, pas dans tous ceux qui "
+    "existent"};
 /// Of a chart with interlocks, before what is left of its races.
 inline constexpr Message<> interlocks_do_not_suffice{
     "interlocks do not help against all that depends on the order in which transitions clear",

@@ -10,6 +10,7 @@
 #include "grafcet/write_grafcet.h"
 #include "orders/messages.h"
 #include "orders/tell_orders.h"
+#include "text/counted.h"
 #include "workflow/messages.h"
 
 namespace grafwire {
@@ -91,7 +92,8 @@ void warn_of(const Chart& chart, const RaceReport& report, const std::vector<Loc
         for (const Localized& cure : cures) warning.notes.push_back({{}, cure});
     }
     if (!report.is_complete) {
-        diagnostics.warning(code::order_of_clearing, {}, say::order_seen_in_part(report.cases));
+        diagnostics.warning(code::order_of_clearing, {},
+                            say::order_seen_in_part(messages::counted::cases(report.cases)));
     }
 }
 
