@@ -266,7 +266,7 @@ TEST_CASE("pulses: no simulation of a random chart shows one that was not told")
     int found = 0;
     int compared = 0;
     int seen = 0;
-    for (std::uint32_t seed = 1; seed <= case_count(24); ++seed) {
+    for (std::uint32_t seed = 1; seed <= case_count(30); ++seed) {
         RandomSource source(seed);
         const std::string text = random_grafcet(source, features);
         CAPTURE(text);
@@ -278,7 +278,10 @@ TEST_CASE("pulses: no simulation of a random chart shows one that was not told")
         nets.insert(nets.end(), ports.outputs.begin(), ports.outputs.end());
         for (const std::string delays : {"unit", "1..1.2", "any"}) {
             CAPTURE(delays);
-            const Pulses pulses = pulses_of(*grafcet, netlist, options_for(delays, 400));
+            // Where delays are open, a single case can take a million orders of gates.
+            if (delays != "unit" && (grafcet->steps.size() > 4 || seed % 3 != 0)) continue;
+            const std::uint64_t most_cases = delays == "unit" ? 400 : 100;
+            const Pulses pulses = pulses_of(*grafcet, netlist, options_for(delays, most_cases));
             found += static_cast<int>(pulses.found.size());
             if (!pulses.complete) continue;
             ++compared;

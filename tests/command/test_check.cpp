@@ -128,15 +128,15 @@ TEST_CASE("out of bounds is status 3, and says what is left") {
 
 TEST_CASE("verdict, witness and counts do not depend on how many cores share the work") {
     const std::vector<std::vector<std::string>> requests = {
-        {"examples/nine-steps.grafcet", "--style", "nand"},
-        {"examples/positioning-axis.grafcet", "--style", "gates"},
-        {"examples/manipulator.grafcet", "--style", "gates", "--changes", "many"},
-        {"examples/selection-convergence.grafcet", "--style", "gates", "--delay", "1..2"},
-        {"examples/single-sequence.grafcet", "--style", "nand", "--delay", "any"},
-        {"examples/manipulator.grafcet", "--style", "nand", "--max-cases", "100"},
-        {"examples/level-crossing.grafcet", "--style", "clocked", "--max-cases", "2000"},
-        {"examples/manipulator.grafcet", "--against", "examples/s7-200/manipulator.printed.awl",
-         "--io", "examples/s7-200/manipulator.io"}};
+        {example("nine-steps.grafcet"), "--style", "nand"},
+        {example("positioning-axis.grafcet"), "--style", "gates"},
+        {example("manipulator.grafcet"), "--style", "gates", "--changes", "many"},
+        {example("selection-convergence.grafcet"), "--style", "gates", "--delay", "1..2"},
+        {example("single-sequence.grafcet"), "--style", "nand", "--delay", "any"},
+        {example("manipulator.grafcet"), "--style", "nand", "--max-cases", "100"},
+        {example("level-crossing.grafcet"), "--style", "clocked", "--max-cases", "2000"},
+        {example("manipulator.grafcet"), "--against", example("s7-200/manipulator.printed.awl"),
+         "--io", example("s7-200/manipulator.io")}};
     for (std::vector<std::string> request : requests) {
         CAPTURE(request.front());
         request.insert(request.begin(), "check");

@@ -33,11 +33,11 @@
 //
 //     Init, AUdur    into every T and U, into X of what starts, into B of the others
 //     freezing       B_s, H_s of the freezing step into every T of the graph
-//     forcing        B_s, H_s into every T and U of the graph; B_s into X of what is forced on, into
-//                    B of the others. Where s may be left as soon as it is entered, it waits until
-//                    all is done: Q_m = NAND(X_s, G_s, X_m) resets a step m instead; V_n = NAND(X_s,
-//                    G_s, B_n, B_m, Q_m of all m) sets a step n once those are off; who leaves or
-//                    reads s waits for all of that
+//     forcing        B_s, H_s into every T and U of the graph; B_s into X of what is forced on,
+//                    into B of the others. Where s may be left as soon as it is entered, it waits
+//                    until all is done: Q_m = NAND(X_s, G_s, X_m) resets a step m instead; V_n =
+//                    NAND(X_s, G_s, B_n, B_m, Q_m of all m) sets a step n once those are off; who
+//                    leaves or reads s waits for all of that
 //     time t/X_n     the timer takes the place of X_n in the T of an exit of n, so that T stays 0
 //                    until the timer has fallen; read elsewhere, together with its operand
 //     stored actions each transition that writes stops in a hidden step w: A = NAND(X_w, G_w, the
