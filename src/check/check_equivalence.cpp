@@ -34,7 +34,7 @@ constexpr std::size_t most_uninitialised_memories = 8;
 
 /// Of a netlist that is wrong somewhere: cases with more are mostly those, and pulses are looked
 /// for in the others.
-constexpr std::size_t most_states_of_wrong_netlists = 20'000;
+constexpr std::size_t most_states_of_wrong_netlists = 2'000;
 
 /// What is left of the bounds after some cases.
 CheckOptions rest_of(const CheckOptions& options, std::uint64_t cases) {
