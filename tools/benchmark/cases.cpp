@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "check/check_equivalence.h"
+#include "check/report.h"
 #include "child.h"
 #include "equations/equations.h"
 #include "grafcet/parse_grafcet.h"
@@ -32,12 +33,9 @@ void measure_example(const std::string& name, Style style) {
     CheckResult result;
     const double seconds =
         time_of([&] { result = check_equivalence(*grafcet, *netlist, options); });
-    const char* verdict = result.verdict == Verdict::equivalent  ? "equivalent"
-                          : result.verdict == Verdict::different ? "different"
-                                                                 : "undecided";
     fmt::print("{:<20} {:>8} {:>9} {:>9.3f} {:>9.0f}  {}\n", name,
                style_table[static_cast<std::size_t>(style)].name, result.coverage.cases, seconds,
-               static_cast<double>(result.coverage.cases) / seconds, verdict);
+               static_cast<double>(result.coverage.cases) / seconds, name_of(result.verdict));
 }
 
 }  // namespace

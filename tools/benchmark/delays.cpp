@@ -8,6 +8,7 @@
 
 #include "charts.h"
 #include "check/check_equivalence.h"
+#include "check/report.h"
 #include "child.h"
 #include "equations/equations.h"
 #include "grafcet/parse_grafcet.h"
@@ -20,18 +21,6 @@ namespace bench {
 namespace {
 
 using namespace grafwire;
-
-const char* name_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::equivalent:
-            return "equivalent";
-        case Verdict::different:
-            return "different";
-        case Verdict::undecided:
-            return "undecided";
-    }
-    std::abort();
-}
 
 void measure_model(std::size_t branches, Style style, const char* delays) {
     Diagnostics diagnostics;
