@@ -152,6 +152,10 @@ Judged judge_gates(const Session& session) {
 Judged judge_netlist(const Session& session) {
     const NetlistRequest& request = session.request.netlist;
     if (!session.request.against.empty() || !request.is_handshake()) return judge_gates(session);
+    Diagnostics said_later;
+    const bool can_be_wired =
+        request.interlock || make_netlist(session.chart, request.options(), said_later).has_value();
+    if (!can_be_wired) return judge_gates(session);
     const OrderFindings findings = find_orders(session.chart, request.options().modes);
     std::optional<Chart> interlocked;
     if (request.interlock) interlocked = interlocked_chart(session.chart, findings);
