@@ -44,6 +44,20 @@ bool Expander::is_one_at_a_time() const {
 }
 
 bool Expander::expand(const ProductState* source, const Visit& visit) {
+    bool is_whole = true;
+    bool goes_on = true;
+    const auto compare_one = [&](const RunningDelays::Ending& ending,
+                                 const ReferenceOutcome& expected) {
+        is_whole = compare(source, ending, expected, [&](ExpandedCase&& found) {
+            goes_on = visit(std::move(found));
+            return goes_on;
+        });
+        return is_whole && goes_on;
+    };
+    return for_each_expected(source, compare_one) && is_whole;
+}
+
+bool Expander::for_each_expected(const ProductState* source, const VisitExpected& visit) {
     is_broken_off_ = false;
     const PartialInputs any = unassigned_inputs(grafcet_, netlist_->has_modes());
     if (source == nullptr) {
@@ -75,13 +89,14 @@ ReferenceOutcome Expander::run_reference(const Edge& edge, const PartialInputs& 
 
 /// All cases of one instant or scan under partial inputs; false where there is to be no further
 /// one.
-bool Expander::explore_edge(const Edge& edge, const PartialInputs& inputs, const Visit& visit) {
+bool Expander::explore_edge(const Edge& edge, const PartialInputs& inputs,
+                            const VisitExpected& visit) {
     bool goes_on = true;
     for_each_case(
         assumptions_, inputs, [&](const PartialInputs& some) { return run_reference(edge, some); },
         [&](const ReferenceOutcome& expected) {
             is_broken_off_ = is_broken_off_ || expected.broken_off;
-            goes_on = !is_broken_off_ && compare(edge, expected, visit);
+            goes_on = !is_broken_off_ && visit(edge.ending, expected);
             return goes_on;
         });
     return goes_on;
@@ -100,17 +115,18 @@ std::optional<PathStep> Expander::step_to(const Edge& edge, const PartialInputs&
     return step;
 }
 
-/// Runs the netlist in a case of the reference, split as far as the netlist needs it; false where
-/// there is to be no further case.
-bool Expander::compare(const Edge& edge, const ReferenceOutcome& expected, const Visit& visit) {
-    const PartialInputs& left = edge.source == nullptr ? expected.inputs : edge.source->inputs;
-    const SimulatorState* state = edge.source == nullptr ? nullptr : &edge.source->netlist;
+bool Expander::compare(const ProductState* source, const RunningDelays::Ending& ending,
+                       const ReferenceOutcome& expected, const Visit& visit) {
+    const PartialInputs& left = source == nullptr ? expected.inputs : source->inputs;
+    const SimulatorState* state = source == nullptr ? nullptr : &source->netlist;
     std::vector<PathStep> remaining;
-    if (auto step = step_to(edge, expected.inputs)) remaining.push_back(std::move(*step));
+    if (auto step = step_to({source, ending}, expected.inputs)) {
+        remaining.push_back(std::move(*step));
+    }
     while (!remaining.empty()) {
         PathStep step = std::move(remaining.back());
         remaining.pop_back();
-        if (edge.source == nullptr) step.before = step.inputs;
+        if (source == nullptr) step.before = step.inputs;
         if (!assumptions_.can_hold(step.inputs) || !assumptions_.can_hold(step.before)) continue;
         NetlistOutcomes outcomes;
         if (expected.stable) {
@@ -122,18 +138,15 @@ bool Expander::compare(const Edge& edge, const ReferenceOutcome& expected, const
                 outcomes.begin(), outcomes.end(),
                 [&](const NetlistOutcome& outcome) { return outcome.kind == kind; });
         };
-        if (first(NetlistOutcome::Kind::broken_off) != outcomes.end()) {
-            is_broken_off_ = true;
-            return false;
-        }
+        if (first(NetlistOutcome::Kind::broken_off) != outcomes.end()) return false;
         const auto unassigned = first(NetlistOutcome::Kind::unassigned);
         if (unassigned != outcomes.end()) {
             for (PathStep& half :
                  halves_of(assumptions_, step, *unassigned->unknown, is_one_at_a_time())) {
                 remaining.push_back(std::move(half));
             }
-        } else if (!visit({edge.ending, expected, std::move(step), std::move(outcomes)})) {
-            return false;
+        } else if (!visit({ending, expected, std::move(step), std::move(outcomes)})) {
+            return true;
         }
     }
     return true;

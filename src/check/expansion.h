@@ -50,22 +50,31 @@ class Expander {
     Expander(const Grafcet& grafcet, std::unique_ptr<ExploredNetlist> netlist,
              const ExplorationPlan& plan, KeepGoing keep_going);
 
+    using Visit = std::function<bool(ExpandedCase&&)>;
     /// Gives every case of the next instant or scan, in an order that depends on the state alone
     /// (nullptr: before power-up), until `visit` says no. False where it was broken off before.
-    bool expand(const ProductState* source, const std::function<bool(ExpandedCase&&)>& visit);
+    bool expand(const ProductState* source, const Visit& visit);
+
+    // The same in two parts.
+
+    using VisitExpected =
+        std::function<bool(const RunningDelays::Ending& ending, const ReferenceOutcome& expected)>;
+    /// What the reference does in the cases, which takes little time.
+    bool for_each_expected(const ProductState* source, const VisitExpected& visit);
+    /// What the netlist does in one of those: the cases into which it is split.
+    bool compare(const ProductState* source, const RunningDelays::Ending& ending,
+                 const ReferenceOutcome& expected, const Visit& visit);
 
   private:
     struct Edge {
         const ProductState* source;
         const RunningDelays::Ending& ending;
     };
-    using Visit = std::function<bool(ExpandedCase&&)>;
 
     bool is_one_at_a_time() const;
-    bool explore_edge(const Edge& edge, const PartialInputs& inputs, const Visit& visit);
+    bool explore_edge(const Edge& edge, const PartialInputs& inputs, const VisitExpected& visit);
     ReferenceOutcome run_reference(const Edge& edge, const PartialInputs& inputs) const;
     std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
-    bool compare(const Edge& edge, const ReferenceOutcome& expected, const Visit& visit);
 
     const Grafcet& grafcet_;
     std::unique_ptr<ExploredNetlist> netlist_;

@@ -36,6 +36,11 @@
 //
 // Breadth first, because the shortest path to a difference is the easiest to read.
 //
+// Several workers can share it where a case takes long. What the netlist does in one needs nothing
+// that is known of the others (expansion.cpp); so cases of the nodes that wait longest are gone
+// through side by side, while one of the workers takes what they find, case by case in their order.
+// Verdict, witness and counts are then those of a worker alone.
+//
 // Which inputs are varied, and why that is enough: see reference_case.cpp.
 
 #include "check/exploration.h"
@@ -47,7 +52,7 @@
 #include "check/expansion.h"
 #include "check/partial_inputs.h"
 #include "check/pulse_search.h"
-#include "check/shared_nodes.h"
+#include "check/shared_work.h"
 #include "check/state_encoding.h"
 #include "check/state_space.h"
 #include "evolution/evolution.h"
@@ -61,13 +66,31 @@ struct Node {
     std::uint32_t step = PredecessorTree::root;  ///< that led to it
 };
 
-/// A case that somebody has gone through and that waits for its turn.
-struct StoredCase {
+/// A node whose cases are gone through while those of nodes before it may not have had their turn.
+struct NodeInHand {
+    Node node;
+    std::size_t number = 0;   ///< in the order in which they were taken in hand
+    bool has_begun = false;   ///< its turn has come
+    bool is_covered = false;  ///< by then
+};
+
+/// What the reference does in a case, for somebody to run the netlist in.
+struct SharedCase {
+    std::shared_ptr<NodeInHand> from;  ///< nullptr before power-up
     RunningDelays::Ending ending;
     ReferenceOutcome expected;
+
+    const Node* node() const { return from == nullptr ? nullptr : &from->node; }
+};
+
+/// What the netlist does in it, as far as it is split.
+struct SharedOutcome {
     PathStep step;
     NetlistOutcomes outcomes;
 };
+
+/// So many cases a worker has before it at a time.
+constexpr std::size_t cases_of_a_worker = 64;
 
 class Exploration {
   public:
@@ -99,21 +122,19 @@ class Exploration {
             together_.take_turns();  // what others have found may end it
             return !together_.is_over() && coverage_.goes_on();
         });
-        while (expanders_.size() < together_.count()) {
-            add_expander([this, ask = options.keep_going] {
-                return !together_.is_over() && (!ask || ask());
-            });
-        }
+        if (together_.count() == 1 || !netlist_->is_worth_sharing()) return;
+        const KeepGoing keep_going = [this, ask = options.keep_going] {
+            return !together_.is_over() && (!ask || ask());
+        };
+        while (expanders_.size() < together_.count()) add_expander(keep_going);
+        lister_ = std::make_unique<Expander>(grafcet, make_netlist(keep_going), plan, keep_going);
     }
 
     ExplorationResult run() {
-        expand(nullptr);
-        while (!together_.is_over() && !waiting_.empty()) {
-            if (expanders_.size() > 1 && waiting_.size() > 1) {
-                expand_together();
-            } else {
-                expand_first();
-            }
+        if (lister_ == nullptr) {
+            explore_alone();
+        } else {
+            explore_together();
         }
         CheckResult& result = explored_.result;
         result.never = coverage_.never_exercised();
@@ -130,11 +151,17 @@ class Exploration {
         return !netlist_->is_clocked() && plan_.changes == Changes::one;
     }
 
+    bool is_covered(const Node& node) const {
+        return visited_.is_covered(node.state.encoding, node.state.delays.zone());
+    }
+    void explore_alone();
     void expand(const Node* node);
-    void expand_first();
-    void expand_together();
+    void explore_together();
+    void list_cases(const std::shared_ptr<NodeInHand>& from);
+    bool is_left_out(const SharedCase& item);
+    void share_cases();
     /// The nodes that have not had their turn.
-    std::size_t waiting() const { return waiting_.size() + together_.ahead(); }
+    std::size_t waiting() const { return waiting_.size() + ahead_; }
     void take(const Node* node, const RunningDelays::Ending& ending,
               const ReferenceOutcome& expected, const PathStep& step, NetlistOutcomes& outcomes);
     bool follow(const Node* node, const RunningDelays::Ending& ending, const PathStep& step,
@@ -154,7 +181,7 @@ class Exploration {
 
     const Grafcet& grafcet_;
     std::unique_ptr<ExploredNetlist> netlist_;
-    SharedNodes<Node, StoredCase> together_;
+    SharedWork<SharedCase, SharedOutcome> together_;
     ExplorationPlan plan_;
     PulseSearch* pulses_;
     ExplorationResult explored_;
@@ -165,7 +192,11 @@ class Exploration {
     Assumptions assumptions_;
     CoverageRecorder coverage_;
     std::vector<std::unique_ptr<Expander>> expanders_;  ///< one a worker
+    std::unique_ptr<Expander> lister_;  ///< of cases that are shared; nullptr where none are
     std::deque<Node> waiting_;
+    std::deque<SharedCase> cases_;  ///< listed, and to be shared
+    std::size_t in_hand_ = 0;       ///< so many nodes have been taken in hand
+    std::size_t ahead_ = 0;         ///< those of them after the one whose turn it is
     VisitedStates visited_;
     PredecessorTree predecessors_;
     bool no_period_shows_it_ = false;
@@ -187,28 +218,70 @@ void Exploration::expand(const Node* node) {
         together_.end();
 }
 
-void Exploration::expand_first() {
-    const Node node = std::move(waiting_.front());
-    waiting_.pop_front();
-    if (!visited_.is_covered(node.state.encoding, node.state.delays.zone())) expand(&node);
+void Exploration::explore_alone() {
+    expand(nullptr);
+    while (!together_.is_over() && !waiting_.empty()) {
+        const Node node = std::move(waiting_.front());
+        waiting_.pop_front();
+        if (!is_covered(node)) expand(&node);
+    }
 }
 
-void Exploration::expand_together() {
-    const NodeSteps<Node, StoredCase> steps{
-        [this](const Node& node) {
-            return visited_.is_covered(node.state.encoding, node.state.delays.zone());
+/// The cases of the nodes that wait longest are listed and shared among the workers. What they find
+/// is taken in the order of the cases.
+void Exploration::explore_together() {
+    list_cases(nullptr);
+    while (!together_.is_over() && !(waiting_.empty() && cases_.empty())) {
+        while (!waiting_.empty() && cases_.size() < cases_of_a_worker * expanders_.size()) {
+            auto from = std::make_shared<NodeInHand>();
+            from->node = std::move(waiting_.front());
+            from->number = ++in_hand_;
+            waiting_.pop_front();
+            if (!is_covered(from->node)) list_cases(from);
+            if (together_.is_over()) return;
+        }
+        share_cases();
+    }
+}
+
+/// Lists all cases that leave a node; those that are too many at once are shared on the way.
+void Exploration::list_cases(const std::shared_ptr<NodeInHand>& from) {
+    const auto add = [&](const RunningDelays::Ending& ending, const ReferenceOutcome& expected) {
+        cases_.push_back({from, ending, expected});
+        if (cases_.size() >= cases_of_a_worker * expanders_.size()) share_cases();
+        return !together_.is_over();
+    };
+    const ProductState* state = from == nullptr ? nullptr : &from->node.state;
+    if (lister_->for_each_expected(state, add) || together_.is_over()) return;
+    share_cases();
+    together_.end();
+}
+
+/// Asked of the cases in their order, and of none twice.
+bool Exploration::is_left_out(const SharedCase& item) {
+    if (item.from == nullptr) return false;
+    ahead_ = in_hand_ - item.from->number;
+    if (!item.from->has_begun) item.from->is_covered = is_covered(item.from->node);
+    item.from->has_begun = true;
+    return item.from->is_covered;
+}
+
+void Exploration::share_cases() {
+    const SharedSteps<SharedCase, SharedOutcome> steps{
+        [this](const SharedCase& item) { return is_left_out(item); },
+        [this](const SharedCase& item, std::size_t worker,
+               const std::function<bool(SharedOutcome &&)>& hand_over) {
+            const ProductState* state = item.from == nullptr ? nullptr : &item.from->node.state;
+            return expanders_[worker]->compare(
+                state, item.ending, item.expected, [&](ExpandedCase&& found) {
+                    return hand_over({std::move(found.step), std::move(found.outcomes)});
+                });
         },
-        [this](const Node& node, std::size_t worker,
-               const std::function<bool(StoredCase &&)>& hand_over) {
-            return expanders_[worker]->expand(&node.state, [&](ExpandedCase&& found) {
-                return hand_over({found.ending, found.expected, std::move(found.step),
-                                  std::move(found.outcomes)});
-            });
-        },
-        [this](const Node& node, StoredCase& found) {
-            take(&node, found.ending, found.expected, found.step, found.outcomes);
+        [this](const SharedCase& item, SharedOutcome& found) {
+            take(item.node(), item.ending, item.expected, found.step, found.outcomes);
         }};
-    together_.expand(waiting_, steps);
+    together_.run(cases_, steps);
+    if (!together_.is_over()) ahead_ = 0;
 }
 
 void Exploration::record_case(const ReferenceOutcome& expected, const PathStep& step) {

@@ -72,6 +72,9 @@ class ExploredNetlist {
     /// The lengths of all timers.
     virtual std::vector<Time> delays() const = 0;
 
+    /// Whether a case takes long enough for several to share the work.
+    virtual bool is_worth_sharing() const { return false; }
+
     /// What it does in a step from `start` (none: power-up and initialisation), compared with what
     /// the reference does. `left` are the inputs with which the state `start` was saved;
     /// `step.before` may assign some that are unassigned there.

@@ -24,6 +24,7 @@ class RacingCases : public NetlistCases {
                 const DelayModel& model, const KeepGoing& keep_going,
                 std::size_t most_states = std::numeric_limits<std::size_t>::max());
 
+    bool is_worth_sharing() const override { return true; }
     NetlistOutcomes run(const SimulatorState* start, const PartialInputs& left,
                         const PathStep& step, const ReferenceOutcome& expected) override;
     std::optional<Witness> replay(const Stimuli& stimuli, Time period) const override;

@@ -16,15 +16,12 @@
 #include <algorithm>
 #include <cassert>
 #include <deque>
-#include <functional>
-#include <memory>
 #include <numeric>
 #include <unordered_set>
 
 #include "check/coverage.h"
 #include "check/path.h"
 #include "check/reference_case.h"
-#include "check/shared_nodes.h"
 #include "check/state_encoding.h"
 #include "evolution/run.h"
 #include "trace/input_values.h"
@@ -58,76 +55,6 @@ std::string encoding_of(const ScanState& node, const Relevance& relevance,
     return encoding + device.key(node.memory, node.now);
 }
 
-/// A scan after a state, under inputs that both sides have looked at.
-struct ScannedCase {
-    std::shared_ptr<const ReferenceOutcome> expected;
-    PartialInputs inputs;
-    Outcome got;
-    Time now = 0;
-};
-
-/// The cases that leave a state. What it is made of is its own, so several of them can work side by
-/// side.
-class ScanExpander {
-  public:
-    ScanExpander(const Grafcet& grafcet, std::unique_ptr<ScannedDevice> device, Time period)
-        : any_inputs_(unassigned_inputs(grafcet, device->has_modes())),
-          device_(std::move(device)),
-          period_(period),
-          evolution_(grafcet),
-          reference_(evolution_, {}),
-          assumptions_(grafcet) {}
-
-    using Visit = std::function<bool(ScannedCase&&)>;
-    /// All cases of the scan after a state (nullptr: of the first), until `visit` says no.
-    void expand(const ScanState* node, const Visit& visit) {
-        const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
-        const Time now = node == nullptr ? 0 : node->now + period_;
-        const std::string memory = node == nullptr ? device_->start() : node->memory;
-        for_each_case(
-            assumptions_, any_inputs_,
-            [&](const PartialInputs& inputs) { return reference_.scan(start, inputs, now); },
-            [&](const ReferenceOutcome& expected) {
-                return compare(memory, std::make_shared<ReferenceOutcome>(expected), now, visit);
-            });
-    }
-
-  private:
-    bool compare(const std::string& memory, const std::shared_ptr<const ReferenceOutcome>& expected,
-                 Time now, const Visit& visit) const;
-
-    PartialInputs any_inputs_;
-    std::unique_ptr<ScannedDevice> device_;
-    Time period_;
-    Evolution evolution_;
-    ReferenceCases reference_;
-    Assumptions assumptions_;
-};
-
-/// Runs the device in a case of the reference, split by the unassigned inputs that it turns out to
-/// need; false where `visit` said no.
-bool ScanExpander::compare(const std::string& memory,
-                           const std::shared_ptr<const ReferenceOutcome>& expected, Time now,
-                           const Visit& visit) const {
-    std::vector<PartialInputs> remaining{expected->inputs};
-    while (!remaining.empty()) {
-        PartialInputs inputs = std::move(remaining.back());
-        remaining.pop_back();
-        if (!assumptions_.can_hold(inputs)) continue;
-        Outcome got = device_->scan(memory, inputs, now);
-        if (!got.needs) {
-            if (!visit({expected, std::move(inputs), std::move(got), now})) return false;
-            continue;
-        }
-        assert(inputs[*got.needs] == PartialInput::unassigned);
-        for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
-            inputs[*got.needs] = value;
-            remaining.push_back(inputs);
-        }
-    }
-    return true;
-}
-
 class ScanExploration {
   public:
     ScanExploration(const Grafcet& grafcet, const ScannedDevice& device, Time period,
@@ -135,28 +62,21 @@ class ScanExploration {
         : grafcet_(grafcet),
           device_(device),
           period_(period),
+          evolution_(grafcet),
+          reference_(evolution_, {}),
           relevance_(grafcet),
           assumptions_(grafcet),
-          coverage_(grafcet, assumptions_, device.has_modes(), options, result_.coverage),
-          together_(options.workers) {
-        for (std::size_t i = 0; i < together_.count(); ++i) {
-            expanders_.push_back(std::make_unique<ScanExpander>(grafcet, device.copy(), period));
-        }
-    }
+          coverage_(grafcet, assumptions_, device.has_modes(), options, result_.coverage) {}
 
     CheckResult run() {
         expand(nullptr);
-        while (!together_.is_over() && !waiting_.empty()) {
-            if (together_.count() > 1 && waiting_.size() > 1) {
-                expand_together();
-            } else {
-                const ScanState node = std::move(waiting_.front());
-                waiting_.pop_front();
-                expand(&node);
-            }
+        while (!done_ && !waiting_.empty()) {
+            const ScanState node = std::move(waiting_.front());
+            waiting_.pop_front();
+            expand(&node);
         }
         result_.never = coverage_.never_exercised();
-        conclude(result_, waiting_.empty() && !together_.is_over(), waiting());
+        conclude(result_, waiting_.empty() && !done_, waiting_.size());
         return std::move(result_);
     }
 
@@ -168,10 +88,7 @@ class ScanExploration {
     };
 
     void expand(const ScanState* node);
-    void expand_together();
-    void take(const ScanState* node, ScannedCase& found);
-    /// The nodes that have not had their turn.
-    std::size_t waiting() const { return waiting_.size() + together_.ahead(); }
+    void compare(const ScanState* node, const ReferenceOutcome& expected);
     void add_successor(ScanState&& next, std::uint32_t predecessor, const PartialInputs& inputs);
     void show_difference(std::uint32_t predecessor, const PartialInputs& inputs);
     Stimuli stimuli_of(std::vector<PartialInputs> scans) const;
@@ -180,6 +97,8 @@ class ScanExploration {
     const Grafcet& grafcet_;
     const ScannedDevice& device_;
     Time period_;
+    Evolution evolution_;
+    ReferenceCases reference_;
     Relevance relevance_;
     Assumptions assumptions_;
     std::deque<ScanState> waiting_;
@@ -187,38 +106,48 @@ class ScanExploration {
     std::vector<Scan> scans_;
     CheckResult result_;
     CoverageRecorder coverage_;
-    SharedNodes<ScanState, ScannedCase> together_;
-    std::vector<std::unique_ptr<ScanExpander>> expanders_;  ///< one a worker
+    bool done_ = false;
 };
 
+/// All cases of the scan after a node, or of the first.
 void ScanExploration::expand(const ScanState* node) {
-    expanders_.front()->expand(node, [&](ScannedCase&& found) {
-        take(node, found);
-        return !together_.is_over();
-    });
+    const EvolutionState* start = node == nullptr ? nullptr : &node->reference;
+    const Time now = node == nullptr ? 0 : node->now + period_;
+    for_each_case(
+        assumptions_, unassigned_inputs(grafcet_, device_.has_modes()),
+        [&](const PartialInputs& inputs) { return reference_.scan(start, inputs, now); },
+        [&](const ReferenceOutcome& expected) {
+            compare(node, expected);
+            return !done_;
+        });
 }
 
-void ScanExploration::expand_together() {
-    const NodeSteps<ScanState, ScannedCase> steps{
-        [](const ScanState&) { return false; },
-        [this](const ScanState& node, std::size_t worker,
-               const std::function<bool(ScannedCase &&)>& hand_over) {
-            expanders_[worker]->expand(&node, hand_over);
-            return true;
-        },
-        [this](const ScanState& node, ScannedCase& found) { take(&node, found); }};
-    together_.expand(waiting_, steps);
-}
-
-/// Counts a case, and goes on to the state reached, or to a witness.
-void ScanExploration::take(const ScanState* node, ScannedCase& found) {
+/// Compares the device in a case of the reference, split by the unassigned inputs that the device
+/// turns out to need.
+void ScanExploration::compare(const ScanState* node, const ReferenceOutcome& expected) {
+    const std::string memory = node == nullptr ? device_.start() : node->memory;
+    const Time now = node == nullptr ? 0 : node->now + period_;
     const std::uint32_t predecessor = node == nullptr ? root : node->scan;
-    if (!coverage_.record_case(*found.expected, found.inputs, waiting())) together_.end();
-    if (agree(*found.expected, found.got)) {
-        add_successor({found.expected->state, std::move(found.got.memory), found.now}, predecessor,
-                      found.inputs);
-    } else {
-        show_difference(predecessor, found.inputs);
+    std::vector<PartialInputs> remaining{expected.inputs};
+    while (!remaining.empty() && !done_) {
+        PartialInputs inputs = std::move(remaining.back());
+        remaining.pop_back();
+        if (!assumptions_.can_hold(inputs)) continue;
+        Outcome got = device_.scan(memory, inputs, now);
+        if (got.needs) {
+            assert(inputs[*got.needs] == PartialInput::unassigned);
+            for (const PartialInput value : {PartialInput::one, PartialInput::zero}) {
+                inputs[*got.needs] = value;
+                remaining.push_back(inputs);
+            }
+            continue;
+        }
+        if (!coverage_.record_case(expected, inputs, waiting_.size())) done_ = true;
+        if (agree(expected, got)) {
+            add_successor({expected.state, std::move(got.memory), now}, predecessor, inputs);
+        } else {
+            show_difference(predecessor, inputs);
+        }
     }
 }
 
@@ -266,7 +195,7 @@ void ScanExploration::show_difference(std::uint32_t predecessor, const PartialIn
     }
     std::reverse(path.begin(), path.end());
     result_.witness = replay_scans(grafcet_, device_, stimuli_of(std::move(path)), period_);
-    together_.end();
+    done_ = true;
 }
 
 /// A device over stimuli, a scan every period from 0 to the end: `visit` gets the time, the inputs

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +19,6 @@ namespace grafwire {
 class ScannedDevice {
   public:
     virtual ~ScannedDevice() = default;
-    /// The same once more, for somebody else to work with at the same time.
-    virtual std::unique_ptr<ScannedDevice> copy() const = 0;
 
     /// Where a program stops in a scan that should come to its end.
     struct Stop {

@@ -37,9 +37,6 @@ class LadderDevice : public ScannedDevice {
     /// The names lack no step and no output. GRAFCET and ladder diagram must outlive it.
     LadderDevice(const Grafcet& grafcet, const ladder::Ladder& ladder, LadderNames names);
 
-    std::unique_ptr<ScannedDevice> copy() const override {
-        return std::make_unique<LadderDevice>(*this);
-    }
     std::string start() const override;
     Outcome scan(const std::string& memory, const PartialInputs& inputs, Time now) const override;
     std::string key(const std::string& memory, Time now) const override;

@@ -19,9 +19,6 @@ class ListingDevice : public ScannedDevice {
     /// it gives one to a control input.
     ListingDevice(const s7::Listing& listing, s7::Cpu cpu, const s7::Binding& binding);
 
-    std::unique_ptr<ScannedDevice> copy() const override {
-        return std::make_unique<ListingDevice>(*this);
-    }
     std::string start() const override { return {}; }
     Outcome scan(const std::string& memory, const PartialInputs& inputs, Time now) const override;
     std::string key(const std::string& memory, Time now) const override;

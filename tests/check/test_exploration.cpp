@@ -33,6 +33,7 @@ class CoinDevice : public ExploredNetlist {
     CoinDevice(const Grafcet& grafcet, int fault, std::set<int>& sides)
         : grafcet_(grafcet), fault_(fault), sides_(sides) {}
 
+    bool is_worth_sharing() const override { return true; }
     bool is_clocked() const override { return false; }
     bool has_modes() const override { return false; }
     std::vector<std::uint32_t> conditions_of_timers() const override { return {}; }

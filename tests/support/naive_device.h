@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,6 @@ class NaiveDevice : public ScannedDevice {
     explicit NaiveDevice(const Grafcet& grafcet, Fault fault = {}, bool has_modes = true)
         : grafcet_(grafcet), evolution_(grafcet), fault_(std::move(fault)), has_modes_(has_modes) {}
 
-    std::unique_ptr<ScannedDevice> copy() const override {
-        return std::make_unique<NaiveDevice>(*this);
-    }
     std::string start() const override { return {}; }
     Outcome scan(const std::string& memory, const PartialInputs& inputs, Time now) const override;
     std::string key(const std::string& memory, Time now) const override;
