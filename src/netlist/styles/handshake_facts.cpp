@@ -197,11 +197,11 @@ bool HandshakeFacts::may_pass(StepId step) const {
     const bool is_enclosed = grafcet.graphs[graph].enclosed_by != none;
     if (is_forced || is_enclosed || edge_of.count(step) != 0 || can_return_to(step)) return true;
     for (const TransitionId into : transitions.into_step(step)) {
-        for (const Product& first : receptivities[index_of(into)]) {
+        for (const Product& coming : receptivities[index_of(into)]) {
             for (const TransitionId out : transitions.out_of_step(step)) {
                 if (waits_for(out, step)) continue;
-                for (const Product& second : receptivities[index_of(out)]) {
-                    if (are_compatible(pool, of_inputs(first), of_inputs(second), assumptions)) {
+                for (const Product& going : receptivities[index_of(out)]) {
+                    if (are_compatible(pool, of_inputs(coming), of_inputs(going), assumptions)) {
                         return true;
                     }
                 }
