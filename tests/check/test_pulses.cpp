@@ -266,7 +266,8 @@ TEST_CASE("pulses: no simulation of a random chart shows one that was not told")
     int found = 0;
     int compared = 0;
     int seen = 0;
-    for (std::uint32_t seed = 1; seed <= case_count(30); ++seed) {
+    const std::size_t open_seeds = case_count(30);
+    for (std::uint32_t seed = 1; seed <= std::max<std::size_t>(30, open_seeds); ++seed) {
         RandomSource source(seed);
         const std::string text = random_grafcet(source, features);
         CAPTURE(text);
@@ -279,7 +280,8 @@ TEST_CASE("pulses: no simulation of a random chart shows one that was not told")
         for (const std::string delays : {"unit", "1..1.2", "any"}) {
             CAPTURE(delays);
             // Where delays are open, a single case can take a million orders of gates.
-            if (delays != "unit" && (grafcet->steps.size() > 4 || seed % 3 != 0)) continue;
+            const bool is_small = grafcet->steps.size() <= 4 && seed % 3 == 0;
+            if (delays != "unit" && (!is_small || seed > open_seeds)) continue;
             const std::uint64_t most_cases = delays == "unit" ? 400 : 100;
             const Pulses pulses = pulses_of(*grafcet, netlist, options_for(delays, most_cases));
             found += static_cast<int>(pulses.found.size());

@@ -231,14 +231,14 @@ TEST_CASE("what comes out does not depend on how many checks run at a time") {
 TEST_CASE("Ctrl-C ends those that run and all that come, undecided, with a report") {
     const ScratchFolder folder;
     const std::string report = folder.path("report.json");
-    // The signal comes once the program catches it (bit 1 of the mask), long before it is done.
+    // The signal comes once there are threads that check, long before they are done.
     const Ran ran =
         run_program({"/bin/sh", "-c",
-                     "env --default-signal=INT \"$@\" & i=0; until [ $i -gt 500 ] || grep -q "
-                     "'^SigCgt:.*[2367abef]$' /proc/$!/status; "
+                     "env --default-signal=INT \"$@\" & i=0; until [ $i -gt 3000 ] || grep -q "
+                     "'^Threads:.*[2-9]' /proc/$!/status; "
                      "do i=$((i+1)); sleep 0.01; done; kill -INT $!; wait $!",
                      "sh", GRAFWIRE_PROGRAM, "check", example("manipulator-modes.grafcet"),
-                     example("level-crossing.grafcet"), "--style", "clocked", "-j", "1", "--to",
+                     example("level-crossing.grafcet"), "--style", "clocked", "-j", "2", "--to",
                      "json", "-o", report});
     CHECK(ran.status == 3);
     CHECK(verdicts_of(json_lines(text_of(report))) ==
