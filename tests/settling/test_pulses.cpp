@@ -39,10 +39,12 @@ SmallNetlist selection(bool with_consensus) {
     return small;
 }
 
-/// At rest with these nets at 1.
+/// At rest with these nets at 1. One that the netlist does not have yet is added to it.
 Bits at_one(SmallNetlist& small, const std::vector<std::string>& names) {
+    std::vector<NetId> nets;
+    for (const std::string& name : names) nets.push_back(small.net(name));
     Bits bits(small.netlist.net_count());
-    for (const std::string& name : names) bits[index_of(small.net(name))] = 1;
+    for (const NetId net : nets) bits[index_of(net)] = 1;
     return bits;
 }
 
