@@ -30,7 +30,7 @@ std::vector<PathStep> halves_of(const Assumptions& assumptions, const PathStep& 
     return halves;
 }
 
-Expander::Expander(const Grafcet& grafcet, std::unique_ptr<ExploredNetlist> netlist,
+Expander::Expander(const Grafcet& grafcet, std::shared_ptr<ExploredNetlist> netlist,
                    const ExplorationPlan& plan, KeepGoing keep_going)
     : grafcet_(grafcet),
       netlist_(std::move(netlist)),

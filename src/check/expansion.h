@@ -42,12 +42,12 @@ struct ExpandedCase {
 std::vector<PathStep> halves_of(const Assumptions& assumptions, const PathStep& step,
                                 const UnknownCause& cause, bool is_one_at_a_time);
 
-/// The cases that leave a product state. It holds nothing from one state to the next, and what it
-/// is made of is its own, so several of them can work side by side.
+/// The cases that leave a product state. It holds nothing from one state to the next, so several of
+/// them, each with a netlist of its own, can work side by side.
 class Expander {
   public:
     /// `grafcet` must outlive it.
-    Expander(const Grafcet& grafcet, std::unique_ptr<ExploredNetlist> netlist,
+    Expander(const Grafcet& grafcet, std::shared_ptr<ExploredNetlist> netlist,
              const ExplorationPlan& plan, KeepGoing keep_going);
 
     using Visit = std::function<bool(ExpandedCase&&)>;
@@ -77,7 +77,7 @@ class Expander {
     std::optional<PathStep> step_to(const Edge& edge, const PartialInputs& inputs) const;
 
     const Grafcet& grafcet_;
-    std::unique_ptr<ExploredNetlist> netlist_;
+    std::shared_ptr<ExploredNetlist> netlist_;
     ExplorationPlan plan_;
     Evolution evolution_;
     ReferenceCases reference_;

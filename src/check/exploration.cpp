@@ -114,6 +114,11 @@ class Exploration {
         facts_.condition_of_timer = netlist_->conditions_of_timers();
         facts_.is_relevant_condition = relevance_.time_conditions();
         facts_.is_relevant_timer = netlist_->relevant_timers();
+        if (together_.count() == 1 || !netlist_->is_worth_sharing()) {
+            expanders_.push_back(std::make_unique<Expander>(
+                grafcet, netlist_, plan, [this] { return coverage_.goes_on(); }));
+            return;
+        }
         const auto add_expander = [&](const KeepGoing& keep_going) {
             expanders_.push_back(
                 std::make_unique<Expander>(grafcet, make_netlist(keep_going), plan, keep_going));
@@ -122,12 +127,12 @@ class Exploration {
             together_.take_turns();  // what others have found may end it
             return !together_.is_over() && coverage_.goes_on();
         });
-        if (together_.count() == 1 || !netlist_->is_worth_sharing()) return;
         const KeepGoing keep_going = [this, ask = options.keep_going] {
             return !together_.is_over() && (!ask || ask());
         };
         while (expanders_.size() < together_.count()) add_expander(keep_going);
-        lister_ = std::make_unique<Expander>(grafcet, make_netlist(keep_going), plan, keep_going);
+        // It runs no netlist.
+        lister_ = std::make_unique<Expander>(grafcet, netlist_, plan, keep_going);
     }
 
     ExplorationResult run() {
@@ -180,7 +185,7 @@ class Exploration {
     void note_unstable(const Node* node, const PathStep& step, const ReferenceOutcome& expected);
 
     const Grafcet& grafcet_;
-    std::unique_ptr<ExploredNetlist> netlist_;
+    std::shared_ptr<ExploredNetlist> netlist_;
     SharedWork<SharedCase, SharedOutcome> together_;
     ExplorationPlan plan_;
     PulseSearch* pulses_;
@@ -459,10 +464,9 @@ bool Exploration::show_after_scans(const std::vector<PathStep>& path) {
 void Exploration::note_unstable(const Node* node, const PathStep& step,
                                 const ReferenceOutcome& expected) {
     if (explored_.result.first_unstable) return;
-    std::vector<Stimuli> stimuli = stimuli_of(node, step);
-    if (stimuli.empty()) return;
-    explored_.result.first_unstable =
-        CheckResult::Unstable{std::move(stimuli.front()), expected.changing};
+    auto stimuli = first_stimuli_for(grafcet_, assumptions_, path_of_instants(node, step));
+    if (!stimuli) return;
+    explored_.result.first_unstable = CheckResult::Unstable{std::move(*stimuli), expected.changing};
 }
 
 }  // namespace

@@ -246,6 +246,14 @@ void append_changes(const Assumptions& assumptions, const InputValues& from, con
 
 }  // namespace
 
+std::optional<Stimuli> first_stimuli_for(const Grafcet& grafcet, const Assumptions& assumptions,
+                                         const std::vector<PathStep>& path) {
+    for (const Time gap : gaps_for(path)) {
+        if (auto stimuli = stimuli_for(grafcet, assumptions, path, gap)) return stimuli;
+    }
+    return std::nullopt;
+}
+
 std::optional<std::vector<PathStep>> one_by_one(const Assumptions& assumptions,
                                                 const std::vector<PathStep>& path,
                                                 std::size_t input_count) {

@@ -49,6 +49,10 @@ std::optional<Stimuli> stimuli_for(const Grafcet& grafcet, const Assumptions& as
 /// path is possible at all, it is so with the last.
 std::vector<Time> gaps_for(const std::vector<PathStep>& path);
 
+/// The stimuli with the first of these gaps with which there are some.
+std::optional<Stimuli> first_stimuli_for(const Grafcet& grafcet, const Assumptions& assumptions,
+                                         const std::vector<PathStep>& path);
+
 /// The path with all inputs assigned and at most one of them changing at an instant, as far as the
 /// assumptions allow that; what changes without an effect gets instants of its own. Nothing where
 /// the assumptions allow no values.

@@ -239,9 +239,7 @@ std::optional<Stimuli> RaceSearch::stimuli_to(const OrderEdge& edge, const PathS
     if (auto single = one_by_one(assumptions_, path, grafcet_.all_input_count())) {
         path = std::move(*single);
     }
-    for (const Time gap : gaps_for(path)) {
-        if (auto stimuli = stimuli_for(grafcet_, assumptions_, path, gap)) return stimuli;
-    }
+    if (auto stimuli = first_stimuli_for(grafcet_, assumptions_, path)) return stimuli;
     needs_lengths_ = true;
     if (facts_.passing == Passing::free) done_ = true;
     return std::nullopt;
