@@ -12,6 +12,7 @@
 #include "grafcet/write_grafcet.h"
 #include "text/counted.h"
 #include "text/escape.h"
+#include "text/indented.h"
 #include "text/joined.h"
 #include "text/shown_duration.h"
 #include "text/utf8.h"
@@ -23,18 +24,6 @@ namespace {
 
 namespace words = messages::check;
 namespace counted = messages::counted;
-
-/// Two spaces before every line.
-std::string indented(const std::string& text) {
-    std::string result;
-    bool at_start = true;
-    for (const char c : text) {
-        if (at_start && c != '\n') result += "  ";
-        result += c;
-        at_start = c == '\n';
-    }
-    return result;
-}
 
 std::string names_text(const std::vector<std::string>& names) {
     return joined(names, ", ");

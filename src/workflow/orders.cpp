@@ -11,6 +11,7 @@
 #include "orders/messages.h"
 #include "orders/tell_orders.h"
 #include "text/counted.h"
+#include "text/indented.h"
 #include "workflow/messages.h"
 
 namespace grafwire {
@@ -46,11 +47,7 @@ std::string_view name_of(RaceKind kind) {
 
 /// Lines, each two places to the right, without the last line end.
 std::string moved_in(const std::string& lines) {
-    std::string text;
-    for (const char c : lines) {
-        if (text.empty() || text.back() == '\n') text += "  ";
-        text += c;
-    }
+    std::string text = indented(lines);
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;
 }
