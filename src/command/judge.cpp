@@ -136,33 +136,31 @@ NetlistFor netlist_by_delays(const Session& session, const Netlist& netlist) {
     };
 }
 
-Judged judge_gates(const Session& session) {
-    const bool is_made = session.request.against.empty();
-    const auto netlist = is_made ? make_netlist(session.chart, session.request.netlist)
-                                 : load_fitting_netlist(session);
-    if (!netlist) return {std::nullopt, is_made};
-    return {within_bounds(session, [&](CheckRequest asked, Diagnostics& messages) {
-        if (session.request.tolerance) asked.tolerance_of = netlist_by_delays(session, *netlist);
-        return check_netlist(session.chart, *netlist, asked, messages);
-    })};
-}
-
 /// A netlist that is made of the GRAFCET, or one from elsewhere. Where it matters in which order
 /// transitions clear, that is looked at; with interlocks, the chart is another one.
 Judged judge_netlist(const Session& session) {
     const NetlistRequest& request = session.request.netlist;
-    if (!session.request.against.empty() || !request.is_handshake()) return judge_gates(session);
-    Diagnostics said_later;
-    const bool can_be_wired =
-        request.interlock || make_netlist(session.chart, request.options(), said_later).has_value();
-    if (!can_be_wired) return judge_gates(session);
-    const OrderFindings findings = find_orders(session.chart, request.options().modes);
+    const bool is_made = session.request.against.empty();
+    const bool order_matters = is_made && request.is_handshake();
+    const auto orders = [&] { return find_orders(session.chart, request.options().modes); };
+    std::optional<OrderFindings> findings;
     std::optional<Chart> interlocked;
-    if (request.interlock) interlocked = interlocked_chart(session.chart, findings);
+    if (order_matters && request.interlock) {
+        findings = orders();
+        interlocked = interlocked_chart(session.chart, *findings);
+    }
     const Chart& chart = interlocked ? *interlocked : session.chart;
-    return judge_gates({session.request, session.line, chart, session.values, session.workers,
-                        session.progress, session.name,
-                        order_remarks(session.chart, findings, request.interlock)});
+    const auto netlist = is_made ? make_netlist(chart, request) : load_fitting_netlist(session);
+    if (!netlist) return {std::nullopt, is_made};
+    if (order_matters && !findings) findings = orders();
+    std::optional<OrderRemarks> remarks;
+    if (findings) remarks = order_remarks(session.chart, *findings, request.interlock);
+    const Session whole{session.request, session.line,     chart,        session.values,
+                        session.workers, session.progress, session.name, std::move(remarks)};
+    return {within_bounds(whole, [&](CheckRequest asked, Diagnostics& messages) {
+        if (session.request.tolerance) asked.tolerance_of = netlist_by_delays(whole, *netlist);
+        return check_netlist(chart, *netlist, asked, messages);
+    })};
 }
 
 /// An S7-200 listing. Its addresses say nothing by themselves, so a table of assignment is needed.
