@@ -102,14 +102,10 @@ void HandoverNets::name_forcings(NetlistBuilder& builder) {
         const auto add_net = [&](const char* role) {
             return builder.add_inner_net(owner, role + std::to_string(number++));
         };
-        OfForcing nets;
-        if (!forcing.has_completion) {
-            forcings_.push_back(std::move(nets));
-            continue;
-        }
+        OfForcing& nets = forcings_.emplace_back();
+        if (!forcing.has_completion) continue;
         for (std::size_t i = 0; i < forcing.off.size(); ++i) nets.q.push_back(add_net("off"));
         for (std::size_t i = 0; i < forcing.on.size(); ++i) nets.v.push_back(add_net("on"));
-        forcings_.push_back(std::move(nets));
     }
 }
 
@@ -214,20 +210,21 @@ Nets HandoverNets::completed(WiredStepId step) const {
     return result;
 }
 
-Nets HandoverNets::switching_on(WiredStepId step, std::size_t forcing) const {
+Nets HandoverNets::switching(WiredStepId step, std::size_t forcing,
+                             const std::vector<WiredStepId>& switched, const Nets& gates) const {
+    const auto at = std::find(switched.begin(), switched.end(), step);
+    if (at == switched.end()) return {};
     const WiredForcing& item = wired_.forcings[forcing];
-    const auto at = std::find(item.on.begin(), item.on.end(), step);
-    if (at == item.on.end()) return {};
     if (!item.has_completion) return {of(item.step).b};
-    return {forcings_[forcing].v[static_cast<std::size_t>(at - item.on.begin())]};
+    return {gates[static_cast<std::size_t>(at - switched.begin())]};
+}
+
+Nets HandoverNets::switching_on(WiredStepId step, std::size_t forcing) const {
+    return switching(step, forcing, wired_.forcings[forcing].on, forcings_[forcing].v);
 }
 
 Nets HandoverNets::switching_off(WiredStepId step, std::size_t forcing) const {
-    const WiredForcing& item = wired_.forcings[forcing];
-    const auto at = std::find(item.off.begin(), item.off.end(), step);
-    if (at == item.off.end()) return {};
-    if (!item.has_completion) return {of(item.step).b};
-    return {forcings_[forcing].q[static_cast<std::size_t>(at - item.off.begin())]};
+    return switching(step, forcing, wired_.forcings[forcing].off, forcings_[forcing].q);
 }
 
 Nets HandoverNets::enclosing_lines(GraphId graph) const {

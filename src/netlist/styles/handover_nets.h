@@ -88,6 +88,9 @@ class HandoverNets {
     void name_steps(NetlistBuilder& builder);
     void name_links(NetlistBuilder& builder);
     void name_forcings(NetlistBuilder& builder);
+    /// `switched`: the steps that the order switches on, or off, and the gates that do it.
+    Nets switching(WiredStepId step, std::size_t forcing, const std::vector<WiredStepId>& switched,
+                   const Nets& gates) const;
     GraphId graph_of(const Link& link) const { return grafcet_.transitions[link.transition].graph; }
 
     const Grafcet& grafcet_;
