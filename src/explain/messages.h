@@ -259,10 +259,8 @@ inline constexpr CauseMessage gate_race_remedy{
     "chart depends on the order in which its transitions clear), or the clocked style; or see to "
     "it that the slow gates above are fast.",
     "Choisir un câblage dont les portes s'attendent (style handshake, avec --interlock si le "
-    "grafcet "
-    "dépend de l'ordre de ses franchissements) ou le style synchrone (clocked) ; ou veiller à ce "
-    "que "
-    "les portes lentes ci-dessus soient rapides."};
+    "grafcet dépend de l'ordre de ses franchissements) ou le style synchrone (clocked) ; ou "
+    "veiller à ce que les portes lentes ci-dessus soient rapides."};
 
 // A net that changes too often in an instant (pulse_race).
 
